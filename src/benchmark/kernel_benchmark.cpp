@@ -75,7 +75,7 @@ class KernelRun {
     timing_.bytes_per_point_and_step = parallel::sum(static_cast<double>(footprint.moved_per_step)) / timing_.points;
   }
 
-  /// Finds the number of steps that take about `seconds`. It is the same on all processes, which step together.
+  /// Finds the number of steps that take about `seconds`, equal on all processes, which step together.
   void calibrate(double seconds) {
     advance();  // the first step is slower, as it touches memory for the first time
     constexpr double enough = 0.1;

@@ -32,8 +32,8 @@ void require_owner(const std::filesystem::path& path, const StateOwner& found, c
   }
 }
 
-/// Runs an action that may fail on some processes only. All of them wait here, and if one fails, all do: a process that
-/// went on alone would wait for ever for the others.
+/// Runs an action that may fail on some processes only. All processes wait here, and if one fails, all throw: a process
+/// that continued alone would wait for ever for the others.
 template <class Action>
 void do_together(const std::filesystem::path& path, const Action& action) {
   std::exception_ptr failure;
@@ -81,7 +81,7 @@ std::vector<std::string> Checkpoint::look_for_earlier() {
     throw FileError(fmt::format(
         "{}: not all processes see the same checkpoints; results must be on a disk that all share", path_.string()));
   }
-  // By now each process has looked at every file under its name.
+  // Each process has looked at all files by now, so that they can be renamed.
   for (const auto& path : damaged) set_aside(path);
   const auto* instead = earlier_ ? "the previous checkpoint is used" : "this packing or test starts anew";
   for (auto& problem : problems) problem += fmt::format("; {}", instead);
@@ -106,7 +106,7 @@ void Checkpoint::put(const WriteState& write, bool is_finished) {
   StateWriter writer(path_, owner_);
   writer.write(finished_name, std::int64_t{is_finished});
   write(writer);
-  // All processes wait: one that ended now would end the first one while it writes.
+  // All processes wait: if one ended now, MPI would end the first one while it writes.
   do_together(path_, [&] { writer.commit(); });
   last_ = Clock::now();
 }

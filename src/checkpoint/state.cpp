@@ -34,7 +34,7 @@ StateWriter::StateWriter(const std::filesystem::path& path, const StateOwner& ow
   });
 }
 
-/// Keeps the failure of an action for commit(), and leaves out what would be written after it.
+/// Runs an action and keeps its failure for commit(); after a failure actions are left out.
 template <class Action>
 void StateWriter::attempt(const Action& action) {
   try {

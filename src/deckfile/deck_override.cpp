@@ -26,7 +26,7 @@ DeckValue parse_value(const std::string& text, const Place& place) {
   return value;
 }
 
-/// Assigns a value to all keys that a path stands for.
+/// Assigns a value to all keys that a path selects.
 class Assignment {
  public:
   using Steps = std::span<const std::string>;
@@ -96,7 +96,7 @@ class Assignment {
   std::vector<std::string> replaced_;
 };
 
-/// Removes all keys that a path stands for.
+/// Removes all keys that a path selects.
 class Removal {
  public:
   using Steps = std::span<const std::string>;
@@ -157,7 +157,7 @@ class Removal {
     return step == "*" || step == name;
   }
 
-  /// Notes how many keys were removed, or what is missing.
+  /// Adds to the number of removed keys, or notes the missing step.
   void note(std::size_t removed, const std::string& path, const std::string& step,
             const std::vector<std::string>& known) {
     removed_ += removed;
@@ -176,7 +176,7 @@ struct KeyAndValue {
   std::string value;
 };
 
-/// The two sides of `key=value`, of which the value may be empty; nothing without the sign.
+/// The two sides of `key=value`, whose value may be empty; nothing without the sign.
 std::optional<KeyAndValue> split_entry(std::string_view entry) {
   const auto equals = entry.find('=');
   if (equals == std::string_view::npos) return std::nullopt;

@@ -9,7 +9,7 @@
 namespace breccia::detail {
 
 /// Applies an override to the tree, or adds a mistake: `key.path=value`, or `key.path=`, which removes the key.
-/// `origin`: what overrides are called (ValueOrigins).
+/// `origin` is the name of overrides in messages (ValueOrigins).
 void apply_override(DeckTable& root, const std::string& origin, const std::string& override_text,
                     std::vector<Mistake>& mistakes);
 

@@ -31,13 +31,13 @@ std::string wanted(Dimension dimension) {
 
 /// The result of reading one value: the value, or a description of the expected value.
 template <class T>
-struct Answer {
+struct ParsedValue {
   std::optional<T> value;
   std::string mistake;
 };
 
 template <class T>
-Answer<T> wrong(std::string mistake) {
+ParsedValue<T> wrong(std::string mistake) {
   return {std::nullopt, std::move(mistake)};
 }
 
@@ -45,7 +45,7 @@ std::string expected_but_got(std::string_view expected, const DeckValue& value) 
   return fmt::format("expected {}, got {}", expected, shown(value));
 }
 
-Answer<double> read_quantity(const DeckValue& value, Dimension dimension, const Range& range) {
+ParsedValue<double> read_quantity(const DeckValue& value, Dimension dimension, const Range& range) {
   const auto* text = std::get_if<std::string>(&value.content);
   if (text == nullptr) {
     return wrong<double>(expected_but_got(
@@ -60,7 +60,7 @@ Answer<double> read_quantity(const DeckValue& value, Dimension dimension, const 
   return wrong<double>(expected_but_got(described(range, dimension), value));
 }
 
-Answer<double> read_number(const DeckValue& value, const Range& range) {
+ParsedValue<double> read_number(const DeckValue& value, const Range& range) {
   double number = not_a_number;
   if (const auto* floating = std::get_if<double>(&value.content)) number = *floating;
   if (const auto* integer = std::get_if<std::int64_t>(&value.content)) number = static_cast<double>(*integer);
@@ -68,7 +68,7 @@ Answer<double> read_number(const DeckValue& value, const Range& range) {
   return wrong<double>(expected_but_got(described(range, "number"), value));
 }
 
-Answer<double> read_fraction(const DeckValue& value) {
+ParsedValue<double> read_fraction(const DeckValue& value) {
   const auto range = Range::between(0.0, 1.0);
   if (const auto* text = std::get_if<std::string>(&value.content)) {
     const auto share = parse_percentage(*text);
@@ -78,13 +78,13 @@ Answer<double> read_fraction(const DeckValue& value) {
   return read_number(value, range);
 }
 
-Answer<std::int64_t> read_integer(const DeckValue& value, const Range& range) {
+ParsedValue<std::int64_t> read_integer(const DeckValue& value, const Range& range) {
   const auto* integer = std::get_if<std::int64_t>(&value.content);
   if (integer != nullptr && accepts(range, static_cast<double>(*integer))) return {*integer, {}};
   return wrong<std::int64_t>(expected_but_got(described(range, "integer"), value));
 }
 
-Answer<bool> read_boolean(const DeckValue& value) {
+ParsedValue<bool> read_boolean(const DeckValue& value) {
   const auto* boolean = std::get_if<bool>(&value.content);
   if (boolean != nullptr) return {*boolean, {}};
   return wrong<bool>(expected_but_got("true or false", value));
@@ -92,21 +92,21 @@ Answer<bool> read_boolean(const DeckValue& value) {
 
 constexpr auto printable_text = "text without line breaks, tabs and other control characters";
 
-Answer<std::string> read_string(const DeckValue& value) {
+ParsedValue<std::string> read_string(const DeckValue& value) {
   const auto* text = std::get_if<std::string>(&value.content);
   if (text != nullptr && is_printable(*text)) return {*text, {}};
   if (text != nullptr) return wrong<std::string>(expected_but_got(printable_text, value));
   return wrong<std::string>(expected_but_got("text in quotes", value));
 }
 
-Answer<PlacedScalar> read_scalar(const DeckValue& value) {
+ParsedValue<PlacedScalar> read_scalar(const DeckValue& value) {
   const auto* text = std::get_if<std::string>(&value.content);
   if (text != nullptr && !is_printable(*text)) return wrong<PlacedScalar>(expected_but_got(printable_text, value));
   if (auto scalar = detail::scalar_of(value)) return {PlacedScalar{*std::move(scalar), value.place}, {}};
   return wrong<PlacedScalar>(expected_but_got("a number, text, true or false", value));
 }
 
-Answer<std::size_t> read_choice(const DeckValue& value, const std::vector<std::string>& words) {
+ParsedValue<std::size_t> read_choice(const DeckValue& value, const std::vector<std::string>& words) {
   const auto expected = words.size() == 1 ? fmt::format("\"{}\" (nothing else is available)", words.front())
                                           : fmt::format("one of \"{}\"", fmt::join(words, "\", \""));
   const auto* text = std::get_if<std::string>(&value.content);
@@ -120,9 +120,9 @@ Answer<std::size_t> read_choice(const DeckValue& value, const std::vector<std::s
 
 /// The value that was read, or nothing after a mistake was reported.
 template <class T>
-std::optional<T> settle(const Section& section, const std::string& key, Answer<T> answer) {
-  if (!answer.value) section.report(key, answer.mistake);
-  return std::move(answer.value);
+std::optional<T> settle(const Section& section, const std::string& key, ParsedValue<T> parsed) {
+  if (!parsed.value) section.report(key, parsed.mistake);
+  return std::move(parsed.value);
 }
 
 }  // namespace
@@ -302,12 +302,12 @@ auto Section::elements(const std::string& key, const std::string& expected, cons
   }
   if (array->values.empty()) report(key, "expected at least one, got an empty array");
   for (const auto& element : array->values) {
-    auto answer = read(element);
-    if (answer.value) {
-      all.push_back(std::move(*answer.value));
+    auto parsed = read(element);
+    if (parsed.value) {
+      all.push_back(std::move(*parsed.value));
       continue;
     }
-    state_->mistakes.push_back({element.place, fmt::format("{}: {}", path_of(key), answer.mistake)});
+    state_->mistakes.push_back({element.place, fmt::format("{}: {}", path_of(key), parsed.mistake)});
     if constexpr (std::is_same_v<Element, double>) all.push_back(not_a_number);
   }
   return all;

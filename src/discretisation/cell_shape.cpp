@@ -132,10 +132,10 @@ template <int dim>
 typename CellShape<dim>::Values CellShape<dim>::affine_motion(const Strain<dim>& strain) {
   Values motion;
   for (int node = 0; node < nodes; ++node) {
-    Vector<dim> place{};
+    Vector<dim> position{};
     const auto side = corner(node);
-    for (std::size_t axis = 0; axis < place.size(); ++axis) place[axis] = side[axis];
-    const auto moved = product(strain, place);
+    for (std::size_t axis = 0; axis < position.size(); ++axis) position[axis] = side[axis];
+    const auto moved = product(strain, position);
     for (int i = 0; i < dim; ++i) motion[dim * node + i] = moved[static_cast<std::size_t>(i)];
   }
   return motion;

@@ -30,7 +30,7 @@ class GrainShares {
 
   [[nodiscard]] double of(const Index<dim>& cell) const noexcept { return shares_[range_.place_of(cell)]; }
 
-  /// Adds a grain that is seen from a position in the box [m]. In a periodic box it may reach beyond the sides.
+  /// Adds a grain given relative to a position in the box [m]. In a periodic box it may reach beyond the sides.
   void add(const ConvexCell<dim>& grain, const Vector<dim>& position) {
     Index<dim> begin{}, end{};
     for (std::size_t axis = 0; axis < begin.size(); ++axis) {
@@ -46,10 +46,10 @@ class GrainShares {
       end[axis] = std::min(end[axis], grid_.cells[axis]);
     }
     for_each_index(begin, end, [&](const Index<dim>& cell) {
-      const auto place = in_box(cell);
-      if (!range_.contains(place)) return;
+      const auto inside = in_box(cell);
+      if (!range_.contains(inside)) return;
       const double share = share_of(grain.half_spaces(), cell, position);
-      if (share > 0.0) shares_[range_.place_of(place)] += share;
+      if (share > 0.0) shares_[range_.place_of(inside)] += share;
     });
   }
 
@@ -62,7 +62,7 @@ class GrainShares {
     return cell;
   }
 
-  /// The share of a cell in all of the half-spaces, which are seen from the position.
+  /// The share of a cell that is in all of the half-spaces, which are given relative to the position.
   [[nodiscard]] double share_of(std::span<const HalfSpace<dim>> half_spaces, const Index<dim>& cell,
                                 const Vector<dim>& position) {
     Vector<dim> centre{};
@@ -87,8 +87,8 @@ class GrainShares {
   IndexRange<dim> range_;
   Walls walls_;
   std::vector<double> shares_;
-  std::vector<HalfSpace<dim>> crossing_;  // the half-spaces whose planes cross a cell, seen from its centre
-  Vector<dim> lower_{}, upper_{};         // corners of a cell, seen from its centre
+  std::vector<HalfSpace<dim>> crossing_;  // the half-spaces whose planes cross a cell, relative to its centre
+  Vector<dim> lower_{}, upper_{};         // corners of a cell, relative to its centre
 };
 
 }  // namespace

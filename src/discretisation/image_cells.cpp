@@ -29,9 +29,9 @@ using Pixel = std::array<std::int64_t, static_cast<std::size_t>(dim)>;
 
 template <int dim>
 Label label_of(const LabelImage<dim>& image, const Pixel<dim>& pixel) {
-  std::int64_t place = 0;
-  for (std::size_t axis = pixel.size(); axis-- > 0;) place = place * image.pixels[axis] + pixel[axis];
-  return image.labels[static_cast<std::size_t>(place)];
+  std::int64_t index = 0;
+  for (std::size_t axis = pixel.size(); axis-- > 0;) index = index * image.pixels[axis] + pixel[axis];
+  return image.labels[static_cast<std::size_t>(index)];
 }
 
 /// The pixel along one axis that each point of a grid is in. There are two points to a cell, in the middle of its
@@ -45,7 +45,7 @@ std::vector<std::int64_t> pixels_of_points(std::int64_t cells, std::int64_t pixe
 /// The part of a row of pixels that is in one cell.
 struct PixelShare {
   std::int64_t pixel;
-  std::int64_t length;  ///< in units of which a pixel has as many as there are cells, and a cell as many as pixels
+  std::int64_t length;  ///< in a common unit: a pixel is `cells` units long, and a cell `pixels`
 };
 
 /// The pixels that each cell along one axis reaches over.
@@ -71,11 +71,11 @@ void add_volumes(const LabelImage<dim>& image, std::span<const PhaseIndex> phase
                  std::vector<std::int64_t>& volumes) {
   Index<dim> counts{};
   for (std::size_t axis = 0; axis < counts.size(); ++axis) counts[axis] = static_cast<int>(along[axis].size());
-  for_each_index(Index<dim>{}, counts, [&](const Index<dim>& place) {
+  for_each_index(Index<dim>{}, counts, [&](const Index<dim>& index) {
     Pixel<dim> pixel{};
     std::int64_t volume = 1;
     for (std::size_t axis = 0; axis < pixel.size(); ++axis) {
-      const auto& share = along[axis][static_cast<std::size_t>(place[axis])];
+      const auto& share = along[axis][static_cast<std::size_t>(index[axis])];
       pixel[axis] = share.pixel;
       volume *= share.length;
     }

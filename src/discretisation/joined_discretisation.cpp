@@ -104,11 +104,11 @@ JoinedMixtures join_mixtures(std::span<const std::vector<Mixture>> parts) {
   std::map<Mixture, std::size_t, decltype(comes_before)> known(comes_before);
   JoinedMixtures joined;
   for (const auto& part : parts) {
-    auto& places = joined.places.emplace_back();
+    auto& numbers = joined.numbers.emplace_back();
     for (const auto& mixture : part) {
       const auto [entry, is_new] = known.try_emplace(mixture, joined.mixtures.size());
       if (is_new) joined.mixtures.push_back(mixture);
-      places.push_back(entry->second);
+      numbers.push_back(entry->second);
     }
   }
   return joined;
@@ -126,12 +126,12 @@ Discretisation<dim> joined_on_machine(const Discretisation<dim>& part, std::size
   std::vector<PhaseIndex> numbers;
   for (auto& mixture : joined.mixtures) numbers.push_back(numbered.add_mixture(std::move(mixture), phases));
 
-  const auto& places = joined.places[static_cast<std::size_t>(parallel::rank_on_machine())];
+  const auto& joined_numbers = joined.numbers[static_cast<std::size_t>(parallel::rank_on_machine())];
   std::vector<CellPhases<dim>> cells(part.cells().begin(), part.cells().end());
   for (auto& cell : cells) {
     for (auto& phase : cell) {
-      if (part.mixture(phase) != nullptr)
-        phase = numbers[places[static_cast<std::size_t>(phase - part.first_mixture())]];
+      if (part.mixture(phase) == nullptr) continue;
+      phase = numbers[joined_numbers[static_cast<std::size_t>(phase - part.first_mixture())]];
     }
   }
   const auto memory = common_memory(grid.cell_count() * sizeof(CellPhases<dim>));

@@ -39,15 +39,15 @@ class PartCounter {
     const double half = 0.5 * side;
     auto centre = corner;
     for (double& x : centre) x += half;
-    const auto place = labelling_(centre);
-    if (parts == 1 || place.clearance > std::sqrt(static_cast<double>(dim)) * half) {
-      if (place.phase >= counts_.size()) {
+    const auto found = labelling_(centre);
+    if (parts == 1 || found.clearance > std::sqrt(static_cast<double>(dim)) * half) {
+      if (found.phase >= counts_.size()) {
         throw InputError(fmt::format("discretisation: a phase has the number {}, counted from 0, but there are only {}",
-                                     place.phase, counts_.size()));
+                                     found.phase, counts_.size()));
       }
       std::int64_t all = 1;
       for (int axis = 0; axis < dim; ++axis) all *= parts;
-      counts_[place.phase] += all;
+      counts_[found.phase] += all;
       return;
     }
     Index<dim> two{};

@@ -22,7 +22,7 @@ int to_steps(double share) {
   return static_cast<int>(std::lround(mixture_steps * share));
 }
 
-/// What a ball and the box between two corners have in common [m^dim].
+/// Area or volume that a ball and the box between two corners have in common [m^dim].
 double overlap(const Disc& disc, const Vector<2>& lower, const Vector<2>& upper) {
   return overlap_area(disc, lower, upper);
 }
@@ -37,7 +37,7 @@ struct Cover {
   double share;  ///< of the area or volume of the cell
 };
 
-/// A ball without what is inside a smaller ball around the same centre: a particle, or its coating.
+/// A particle or its coating: a ball without the smaller ball around the same centre.
 template <int dim>
 struct Shell {
   Ball<dim> outer;
@@ -86,8 +86,8 @@ void cover(const Shell<dim>& shell, Discretisation<dim>& discretisation, std::ve
   });
 }
 
-/// The content of a cell with these covers, which are sorted by phase. Where they fill the cell, what rounding leaves
-/// to the matrix belongs to the largest of them.
+/// The content of a cell with these covers, which are sorted by phase. Where they fill the cell, the remainder from
+/// rounding is added to the largest of them instead of the matrix.
 CellContent content_of(std::span<const Cover> covers, PhaseIndex matrix) {
   constexpr double rounding = 1e-9;
   CellContent content = {{matrix, mixture_steps}};
@@ -149,10 +149,10 @@ Discretisation<dim> discretise_mixed(const Microstructure<dim>& microstructure, 
   for (auto first = covers.begin(); first != covers.end();) {
     const auto cell = first->cell;
     const auto end = std::find_if(first, covers.end(), [&](const Cover& one) { return one.cell != cell; });
-    const auto place = discretisation.grid().cell_at(cell);
+    const auto index = discretisation.grid().cell_at(cell);
     // A cell that one ball fills stays so where another overlaps it.
-    const bool is_filled = discretisation.cell(place).front() != matrix;
-    if (!is_filled) numbers.fill(place, content_of({first, end}, matrix));
+    const bool is_filled = discretisation.cell(index).front() != matrix;
+    if (!is_filled) numbers.fill(index, content_of({first, end}, matrix));
     first = end;
   }
   return discretisation;

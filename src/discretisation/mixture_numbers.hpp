@@ -18,7 +18,7 @@ using CellContent = std::vector<std::pair<PhaseIndex, int>>;
 /// largest are rounded to steps, and that one has the rest.
 CellContent rounded_content(std::span<const std::int64_t> shares);
 
-/// Fills cells with what they hold, and adds a mixture to their discretisation for every new content of several phases.
+/// Fills cells with their contents, and adds a mixture to the discretisation for every new content of several phases.
 template <int dim>
 class MixtureNumbers {
  public:

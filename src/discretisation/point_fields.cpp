@@ -39,11 +39,11 @@ PointFields<dim> zero_fields(const Discretisation<dim>& discretisation, const In
   auto fields = zero_lattice<dim>(cells, points * count(cells));
   const Grid<dim> part = {.cells = cells.size()};
   for_each_index(cells.begin, cells.end, [&](const Index<dim>& cell) {
-    auto place = cell;
-    for (std::size_t axis = 0; axis < cell.size(); ++axis) place[axis] -= cells.begin[axis];
+    auto index = cell;
+    for (std::size_t axis = 0; axis < cell.size(); ++axis) index[axis] -= cells.begin[axis];
     const auto& phases = discretisation.cell(cell);
     for (int p = 0; p < points; ++p) {
-      fields.phase[part.point_index(place, p)] = phase_at(discretisation, phases[static_cast<std::size_t>(p)]);
+      fields.phase[part.point_index(index, p)] = phase_at(discretisation, phases[static_cast<std::size_t>(p)]);
     }
   });
   return fields;
@@ -92,9 +92,9 @@ parallel::OrderedPlaces places_of_timed_fields(const Grid<dim>& grid, const Inde
     for (int* along : {&all.cells[axis], &part.cells[axis], &begin[axis]}) *along *= finer;
   }
   const auto place_of = [all, part, begin](std::size_t value) {
-    auto place = part.cell_at(value);
-    for (std::size_t axis = 0; axis < begin.size(); ++axis) place[axis] += begin[axis];
-    return all.cell_index(place);
+    auto index = part.cell_at(value);
+    for (std::size_t axis = 0; axis < begin.size(); ++axis) index[axis] += begin[axis];
+    return all.cell_index(index);
   };
   return {part.cell_count(), place_of};
 }

@@ -13,7 +13,7 @@ namespace breccia {
 
 namespace {
 
-/// Numbers of tuples of a size, in the places of the tuples.
+/// The order of the single numbers of tuples of a size, from the order of the tuples.
 parallel::OrderedPlaces places_of_numbers(const parallel::OrderedPlaces& tuples, std::size_t size) {
   return {size * tuples.count, [tuples, size](std::size_t i) { return size * tuples.place_of(i / size) + i % size; }};
 }
@@ -26,7 +26,7 @@ void for_each_list(const std::string& group, Fields& fields, const Action& actio
   action(group + "/stress_Pa", fields.stress);
 }
 
-/// The numbers of tuples, one after the other.
+/// The numbers of all tuples, one tuple after the other.
 template <class Tuples>
 auto numbers_of(Tuples& tuples) {
   constexpr std::size_t size = std::tuple_size_v<typename Tuples::value_type>;

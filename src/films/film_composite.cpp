@@ -41,7 +41,8 @@ FilmVector FilmComposite::forces(std::span<const double> parameters, Load load, 
 
 namespace {
 
-/// What factors may take in the memory of a process [B]. Not the memory that is left decides: the last digits differ.
+/// The largest memory of the factors in a process [B]. It does not depend on the free memory, because factors in files
+/// change the last digits.
 constexpr double memory_of_factors = 2e9;
 
 }  // namespace
@@ -70,7 +71,7 @@ FilmVector FilmSolver::solve_forces(Load /*load*/, const FilmVector& forces, con
 
 FilmVector FilmSolver::solve(Load load, const FilmVector& guess) {
   if (composite_->boundary() == Boundary::traction) return solve_forces(load, composite_->load_forces(load), guess);
-  // The forces of the uniform strain include those of its pressures. The pressures that are found are the others.
+  // The forces of the uniform strain include those of its pressures, so the pressures of the solution are the others.
   auto prescribed = composite_->zero();
   prescribed.set_macroscopic(1.0);
   auto forces = composite_->forces(parameters_, load, prescribed);

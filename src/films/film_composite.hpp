@@ -12,14 +12,14 @@
 
 namespace breccia::films {
 
-/// Grains and films as a reduced basis sees them: the moduli that vary are the shear and the bulk modulus of the
-/// binder.
+/// Grains and films as an affine composite for a reduced basis, with the shear and the bulk modulus of the binder as
+/// parameters.
 class FilmComposite {
  public:
   using Vector = FilmVector;
   using BasisVectors = quasistatic::StoredVectors<FilmVector>;
-  static constexpr std::size_t forces_at_hand = 3;   ///< those of all parts
-  static constexpr std::size_t shear = 0, bulk = 1;  ///< places of the moduli of the binder among the parameters
+  static constexpr std::size_t forces_at_hand = 3;   ///< number of parts whose forces are held in memory: all
+  static constexpr std::size_t shear = 0, bulk = 1;  ///< indices of the moduli of the binder among the parameters
 
   explicit FilmComposite(const FilmProblem& problem) : film_operator_(problem) {}
 
@@ -50,15 +50,15 @@ class FilmSolver {
  public:
   explicit FilmSolver(const FilmComposite& composite);
 
-  /// Takes a binder of these moduli [Pa], shear and bulk, which are positive.
+  /// Factorises the matrix for a binder with these positive moduli [Pa], shear and bulk.
   void prepare(std::span<const double> parameters);
-  /// The displacement under the unit strain of a load or, under a traction boundary, its unit stress. The factors need
-  /// no guess.
+  /// The displacement under the unit strain of a load or, under a traction boundary, its unit stress. The guess is not
+  /// used.
   [[nodiscard]] FilmVector solve(Load load, const FilmVector& guess);
 
-  /// The same as prepare(): each binder has factors of its own.
+  /// Calls prepare(), since each binder needs factors of its own.
   void take(std::span<const double> parameters) { prepare(parameters); }
-  /// The fluctuations and flows for these forces on them, in a time step under a load. The factors need no guess.
+  /// The fluctuations and flows for these forces on them, in a time step under a load. The guess is not used.
   [[nodiscard]] FilmVector solve_forces(Load load, const FilmVector& forces, const FilmVector& guess);
   /// Modulus [Pa] from the energy of a solution for the present binder.
   [[nodiscard]] double modulus(Load load, const FilmVector& solution) const;

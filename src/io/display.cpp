@@ -77,7 +77,7 @@ std::string display_duration(double seconds, int digits) {
     std::string_view name;
     double size;  // [s]
   };
-  // Each unit is used from two of it on: "90 s" instead of "1.5 min".
+  // A unit is used from two units on: "90 s" instead of "1.5 min".
   for (const auto& [name, size] : {Unit{"d", 86400.0}, Unit{"h", 3600.0}, Unit{"min", 60.0}}) {
     if (seconds >= 2.0 * size) return fmt::format("{:.15g} {}", rounded(seconds / size, digits), name);
   }

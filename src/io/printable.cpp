@@ -10,7 +10,8 @@ namespace breccia {
 
 namespace {
 
-/// Whether a text begins with a control character. Those beyond ASCII, U+0080 to U+009F, have two bytes.
+/// Whether a text begins with a control character. The control characters beyond ASCII, U+0080 to U+009F, have two
+/// bytes.
 bool begins_with_control(std::string_view text) {
   const auto first = static_cast<std::uint8_t>(text[0]);
   return first < 0x20 || first == 0x7f || (first == 0xc2 && static_cast<std::uint8_t>(text[1]) < 0xa0);

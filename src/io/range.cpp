@@ -13,7 +13,7 @@ std::string with_article(std::string_view noun) {
   return fmt::format("{} {}", vowel ? "an" : "a", noun);
 }
 
-/// A range in words: "a positive length", "a number between 0 and 1". `text_of` writes its limits.
+/// The description of a range: "a positive length", "a number between 0 and 1". `text_of` writes its limits.
 template <class TextOf>
 std::string described(const Range& range, std::string_view noun, const TextOf& text_of) {
   const bool bounded_below = std::isfinite(range.lower);

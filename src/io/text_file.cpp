@@ -28,7 +28,7 @@ std::string last_system_error() {
 /// Flushes a file or directory to the disk, so that after a power cut no name exists without its content.
 void wait_for_disk(const std::filesystem::path& path) {
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);  // NOLINT(cppcoreguidelines-pro-type-vararg)
-  // Some file systems know no fsync for directories.
+  // Some file systems have no fsync for directories.
   const bool is_done = file >= 0 && (::fsync(file) == 0 || errno == EINVAL);
   const auto reason = last_system_error();
   if (file >= 0) ::close(file);

@@ -114,7 +114,7 @@ bool are_equal_but_for_case(std::string_view a, std::string_view b) {
       a, b, [](unsigned char one, unsigned char other) { return std::tolower(one) == std::tolower(other); });
 }
 
-/// The end of a message about a text that is not a quantity of the dimension: a suggestion of what was meant.
+/// The end of a message about a text that is not a quantity of the dimension: a suggestion of the text that was meant.
 std::string hint(const NumberAndUnit& quantity, Dimension dimension) {
   const auto& unit = quantity.unit;
   constexpr std::string_view digits = "0123456789";

@@ -25,7 +25,7 @@ void visit_close_pairs(double side, Walls walls, const std::vector<Ball<dim>>& b
   }
   visit_near_pairs<dim>(side, walls, centres, radii, reach,
                         [&](std::uint32_t ball, std::uint32_t other, const Vector<dim>& seen) {
-                          const double gap = norm(difference(seen, centres[ball])) - radii[ball] - radii[other];
+                          const double gap = norm(seen - centres[ball]) - radii[ball] - radii[other];
                           if (gap < reach) visit(ball, other, gap);
                         });
 }

@@ -58,9 +58,9 @@ Microstructure<3> cubic_array(Lattice lattice, double side, int repeats, double 
                     name_of(lattice), repeats, side, closest, diameter));
   }
   Microstructure<3> array{side, Walls::periodic, {}};
-  for_each_index(Index<3>{}, Index<3>{repeats, repeats, repeats}, [&](const Index<3>& place) {
+  for_each_index(Index<3>{}, Index<3>{repeats, repeats, repeats}, [&](const Index<3>& index) {
     for (auto centre : centres_of(lattice)) {
-      for (std::size_t axis = 0; axis < 3; ++axis) centre[axis] = (place[axis] + centre[axis]) * cell;
+      for (std::size_t axis = 0; axis < 3; ++axis) centre[axis] = (index[axis] + centre[axis]) * cell;
       array.particles.push_back({centre, diameter});
     }
   });

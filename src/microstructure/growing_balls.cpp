@@ -173,7 +173,7 @@ typename GrowingBalls<dim>::Event GrowingBalls<dim>::take_event(std::uint32_t ba
 
 template <int dim>
 void GrowingBalls<dim>::advance(Body& body) noexcept {
-  body.position = displaced(body.position, now_ - body.time, body.velocity);
+  body.position += (now_ - body.time) * body.velocity;
   body.time = now_;
 }
 
@@ -181,16 +181,16 @@ void GrowingBalls<dim>::advance(Body& body) noexcept {
 /// the speed of the growth.
 template <int dim>
 void GrowingBalls<dim>::collide(Body& body, Body& partner, Image image) noexcept {
-  Vector<dim> normal = difference(displaced(partner.position, 1.0, images_.shift(image)), body.position);
+  Vector<dim> normal = partner.position + images_.shift(image) - body.position;
   const double distance = norm(normal);
   for (double& n : normal) n /= distance;
-  const double parting = dot(difference(partner.velocity, body.velocity), normal);
+  const double parting = dot(partner.velocity - body.velocity, normal);
   const double growth = rate_ * (body.radius + partner.radius);
   const double meeting = growth - parting;
   const double change = meeting + std::max(meeting, least_parting_speed);
   const double share = partner.mass / (body.mass + partner.mass);
-  body.velocity = displaced(body.velocity, -change * share, normal);
-  partner.velocity = displaced(partner.velocity, change * (1.0 - share), normal);
+  body.velocity -= change * share * normal;
+  partner.velocity += change * (1.0 - share) * normal;
 }
 
 template <int dim>
@@ -210,17 +210,15 @@ template <int dim>
 void GrowingBalls<dim>::predict(std::uint32_t ball) {
   const Body& body = bodies_[ball];
   Event event{EventKind::leave};
-  double time = now_ + leave_time(difference(body.position, lists_.anchor(ball)), body.velocity, skin_);
+  double time = now_ + leave_time(body.position - lists_.anchor(ball), body.velocity, skin_);
   if (walls_ == Walls::hard) predict_walls(body, event, time);
   const double scale = scale_ + rate_ * now_;
   for (const auto& [other, image] : lists_.of(ball)) {
     const Body& partner = bodies_[other];
-    const Vector<dim> position =
-        displaced(displaced(partner.position, now_ - partner.time, partner.velocity), 1.0, images_.shift(image));
+    const Vector<dim> position = partner.position + (now_ - partner.time) * partner.velocity + images_.shift(image);
     const double radii = body.radius + partner.radius;
     const double contact =
-        now_ + contact_time(difference(position, body.position), difference(partner.velocity, body.velocity),
-                            scale * radii, rate_ * radii);
+        now_ + contact_time(position - body.position, partner.velocity - body.velocity, scale * radii, rate_ * radii);
     if (contact < time && contact < partner.next_event) {
       event = {EventKind::contact, other, image};
       time = contact;
@@ -256,7 +254,7 @@ void GrowingBalls<dim>::schedule(std::uint32_t ball, const Event& event, double 
   queue_.set(ball, time);
   if (event.kind != EventKind::contact) return;
   Event& of_partner = next_[event.partner];
-  // The ball that the partner would have met has lost its partner. It looks for its next event at the time of that one.
+  // The ball that the partner would have met has lost this contact; its next event is predicted at the time of it.
   if (of_partner.kind == EventKind::contact) next_[of_partner.partner].kind = EventKind::none;
   of_partner = {EventKind::contact, ball, PeriodicImages<dim>::opposite(event.image)};
   bodies_[event.partner].next_event = time;

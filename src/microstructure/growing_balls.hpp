@@ -22,7 +22,7 @@ namespace breccia {
 template <int dim>
 class GrowingBalls {
  public:
-  /// Points at random places with random velocities. `diameters` are the final ones, at scale 1.
+  /// Starts with points at random positions with random velocities. `diameters` are the final ones, at scale 1.
   GrowingBalls(double side, Walls walls, const std::vector<double>& diameters, std::uint64_t seed);
   /// Continues from a state between two epochs.
   GrowingBalls(double side, Walls walls, const std::vector<double>& diameters, const PackingState<dim>& state);
@@ -38,7 +38,7 @@ class GrowingBalls {
   /// Makes the balls smaller by a factor.
   void shrink(double factor) noexcept { scale_ *= factor; }
 
-  /// Between two epochs.
+  /// Describes the state between two epochs.
   void describe(PackingState<dim>& state) const;
 
  private:
@@ -61,7 +61,7 @@ class GrowingBalls {
   struct Event {
     EventKind kind = EventKind::none;
     std::uint32_t partner = 0;  // ball or axis
-    Image image = 0;            // in which the partner is seen
+    Image image = 0;            // the image of the partner
   };
 
   /// Points at rest in a corner.

@@ -15,8 +15,8 @@
 
 namespace breccia {
 
-/// Finds the balls near a place when balls have very different sizes: balls whose radii agree within a factor of two
-/// share a level, and each level has its own cells, about as large as its balls.
+/// Finds the balls near a point where balls have very different sizes: balls whose radii agree within a factor of two
+/// are on one level, and each level has its own cells, about as large as its balls.
 template <int dim>
 class LevelGrid {
  public:
@@ -34,7 +34,7 @@ class LevelGrid {
   void remove(std::uint32_t ball);
 
   /// Calls visit(ball, image) for every ball of the grid whose surface is nearer than `reach` [m] to `centre`, and for
-  /// some others. `centre` is in the box; a periodic box shows the images next to it.
+  /// some others. `centre` is in the box; in a periodic box the images next to the box are visited, too.
   template <class Visit>
   void visit_near(const Vector<dim>& centre, double reach, Visit&& visit) const;
 
@@ -48,7 +48,7 @@ class LevelGrid {
     std::int64_t cells = 1;   // per side
     std::size_t first = 0;    // cell of this level
   };
-  struct Links {  // of a ball to the others of its cell
+  struct Links {  // links of a ball to the others of its cell
     std::size_t cell = 0;
     std::uint32_t previous = none;
     std::uint32_t next = none;

@@ -26,7 +26,7 @@ void visit_near_pairs(double side, Walls walls, const std::vector<Vector<dim>>& 
   std::ranges::stable_sort(order, {}, [&grid](std::uint32_t particle) { return grid.level(particle); });
   for (const std::uint32_t particle : order) {
     grid.visit_near(centres[particle], radii[particle] + reach, [&](std::uint32_t other, std::uint32_t image) {
-      visit(particle, other, displaced(centres[other], 1.0, images.shift(image)));
+      visit(particle, other, centres[other] + images.shift(image));
     });
     grid.insert(particle, centres[particle]);
   }

@@ -16,7 +16,7 @@
 
 namespace breccia {
 
-/// Lists of the balls that a ball may touch. Every ball has a domain, a larger ball around the place where its list was
+/// Lists of the balls that a ball may touch. Every ball has a domain, a larger ball around the point where its list was
 /// made (its anchor); its neighbours are the balls whose domains overlap its own. The lists stay valid until a ball
 /// leaves its domain, and then only the lists with this ball change (Donev, Torquato, Stillinger 2005).
 template <int dim>
@@ -25,7 +25,7 @@ class NeighbourLists {
   using Image = typename PeriodicImages<dim>::Image;
   struct Neighbour {
     std::uint32_t ball;
-    Image image;  // in which the neighbour is seen
+    Image image;  // the image of the neighbour
   };
 
   /// Makes all lists. `anchors` are in the box; `domains` are the radii of the domains [m].
@@ -82,7 +82,7 @@ template <int dim>
 void NeighbourLists<dim>::insert(std::uint32_t ball) {
   const Vector<dim>& anchor = anchors_[ball];
   grid_.visit_near(anchor, domains_[ball], [&](std::uint32_t other, Image image) {
-    const auto apart = difference(displaced(anchors_[other], 1.0, images_.shift(image)), anchor);
+    const auto apart = anchors_[other] + images_.shift(image) - anchor;
     const double reach = domains_[ball] + domains_[other];
     if (dot(apart, apart) >= reach * reach) return;
     lists_[ball].push_back({other, image});

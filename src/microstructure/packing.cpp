@@ -26,7 +26,7 @@ namespace {
 
 // Balls are packed larger by this share, so that the gap is kept in spite of roundoff.
 constexpr double margin = 1e-9;
-// A jammed packing is shrunk until it is a fluid, and grown again at these shares of the growth rate asked for.
+// A jammed packing is shrunk until it is a fluid, and grown again at these shares of the growth rate of the request.
 constexpr std::array growth_rate_shares = {1.0, 0.2, 0.04};
 constexpr double shrinkage = 0.7;
 
@@ -75,7 +75,8 @@ double fraction(const PackingRequest& request, const std::vector<double>& diamet
 }
 
 /// Upper bound of the area fraction of discs whose diameters have at least this ratio, smallest to largest: Florian,
-/// Rendiconti del Circolo Matematico di Palermo 9 (1960) 300. For equal discs the hexagonal packing, pi / sqrt(12).
+/// Rendiconti del Circolo Matematico di Palermo 9 (1960) 300. For equal discs it is that of the hexagonal packing, pi /
+/// sqrt(12).
 double densest_packing_of_discs(double ratio) {
   return (std::numbers::pi * ratio * ratio + 2.0 * (1.0 - ratio * ratio) * std::asin(ratio / (1.0 + ratio))) /
          (2.0 * ratio * std::sqrt(1.0 + 2.0 * ratio));
@@ -134,10 +135,10 @@ std::vector<double> inflated_diameters(const PackingRequest& request) {
 bool is_queue_of(std::size_t count, const std::vector<std::uint32_t>& balls, const std::vector<double>& times) {
   if (balls.size() != count || times.size() != count) return false;
   std::vector<bool> is_there(count, false);
-  for (std::size_t place = 0; place < count; ++place) {
-    if (balls[place] >= count || is_there[balls[place]]) return false;
-    is_there[balls[place]] = true;
-    if (!(times[place] >= times[EventQueue::above(place)])) return false;
+  for (std::size_t slot = 0; slot < count; ++slot) {
+    if (balls[slot] >= count || is_there[balls[slot]]) return false;
+    is_there[balls[slot]] = true;
+    if (!(times[slot] >= times[EventQueue::above(slot)])) return false;
   }
   return true;
 }

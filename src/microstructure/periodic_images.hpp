@@ -10,8 +10,8 @@
 
 namespace breccia {
 
-/// A periodic box and the copies of it that touch it, 3^dim in all. An image is a number; its digits in base 3 say,
-/// axis by axis, whether the copy lies one side below (0), in place (1) or one side above (2).
+/// A periodic box and its copies that touch it, 3^dim in all. An image is a number whose digits in base 3 are, axis by
+/// axis, 0 for a copy one side below, 1 for the box itself and 2 for a copy one side above.
 template <int dim>
 class PeriodicImages {
  public:
@@ -31,7 +31,7 @@ class PeriodicImages {
     }
   }
 
-  /// By how many sides of the box an image is displaced along each axis: -1, 0 or 1.
+  /// Displacement of an image along each axis, in sides of the box: -1, 0 or 1.
   [[nodiscard]] static constexpr Index<dim> sides(Image image) noexcept {
     Index<dim> displaced_by{};
     for (int& along_axis : displaced_by) {
@@ -41,7 +41,7 @@ class PeriodicImages {
     return displaced_by;
   }
 
-  /// From a point to its image [m].
+  /// Displacement from a point to its image [m].
   [[nodiscard]] const Vector<dim>& shift(Image image) const noexcept { return shifts_[image]; }
 
  private:

@@ -30,9 +30,9 @@ Microstructure<dim> regular_array(double side, const Index<dim>& counts, double 
                     fmt::join(counts, " x "), side, closest, diameter));
   }
   Microstructure<dim> microstructure{side, walls, {}};
-  for_each_index(Index<dim>{}, counts, [&](const Index<dim>& place) {
+  for_each_index(Index<dim>{}, counts, [&](const Index<dim>& index) {
     Vector<dim> centre{};
-    for (std::size_t axis = 0; axis < centre.size(); ++axis) centre[axis] = (place[axis] + 0.5) * spacing[axis];
+    for (std::size_t axis = 0; axis < centre.size(); ++axis) centre[axis] = (index[axis] + 0.5) * spacing[axis];
     microstructure.particles.push_back({centre, diameter});
   });
   return microstructure;

@@ -32,7 +32,7 @@ double in_octant(double x, double y, double z) {
          beyond_planes(y, z) + beyond_planes(z, x);
 }
 
-/// The same for a corner in any octant: odd in each of its coordinates.
+/// Volume of the sphere between the origin and a corner in any octant, as an odd function of each coordinate.
 double up_to(const Vector<3>& corner) {
   const auto distance = [&](std::size_t axis) { return std::min(std::abs(corner[axis]), 1.0); };
   const double volume = in_octant(distance(0), distance(1), distance(2));

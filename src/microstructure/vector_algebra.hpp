@@ -14,20 +14,39 @@ template <std::size_t dim>
 }
 
 template <std::size_t dim>
-[[nodiscard]] inline std::array<double, dim> difference(const std::array<double, dim>& a,
-                                                        const std::array<double, dim>& b) noexcept {
-  std::array<double, dim> result = a;
-  for (std::size_t d = 0; d < dim; ++d) result[d] -= b[d];
-  return result;
+inline std::array<double, dim>& operator+=(std::array<double, dim>& a, const std::array<double, dim>& b) noexcept {
+  for (std::size_t d = 0; d < dim; ++d) a[d] += b[d];
+  return a;
 }
 
-/// a + factor * b
 template <std::size_t dim>
-[[nodiscard]] inline std::array<double, dim> displaced(const std::array<double, dim>& a, double factor,
+inline std::array<double, dim>& operator-=(std::array<double, dim>& a, const std::array<double, dim>& b) noexcept {
+  for (std::size_t d = 0; d < dim; ++d) a[d] -= b[d];
+  return a;
+}
+
+template <std::size_t dim>
+[[nodiscard]] inline std::array<double, dim> operator+(std::array<double, dim> a,
                                                        const std::array<double, dim>& b) noexcept {
-  std::array<double, dim> result = a;
-  for (std::size_t d = 0; d < dim; ++d) result[d] += factor * b[d];
-  return result;
+  return a += b;
+}
+
+template <std::size_t dim>
+[[nodiscard]] inline std::array<double, dim> operator-(std::array<double, dim> a,
+                                                       const std::array<double, dim>& b) noexcept {
+  return a -= b;
+}
+
+template <std::size_t dim>
+[[nodiscard]] inline std::array<double, dim> operator*(double factor, std::array<double, dim> a) noexcept {
+  for (double& x : a) x *= factor;
+  return a;
+}
+
+template <std::size_t dim>
+[[nodiscard]] inline std::array<double, dim> operator/(std::array<double, dim> a, double divisor) noexcept {
+  for (double& x : a) x /= divisor;
+  return a;
 }
 
 template <std::size_t dim>

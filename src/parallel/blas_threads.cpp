@@ -5,9 +5,9 @@
 namespace breccia::parallel {
 namespace {
 
-/// A function of a library by its name, since other implementations of the BLAS have no such function; nullptr without
-/// it. In a module of an interpreter it is not among the symbols of the program but among those of the libraries that
-/// belong to this code.
+/// A function of a library by its name, or nullptr, since other implementations of the BLAS have no such function. In a
+/// module of an interpreter it is not among the symbols of the program but among those of the libraries that this code
+/// is linked with.
 template <class Function>
 Function function_named(const char* name) noexcept {
   void* address = dlsym(RTLD_DEFAULT, name);

@@ -35,7 +35,7 @@ class OpenFile {
   int descriptor_;
 };
 
-/// What a file is known by on this machine, whatever its name: process and descriptor, device and number.
+/// Identity of a file on this machine, independent of its name: process and descriptor, device and number.
 using FileIdentity = std::array<std::int64_t, 4>;
 
 FileIdentity identity_of(int descriptor) {

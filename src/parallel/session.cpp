@@ -25,7 +25,7 @@ struct Division {
   int group = 0;
   int groups = 1;
   MPI_Comm communicator = MPI_COMM_NULL;  ///< of this group; null while the processes are not divided
-  MPI_Comm on_machine = MPI_COMM_NULL;    ///< of its processes on this machine; null until it is asked for
+  MPI_Comm on_machine = MPI_COMM_NULL;    ///< of its processes on this machine; null until it is first used
 };
 
 void free_communicator(MPI_Comm& of_processes) noexcept {
@@ -231,17 +231,18 @@ bool is_first() noexcept {
 std::vector<std::string> gather(const std::string& text_of_group) {
   if (is_alone()) return {text_of_group};
   // Only the first process of each group contributes its text.
-  const std::string told = rank() == 0 ? text_of_group : "";
+  const std::string contribution = rank() == 0 ? text_of_group : "";
   const auto processes = static_cast<std::size_t>(ranks()) * static_cast<std::size_t>(groups());
-  std::vector<int> lengths(processes), places(processes);
-  const int length = static_cast<int>(told.size());
+  std::vector<int> lengths(processes), offsets(processes);
+  const int length = static_cast<int>(contribution.size());
   MPI_Allgather(&length, 1, MPI_INT, lengths.data(), 1, MPI_INT, MPI_COMM_WORLD);
-  std::exclusive_scan(lengths.begin(), lengths.end(), places.begin(), 0);
-  std::string all(static_cast<std::size_t>(places.back() + lengths.back()), ' ');
-  MPI_Allgatherv(told.data(), length, MPI_CHAR, all.data(), lengths.data(), places.data(), MPI_CHAR, MPI_COMM_WORLD);
+  std::exclusive_scan(lengths.begin(), lengths.end(), offsets.begin(), 0);
+  std::string all(static_cast<std::size_t>(offsets.back() + lengths.back()), ' ');
+  MPI_Allgatherv(contribution.data(), length, MPI_CHAR, all.data(), lengths.data(), offsets.data(), MPI_CHAR,
+                 MPI_COMM_WORLD);
   std::vector<std::string> texts;
   for (std::size_t process = 0; process < processes; process += static_cast<std::size_t>(ranks())) {
-    texts.push_back(all.substr(static_cast<std::size_t>(places[process]), static_cast<std::size_t>(lengths[process])));
+    texts.push_back(all.substr(static_cast<std::size_t>(offsets[process]), static_cast<std::size_t>(lengths[process])));
   }
   return texts;
 }

@@ -20,7 +20,7 @@ int& own_cores() noexcept {
   return cores;
 }
 
-/// The cores on which this process may run; none where the system has too many of them to say.
+/// The cores on which this process may run; none where the system has more than a cpu_set_t can hold.
 cpu_set_t allowed_cores() noexcept {
   cpu_set_t cores;
   CPU_ZERO(&cores);

@@ -11,7 +11,7 @@ namespace {
 constexpr std::string_view base64_digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 constexpr std::int8_t no_digit = -1, white_space = -2, padding = -3;
 
-/// What each byte means: the value of a digit, or one of the above.
+/// The meaning of each byte: the value of a digit, or one of the constants above.
 constexpr auto base64_meaning = [] {
   std::array<std::int8_t, 256> meaning{};
   meaning.fill(no_digit);

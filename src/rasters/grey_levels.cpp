@@ -37,7 +37,7 @@ void for_each_pixel(const PixelSamples& picture, const Action& action) {
   }
 }
 
-/// Of a picture in colour, the colours that most pixels have, with their share.
+/// The most frequent colours of a picture in colour, with their shares of the pixels.
 std::string most_frequent_colours(const PixelSamples& picture) {
   constexpr std::size_t most_counted = 65536, most_named = 5;
   std::map<Colour, std::size_t> counts;

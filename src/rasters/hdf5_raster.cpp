@@ -22,7 +22,7 @@ namespace breccia {
 
 namespace {
 
-/// What went wrong in the last call of the library, as it says itself.
+/// The library's own message about the failure of its last call.
 std::string hdf5_reason() {
   std::string reason;
   const auto take_first = [](unsigned depth, const H5E_error2_t* error, void* to) -> herr_t {
@@ -79,7 +79,7 @@ std::string chosen_dataset(const std::filesystem::path& path, const Hdf5Handle& 
                                count > most_listed ? ", ..." : ""));
 }
 
-/// How the numbers of a data set come into the memory, by its type there.
+/// The type of the numbers of a data set in memory.
 ElementType element_type(const std::filesystem::path& file, const std::string& name, const Hdf5Handle& native) {
   using enum ElementType::Kind;
   const auto size = H5Tget_size(native.id());
@@ -105,8 +105,7 @@ bool is_from_matlab(const Hdf5Handle& dataset) {
   return H5Aexists(dataset.id(), "MATLAB_class") > 0;
 }
 
-/// Values that stand column by column, in each layer, row by row. The extents are those of the file, along which they
-/// stand.
+/// Values row by row, from values that are column by column in each layer. The extents are those of the file.
 std::vector<std::int32_t> with_columns_as_rows(const std::vector<std::int32_t>& values,
                                                std::span<const std::size_t> extents) {
   const auto height = extents[0], width = extents[1], layer = width * height;

@@ -6,7 +6,7 @@
 
 namespace breccia {
 
-/// What ImageJ notes in the ImageDescription of a TIFF file: lines such as `ImageJ=1.54f`, `images=12`, `unit=micron`.
+/// ImageJ's entries in the ImageDescription of a TIFF file: lines such as `ImageJ=1.54f`, `images=12`, `unit=micron`.
 struct ImagejDescription {
   std::size_t images = 1;         ///< in the whole file
   std::size_t channels = 1;       ///< of each point
@@ -15,7 +15,7 @@ struct ImagejDescription {
   std::optional<double> spacing;  ///< of layers, in this unit
 };
 
-/// Nothing if the text is not from ImageJ.
+/// Reads the entries; returns nothing if the text is not from ImageJ.
 std::optional<ImagejDescription> read_imagej_description(std::string_view text);
 
 }  // namespace breccia

@@ -110,11 +110,11 @@ class NpyDictionary {
   std::string_view text_, rest_;
 };
 
-/// A number of so many bytes, least significant first, at a place of the file; nothing beyond its end.
-std::optional<std::size_t> little_endian(std::string_view bytes, std::size_t place, std::size_t count) {
-  if (bytes.size() < place + count) return {};
+/// A number of `count` bytes, least significant first, at an offset in the file; nothing beyond its end.
+std::optional<std::size_t> little_endian(std::string_view bytes, std::size_t offset, std::size_t count) {
+  if (bytes.size() < offset + count) return {};
   std::size_t number = 0;
-  for (std::size_t i = count; i-- > 0;) number = number << 8U | static_cast<unsigned char>(bytes[place + i]);
+  for (std::size_t i = count; i-- > 0;) number = number << 8U | static_cast<unsigned char>(bytes[offset + i]);
   return number;
 }
 

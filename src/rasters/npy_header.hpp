@@ -8,7 +8,7 @@
 
 namespace breccia {
 
-/// What stands before the numbers of a NumPy file (numpy.lib.format, versions 1 to 3).
+/// The header of a NumPy file (numpy.lib.format, versions 1 to 3).
 struct NpyHeader {
   std::string type;                ///< such as "<u2": order of the bytes, kind, number of bytes
   bool fortran_order = false;      ///< the first index runs fastest, not the last
@@ -16,7 +16,7 @@ struct NpyHeader {
   std::size_t size = 0;            ///< bytes before the numbers
 };
 
-/// Throws InputError if the file does not begin with such a header.
+/// Reads the header. Throws InputError if the file does not begin with one.
 NpyHeader read_npy_header(const std::filesystem::path& file, std::string_view bytes);
 
 }  // namespace breccia

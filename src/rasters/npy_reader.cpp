@@ -17,7 +17,7 @@ namespace breccia {
 
 namespace {
 
-/// What a type of NumPy such as "<u2" means.
+/// The element type of a type of NumPy such as "<u2".
 ElementType element_type(const std::filesystem::path& file, std::string_view type) {
   using enum ElementType::Kind;
   struct Known {

@@ -36,7 +36,7 @@ class PngDecoder {
   PngDecoder& operator=(PngDecoder&&) = delete;
   ~PngDecoder() { png_destroy_read_struct(&png_, &info_, nullptr); }
 
-  /// Reads what stands before the pixels, and asks for samples of whole bytes in the order of this machine.
+  /// Reads the header before the pixels, and requests samples of whole bytes in the byte order of this machine.
   bool read_header() {
     if (info_ == nullptr || setjmp(png_jmpbuf(png_)) != 0) return false;  // NOLINT(cert-err52-cpp) libpng's way
     png_read_info(png_, info_);

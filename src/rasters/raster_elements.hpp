@@ -9,7 +9,7 @@
 
 namespace breccia {
 
-/// How a file stores a number.
+/// The representation of a number in a file.
 struct ElementType {
   enum class Kind { signed_integer, unsigned_integer, floating_point };
 

@@ -30,7 +30,7 @@ constexpr std::array<Signature<RasterFormat>, 6> signatures = {{{"\x89PNG\r\n\x1
                                                                 {"MM\0+"sv, RasterFormat::tiff},
                                                                 {"\x93NUMPY"sv, RasterFormat::npy}}};
 
-/// What a user may take for an image of labels, and what to do.
+/// Formats that a user may take for an image of labels, and the remedies.
 constexpr std::array<Signature<std::string_view>, 6> refused = {
     {{"\xff\xd8\xff"sv, "a JPEG file, whose compression blurs labels"sv},
      {"GIF8"sv, "a GIF file"sv},
@@ -41,7 +41,7 @@ constexpr std::array<Signature<std::string_view>, 6> refused = {
 
 constexpr auto hdf5_signature = "\x89HDF\r\n\x1a\n"sv;
 
-/// An HDF5 file may begin with a block of its user's, of 512 bytes or more.
+/// Whether a file is HDF5. It may begin with a user block of 512 bytes or more.
 bool is_hdf5(std::string_view beginning) {
   for (std::size_t place = 0; place < beginning.size(); place = place == 0 ? 512 : 2 * place) {
     if (beginning.substr(place).starts_with(hdf5_signature)) return true;

@@ -12,8 +12,8 @@ namespace breccia {
 /// Number of pixels. Throws InputError if there are none, or 2^31 and more.
 std::size_t pixel_count(const std::filesystem::path& file, std::span<const std::size_t> extents);
 
-/// Throws InputError if a compressed file of this size cannot hold so many bytes, however well they are compressed: a
-/// damaged number must not make the program ask for all of the memory.
+/// Throws InputError if a compressed file of this size cannot contain this number of bytes at the best compression: a
+/// damaged number must not make the program allocate all of the memory.
 void require_plausible_size(const std::filesystem::path& file, std::size_t bytes, std::size_t file_size);
 
 /// The extents along x, y and z of an array with this shape, whose last index runs fastest. Throws InputError if the

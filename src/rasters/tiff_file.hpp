@@ -12,7 +12,7 @@
 
 namespace breccia {
 
-/// A TIFF file in memory, opened with libtiff. What libtiff says goes into messages, not to the terminal.
+/// A TIFF file in memory, opened with libtiff. The messages of libtiff become part of errors and are not printed.
 class TiffFile {
  public:
   /// Throws InputError. The bytes must live as long as this object.
@@ -37,9 +37,9 @@ class TiffFile {
   /// The text of a tag, empty if there is none.
   [[nodiscard]] std::string text_tag(std::uint32_t name) const;
 
-  /// Throws InputError with the page, and with what libtiff has said if `found` is empty.
+  /// Throws InputError with the page, and with the message of libtiff if `found` is empty.
   [[noreturn]] void refuse(std::string_view found, std::string_view expected) const;
-  /// Throws InputError with what libtiff has said.
+  /// Throws InputError with the message of libtiff.
   [[noreturn]] void refuse_damaged() const;
 
  private:

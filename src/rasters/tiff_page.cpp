@@ -59,8 +59,8 @@ void for_each_stripped_row(const TiffFile& tiff, const TiffPage& page, const Act
   }
 }
 
-/// The same for one that is stored in tiles. The width of a tile is a multiple of 16 pixels, so a tile's row has whole
-/// bytes.
+/// Calls the action for the rows of a page that is stored in tiles. The width of a tile is a multiple of 16 pixels, so
+/// a tile's row has whole bytes.
 template <class Action>
 void for_each_tiled_row(const TiffFile& tiff, const TiffPage& page, const Action& action) {
   const std::size_t tile_width = tiff.tag(TIFFTAG_TILEWIDTH, uint32_t{0});

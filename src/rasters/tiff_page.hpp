@@ -9,7 +9,7 @@
 
 namespace breccia {
 
-/// How the present page of a TIFF file holds its pixels.
+/// The storage of the pixels in the present page of a TIFF file.
 struct TiffPage {
   std::size_t width = 0, height = 0;
   unsigned bits = 0;            ///< of a sample
@@ -22,7 +22,7 @@ struct TiffPage {
 /// rotated.
 TiffPage page_layout(const TiffFile& tiff);
 
-/// Appends the values of the present page, row by row as they stand in the file. Throws InputError.
+/// Appends the values of the present page, row by row as in the file. Throws InputError for a damaged page.
 void append_page(std::vector<std::int32_t>& values, const TiffFile& tiff, const TiffPage& page);
 
 }  // namespace breccia

@@ -40,7 +40,7 @@ std::optional<double> resolution_unit(const TiffFile& tiff, const std::optional<
   }
 }
 
-/// Side of a pixel [m], if the page tells it. Throws InputError if it is no square, or no cube.
+/// Side of a pixel [m], if the page has it. Throws InputError if the pixel is no square, or the voxel no cube.
 std::optional<double> pixel_side(const TiffFile& tiff, const std::optional<ImagejDescription>& imagej) {
   constexpr double tolerance = 1e-3;
   const auto unit = resolution_unit(tiff, imagej);

@@ -30,7 +30,7 @@ VtiDocument::VtiDocument(std::filesystem::path file, std::string_view bytes) : f
   is_compressed_ = has_second("compressor", "", "vtkZLibDataCompressor");
 }
 
-/// Parses the XML, where binary data stand behind it without them.
+/// Parses the XML, without binary data that may follow it.
 void VtiDocument::parse() {
   const auto tag = bytes_.find(appended_tag);
   std::string text(bytes_.substr(0, tag));
@@ -68,7 +68,7 @@ std::string VtiDocument::array_bytes(const pugi::xml_node& array, std::size_t co
   return stored.substr(bytes_per_header_number_, count);
 }
 
-/// What stands in the file for an array, from its header on: to the end of the file, where only the header knows more.
+/// The stored bytes of an array, from its header on; to the end of the file where only the header has the length.
 std::string VtiDocument::stored_bytes(const pugi::xml_node& array) const {
   const bool is_appended = std::string_view(array.attribute("format").value()) == "appended";
   auto text = std::string_view(array.text().get());
@@ -93,7 +93,7 @@ std::string VtiDocument::stored_bytes(const pugi::xml_node& array) const {
   return std::move(*decoded);
 }
 
-/// A number of the header that stands before the data of an array.
+/// A number of the header before the data of an array.
 std::size_t VtiDocument::header_number(std::string_view bytes, std::size_t index) const {
   const auto begin = index * bytes_per_header_number_;
   if (bytes.size() < begin + bytes_per_header_number_) refuse("an array that ends within its header", "all of it");

@@ -10,7 +10,7 @@
 
 namespace breccia {
 
-/// A .vti file: its XML, and the binary data that may stand behind it, which are no XML.
+/// A .vti file: its XML, and binary data that may follow it, which are no XML.
 class VtiDocument {
  public:
   /// Throws InputError if it is no VTK XML file of type ImageData, or damaged. The bytes must live as long as this
@@ -42,7 +42,7 @@ class VtiDocument {
   std::filesystem::path file_;
   std::string_view bytes_;
   pugi::xml_document xml_;
-  std::string_view appended_;  ///< what stands behind the underscore in <AppendedData>
+  std::string_view appended_;  ///< the content of <AppendedData> after the underscore
   std::endian byte_order_ = std::endian::little;
   std::size_t bytes_per_header_number_ = 4;
   bool is_compressed_ = false;

@@ -53,7 +53,8 @@ std::uint8_t vtk_type(std::int64_t corners) {
   return corners == 4 ? quadrilateral : polygon;
 }
 
-/// Cells of any kind in space, as VTK lists them: functions give parts of the lists, from one place to before another.
+/// Cells of any kind in space, as VTK lists them: functions return the entries of the lists from one index to before
+/// another.
 struct CellMesh {
   template <class Number>
   using Part = std::function<std::vector<Number>(std::size_t begin, std::size_t end)>;
@@ -65,12 +66,12 @@ struct CellMesh {
   Part<std::uint8_t> cell_type;
 };
 
-/// The values of a function of a place.
+/// The values of a function of the index, from one index to before another.
 template <class ValueAt>
 auto values_between(std::size_t begin, std::size_t end, const ValueAt& value_at) {
   std::vector<std::decay_t<decltype(value_at(begin))>> values;
   values.reserve(end - begin);
-  for (auto place = begin; place < end; ++place) values.push_back(value_at(place));
+  for (auto index = begin; index < end; ++index) values.push_back(value_at(index));
   return values;
 }
 
@@ -123,22 +124,22 @@ struct Lattice {
         spacing(squares.spacing),
         corners_of_cell(4) {}
 
-  /// The place along each axis of a number, the first axis fastest.
-  static std::array<std::size_t, 3> place_of(std::size_t number, const std::array<std::size_t, 3>& along) noexcept {
+  /// The index along each axis of an entry with a number, the first axis fastest.
+  static std::array<std::size_t, 3> index_of(std::size_t number, const std::array<std::size_t, 3>& along) noexcept {
     return {number % along[0], number / along[0] % along[1], number / along[0] / along[1]};
   }
   [[nodiscard]] std::array<double, 3> point(std::size_t node) const noexcept {
-    const auto place = place_of(node, nodes);
+    const auto index = index_of(node, nodes);
     auto point = origin;
-    for (std::size_t axis = 0; axis < point.size(); ++axis) point[axis] += static_cast<double>(place[axis]) * spacing;
+    for (std::size_t axis = 0; axis < point.size(); ++axis) point[axis] += static_cast<double>(index[axis]) * spacing;
     return point;
   }
   /// A corner of a cell: those of its lower face anticlockwise, then those of the upper one.
   [[nodiscard]] std::int64_t corner(std::size_t cell, std::size_t number) const noexcept {
     constexpr std::array<std::size_t, 4> x = {0, 1, 1, 0}, y = {0, 0, 1, 1};
-    const auto place = place_of(cell, cells);
-    return static_cast<std::int64_t>(place[0] + x[number % 4] +
-                                     nodes[0] * (place[1] + y[number % 4] + nodes[1] * (place[2] + number / 4)));
+    const auto index = index_of(cell, cells);
+    return static_cast<std::int64_t>(index[0] + x[number % 4] +
+                                     nodes[0] * (index[1] + y[number % 4] + nodes[1] * (index[2] + number / 4)));
   }
 };
 

@@ -23,7 +23,7 @@ std::vector<BarTick> even_ticks(double from, double to) {
   const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step) + rounding)));
   std::vector<BarTick> ticks;
   for (double i = std::ceil(from / step - rounding); i * step <= to + rounding * step; ++i) {
-    // Without the sign of a negative zero.
+    // Adding 0 removes the sign of a negative zero.
     const double value = i * step + 0.0;
     ticks.push_back({(value - from) / (to - from), fmt::format("{:.{}f}", value, decimals)});
   }
@@ -55,7 +55,7 @@ std::vector<BarTick> bar_ticks(const ColourRange& colours, double unit_size) {
   if (!(from < to)) return {{0.5, three_digits(from)}};
   const bool is_logarithmic = colours.is_logarithmic() && from > 0.0;
   auto ticks = is_logarithmic ? logarithmic_ticks(from, to) : std::vector<BarTick>();
-  // A fraction of a decade may hold none of these values.
+  // A fraction of a decade may contain none of these values.
   if (ticks.size() < 2) {
     ticks = even_ticks(from, to);
     if (is_logarithmic) {

@@ -27,7 +27,7 @@ Rgb from_oklab(double lightness, double a, double b) {
 
 std::array<Rgb, 256> perceptual_colours() {
   constexpr double dark = 0.25, light = 0.95, violet = 305.0, yellow = 105.0;
-  constexpr double chroma = 0.097;  // the largest that sRGB has for all of these hues
+  constexpr double chroma = 0.097;  // the largest chroma that sRGB has for all of these hues
   std::array<Rgb, 256> colours;
   for (std::size_t i = 0; i < colours.size(); ++i) {
     const double share = static_cast<double>(i) / (colours.size() - 1.0);

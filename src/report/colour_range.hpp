@@ -15,12 +15,13 @@ class ColourRange {
   /// `values` are those that the map shows.
   ColourRange(ColourScale scale, const std::vector<double>& values);
 
-  /// The same, but with a diverging scale in the place of a linear one where values of both signs have a part in it.
+  /// The range of colours of some values, with a diverging scale instead of a linear one where the range has values of
+  /// both signs.
   static ColourRange diverging_if_signed(ColourScale scale, const std::vector<double>& values);
 
   /// The value at a share of the scale, 0 to 1.
   [[nodiscard]] double value_at(double share) const;
-  /// The colour of a value, from 0 to 255. On a logarithmic scale values that are not positive have the lowest one.
+  /// The index of the colour of a value, 0 to 255. On a logarithmic scale values that are not positive have the lowest.
   [[nodiscard]] std::uint8_t index_of(double value) const;
 
   /// The colours by their numbers.

@@ -19,7 +19,7 @@
 namespace breccia {
 namespace {
 
-/// The colour that "#5b7f95" stands for.
+/// The colour of a text such as "#5b7f95".
 Rgb parse_colour(std::string_view text) {
   const auto part = [text](std::size_t place) {
     std::uint8_t value = 0;

@@ -28,7 +28,7 @@ std::string encoded_bar(const ColourRange& colours) {
   return embedded_png(1, pixels, colours.colours());
 }
 
-/// The place of an element, nothing for that of the picture.
+/// The attributes that move an element to the position of a map; empty at the origin of the picture.
 std::string place_of_map(const PlacedMap& map) {
   return map.x == 0.0 && map.y == 0.0 ? std::string() : fmt::format(R"(x="{}" y="{}" )", map.x, map.y);
 }

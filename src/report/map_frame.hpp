@@ -7,7 +7,7 @@
 
 namespace breccia {
 
-/// What stands around a map.
+/// The texts around a map.
 struct MapWords {
   std::string title;
   std::string quantity;    ///< with the unit of the labels

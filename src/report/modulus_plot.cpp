@@ -82,7 +82,8 @@ std::string axes(const ModulusPlot& plot, const LogAxis& time, const LogAxis& mo
       gnuplot_text(plot.title));
 }
 
-/// Where a label centred between two times goes, as a share of the width of the graph: it must not leave the graph.
+/// Position of a label centred between two times, as a share of the width of the graph, such that it stays in the
+/// graph.
 double label_position(const PlotWindow& window, double begin, double end, const LogAxis& time) {
   constexpr double width_of_a_sign = 0.0085;
   const double half_width = std::min(0.5, 0.5 * width_of_a_sign * static_cast<double>(window.label.size()));
@@ -90,7 +91,7 @@ double label_position(const PlotWindow& window, double begin, double end, const 
   return std::clamp(middle, half_width, 1.0 - half_width);
 }
 
-/// Transparent bands of alternating colour and height of label: where two windows overlap both can be seen.
+/// Transparent bands of alternating colour and height of label, so that both can be seen where two windows overlap.
 std::string bands(const std::vector<PlotWindow>& windows, const LogAxis& time) {
   std::string script;
   for (std::size_t i = 0; i < windows.size(); ++i) {
@@ -175,7 +176,7 @@ std::string gnuplot_script(const ModulusPlot& plot) {
          axes(plot, time, modulus) + bands(plot.windows, time) + curves(plot.curves, points);
 }
 
-/// What a program has said, as one line.
+/// The output of a program as one line.
 std::string in_one_line(std::string text) {
   while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())) != 0) text.pop_back();
   std::ranges::replace(text, '\n', ' ');

@@ -17,7 +17,7 @@ class PhaseSquares {
         columns_((columns + every_ - 1) / every_) {}
 
   [[nodiscard]] std::size_t columns() const noexcept { return columns_; }
-  /// By its row from the bottom and its column.
+  /// The phase of a square by its row from the bottom and its column.
   [[nodiscard]] std::uint8_t at(std::size_t row, std::size_t column) const {
     return phases_[row * every_ * all_columns_ + column * every_];
   }

@@ -8,8 +8,8 @@
 namespace breccia {
 
 /// The sides between neighbouring squares of different phases as the data of an SVG path over the unit square, y
-/// downwards. The phases stand row by row from the lower left corner; of more than `most` columns every second one
-/// counts, every third one and so on.
+/// downwards. The phases are row by row from the lower left corner; where there are more than `most` columns, only
+/// every second or third one, and so on, is used.
 std::string outlines_of(const std::vector<std::uint8_t>& phases, std::size_t columns, std::size_t most);
 
 }  // namespace breccia

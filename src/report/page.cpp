@@ -24,7 +24,8 @@ std::string replaced(std::string_view text, char sign, std::string_view with) {
   return result;
 }
 
-/// In JSON this sign stands within text only; without it nothing there can end the element that holds the data.
+/// Escapes the sign < of a JSON text, where it occurs within strings only, so that nothing ends the element of the
+/// data.
 std::string as_script(std::string_view json) {
   return replaced(json, '<', "\\u003c");
 }

@@ -21,7 +21,7 @@ double scale_bar_length(double side);
 std::string with_micro_sign(double length);
 
 /// SVG picture of a box with a scale bar below. `shapes` are the elements inside, in the units of the drawing with y
-/// downwards, clipped at its sides; `style` are the attributes that they share; `content` is what the title names.
+/// downwards, clipped at its sides; `style` are their common attributes; `content` is the subject in the title.
 std::string framed_picture(double side, std::string_view content, std::string_view style, std::string_view shapes);
 
 }  // namespace breccia

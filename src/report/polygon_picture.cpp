@@ -15,48 +15,48 @@
 namespace breccia {
 namespace {
 
-using Place = std::array<double, 2>;
+using Point = std::array<double, 2>;
 
 constexpr std::size_t columns = 1000;
 
-/// Twice the area of the triangle between three places, positive if they are counter-clockwise.
-double turn(const Place& a, const Place& b, const Place& c) {
+/// Twice the area of the triangle between three points, positive if they are counter-clockwise.
+double turn(const Point& a, const Point& b, const Point& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-double squared_distance_from_stretch(const Place& place, const Place& from, const Place& to) {
+double squared_distance_from_stretch(const Point& point, const Point& from, const Point& to) {
   const double along_x = to[0] - from[0], along_y = to[1] - from[1];
   const double length = along_x * along_x + along_y * along_y;
-  const double projection = (place[0] - from[0]) * along_x + (place[1] - from[1]) * along_y;
+  const double projection = (point[0] - from[0]) * along_x + (point[1] - from[1]) * along_y;
   const double share = length > 0.0 ? std::clamp(projection / length, 0.0, 1.0) : 0.0;
-  const double x = place[0] - from[0] - share * along_x, y = place[1] - from[1] - share * along_y;
+  const double x = point[0] - from[0] - share * along_x, y = point[1] - from[1] - share * along_y;
   return x * x + y * y;
 }
 
-/// Whether a place is in a convex polygon, counter-clockwise, or within half a unit from it.
-bool covers(const std::vector<Place>& corners, const Place& place) {
+/// Whether a point is in a convex polygon, counter-clockwise, or within half a unit from it.
+bool covers(const std::vector<Point>& corners, const Point& point) {
   constexpr double reach = 0.5;
   bool is_inside = true;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const auto &here = corners[i], &next = corners[(i + 1) % corners.size()];
-    if (squared_distance_from_stretch(place, here, next) <= reach * reach) return true;
-    if (turn(here, next, place) < 0.0) is_inside = false;
+    if (squared_distance_from_stretch(point, here, next) <= reach * reach) return true;
+    if (turn(here, next, point) < 0.0) is_inside = false;
   }
   return is_inside;
 }
 
-/// The pixels of a map, row by row from the top, with the number of the polygon that each of them shows.
+/// The pixels of a map, row by row from the top, with the number of the polygon in each.
 class Canvas {
  public:
   static constexpr std::size_t nothing = std::numeric_limits<std::size_t>::max();
 
   /// Draws a polygon with corners in pixels, y upwards.
-  void draw(const std::vector<Place>& corners, std::size_t number) {
-    const auto [left, right] = std::ranges::minmax(corners, {}, [](const Place& corner) { return corner[0]; });
-    const auto [low, high] = std::ranges::minmax(corners, {}, [](const Place& corner) { return corner[1]; });
+  void draw(const std::vector<Point>& corners, std::size_t number) {
+    const auto [left, right] = std::ranges::minmax(corners, {}, [](const Point& corner) { return corner[0]; });
+    const auto [low, high] = std::ranges::minmax(corners, {}, [](const Point& corner) { return corner[1]; });
     for (auto row = first_pixel(low[1]); row < pixels_below(high[1]); ++row) {
       for (auto column = first_pixel(left[0]); column < pixels_below(right[0]); ++column) {
-        const Place middle = {static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5};
+        const Point middle = {static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5};
         if (covers(corners, middle)) pixels_[(columns - 1 - row) * columns + column] = number;
       }
     }
@@ -64,10 +64,10 @@ class Canvas {
   [[nodiscard]] const std::vector<std::size_t>& pixels() const noexcept { return pixels_; }
 
  private:
-  /// The first pixel whose middle is not more than half a pixel below a place, and the number of those whose middles
-  /// are not more than that above one.
-  static std::size_t first_pixel(double place) { return clamped(std::ceil(place - 1.0)); }
-  static std::size_t pixels_below(double place) { return clamped(std::floor(place) + 1.0); }
+  /// The first pixel whose middle is at most half a pixel below a coordinate, and the number of pixels whose middles
+  /// are at most half a pixel above one.
+  static std::size_t first_pixel(double coordinate) { return clamped(std::ceil(coordinate - 1.0)); }
+  static std::size_t pixels_below(double coordinate) { return clamped(std::floor(coordinate) + 1.0); }
   static std::size_t clamped(double pixel) {
     return static_cast<std::size_t>(std::clamp(pixel, 0.0, static_cast<double>(columns)));
   }
@@ -80,7 +80,7 @@ void require_sound(const PolygonPicture& picture) {
     throw InputError("picture of polygons: the side of the box is not positive and finite");
   }
   const auto is_finite = [](const MapPolygon& polygon) {
-    return std::isfinite(polygon.value.value_or(0.0)) && std::ranges::all_of(polygon.corners, [](const Place& at) {
+    return std::isfinite(polygon.value.value_or(0.0)) && std::ranges::all_of(polygon.corners, [](const Point& at) {
              return std::isfinite(at[0]) && std::isfinite(at[1]);
            });
   };
@@ -96,7 +96,7 @@ Canvas drawn(const PolygonPicture& picture) {
   for (std::size_t number = 0; number < picture.polygons.size(); ++number) {
     for (int up = -images; up <= images; ++up) {
       for (int right = -images; right <= images; ++right) {
-        std::vector<Place> corners;
+        std::vector<Point> corners;
         for (const auto& [x, y] : picture.polygons[number].corners) {
           corners.push_back({scale * (x + right * picture.side), scale * (y + up * picture.side)});
         }
@@ -121,7 +121,7 @@ std::string polygon_picture(const PolygonPicture& picture) {
   }
   if (values.empty()) throw InputError("picture of polygons: no polygon in the box has a value");
   const auto colours = ColourRange::diverging_if_signed(picture.scale, values);
-  // Grey takes the place of the lowest colour, from which the next one does not differ to the eye.
+  // Grey replaces the lowest colour, which the eye cannot distinguish from the next one.
   constexpr std::uint8_t grey = 0;
   auto palette = colours.colours();
   palette[grey] = {72, 72, 72};

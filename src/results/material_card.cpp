@@ -12,8 +12,8 @@
 
 #include "breccia/error.hpp"
 #include "breccia/io/display.hpp"
-#include "breccia/viscoelasticity/prony_reduction.hpp"
 #include "breccia/viscoelasticity/poisson_ratio.hpp"
+#include "breccia/viscoelasticity/prony_reduction.hpp"
 #include "breccia/viscoelasticity/reference_temperature.hpp"
 
 #include "cards/abaqus_card.hpp"

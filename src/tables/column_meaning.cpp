@@ -167,15 +167,15 @@ bool has_one_of(const std::vector<std::string>& words, std::span<const std::stri
   return std::ranges::any_of(words, [&](const auto& word) { return std::ranges::find(wanted, word) != wanted.end(); });
 }
 
-/// Whether the words before "modulus" say that the quantity is not a modulus, as in "log modulus".
+/// Whether the words before "modulus" make it another quantity than a modulus, as in "log modulus".
 bool say_something_else(const std::vector<std::string>& words) {
   constexpr std::array<std::string_view, 8> others{"log",        "log10",      "lg",       "ln",
                                                    "normalised", "normalized", "relative", "error"};
   return has_one_of(words, others);
 }
 
-/// Whether the words before "modulus" say that it is the absolute value of a complex modulus: instruments write
-/// "complex modulus", the standards of asphalt and rubber "dynamic modulus".
+/// Whether the words before "modulus" mean the absolute value of a complex modulus: instruments write "complex
+/// modulus", the standards of asphalt and rubber "dynamic modulus".
 bool say_absolute_value(const std::vector<std::string>& words) {
   constexpr std::array<std::string_view, 3> signs{"complex", "dynamic", "absolute"};
   return has_one_of(words, signs);
@@ -200,7 +200,7 @@ std::optional<Stem> modulus_in_words(const std::vector<std::string>& words) {
   return std::nullopt;
 }
 
-/// The name of these words in any case; a null pointer if there is none.
+/// The known name that consists of these words in upper or lower case; a null pointer if there is none.
 const Stem* known_stem(const std::vector<std::string>& words) {
   const auto* found = std::ranges::find(stems, lower_case(fmt::format("{}", fmt::join(words, " "))), &Stem::text);
   return found == stems.end() ? nullptr : found;
@@ -299,7 +299,7 @@ std::optional<ColumnMeaning> meaning_of(std::string_view name) {
 
 namespace {
 
-/// The kind of modulus that a symbol in a name says, which may be one in another language: "Speichermodul E' [MPa]".
+/// The kind of modulus by the symbol in a name, which may be in another language: "Speichermodul E' [MPa]".
 ModulusKind kind_in(std::string_view name) {
   const auto parts = split_at_bracket(name);
   for (const auto& word : words_of(parts ? parts->stem : name.substr(0, name.find('/')))) {

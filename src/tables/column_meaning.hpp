@@ -23,8 +23,8 @@ struct ColumnMeaning {
 /// for an unknown name.
 std::optional<ColumnMeaning> meaning_of(std::string_view name);
 
-/// The same where a user has chosen the columns of some quantities: a chosen column has that quantity, and no other
-/// column has it.
+/// The meaning of a name where a user has chosen the columns of some quantities: a chosen column has its quantity, and
+/// no other column has it.
 std::optional<ColumnMeaning> meaning_of(std::string_view name, std::span<const ColumnChoice> choices);
 
 /// Whether a choice means the column of this name.

@@ -25,7 +25,7 @@ Conversion reciprocal(const Conversion& conversion) {
 }
 
 Conversion by_unit(std::string_view unit, Dimension dimension) {
-  // UDUNITS-2 knows the dyne by its whole name alone.
+  // UDUNITS-2 has the dyne under its full name only.
   if (unit.starts_with("dyn/")) return by_unit(fmt::format("dyne{}", unit.substr(3)), dimension);
   return by_factor(parse_quantity(fmt::format("1 {}", unit), dimension));
 }
@@ -48,8 +48,8 @@ bool is_in_hertz(std::string_view unit) {
   return unit.ends_with("Hz") || unit.ends_with("hertz") || unit.ends_with("Hertz");
 }
 
-/// The conversion of a frequency to an angular frequency. The unit says whether it counts cycles or radians. An inverse
-/// time says neither: it is accepted only if the name of the column is that of an angular frequency.
+/// The conversion of a frequency to an angular frequency. The unit determines whether it counts cycles or radians. An
+/// inverse time determines neither: it is accepted only if the name of the column is that of an angular frequency.
 Conversion frequency(std::string_view unit, bool counts_cycles) {
   for (const std::string_view angle : {"rad_per_", "rad/", "rad /"}) {
     if (unit.starts_with(angle)) return reciprocal(by_unit(unit.substr(angle.size()), Dimension::time));

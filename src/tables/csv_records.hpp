@@ -16,7 +16,7 @@ struct CsvRecord {
 
 /// Reads a CSV text row by row. Empty lines and lines that begin with # are skipped. A value that begins with a double
 /// quote ends at the next quote that is not doubled; in between, separators and line breaks belong to the value, and ""
-/// stands for a quote. A quote within an unquoted value is an ordinary character, as in G".
+/// is a quote. A quote within an unquoted value is an ordinary character, as in G".
 class CsvRecords {
  public:
   /// The text must outlive this object.

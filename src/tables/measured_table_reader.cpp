@@ -104,15 +104,15 @@ class MeasuredTableReader {
       return [quantity](const auto& meaning) { return meaning && meaning->quantity == quantity; };
     };
     const auto has = [&](Quantity quantity) { return std::ranges::any_of(meanings_, is_of(quantity)); };
-    // In a table of anything but particles or their corners a particle and a filler may be texts.
+    // In a table without particles or corners the columns of a particle and a filler may have texts.
     if (!has(Quantity::x)) std::ranges::replace_if(meanings_, is_of(Quantity::particle), std::nullopt);
     const bool has_particles = has(Quantity::diameter) || has(Quantity::axis_1) || has(Quantity::particle);
     if (!has_particles) std::ranges::replace_if(meanings_, is_of(Quantity::filler), std::nullopt);
     leave_out_what_follows(has);
   }
 
-  /// Two columns determine a complex modulus: others of it, such as a loss tangent beside storage and loss moduli, may
-  /// hold anything.
+  /// Leaves out redundant columns: two columns determine a complex modulus, so others of it, such as a loss tangent
+  /// beside storage and loss moduli, may have any content.
   void leave_out_what_follows(const detail::IsOfQuantity& has) {
     const auto is_chosen = [&](Quantity quantity) {
       return std::ranges::find(choices_, quantity, &ColumnChoice::quantity) != choices_.end();
@@ -191,7 +191,7 @@ class MeasuredTableReader {
   }
 
   void add_units(std::vector<std::string> fields) {
-    // Of columns that are aligned by blanks the first may have no unit.
+    // The first of several columns that are aligned by blanks may have no unit.
     if (layout_.is_aligned_by_blanks && fields.size() < table_.names_.size()) {
       fields.insert(fields.begin(), table_.names_.size() - fields.size(), "");
     }
@@ -249,8 +249,8 @@ class MeasuredTableReader {
     }
   }
 
-  /// Whether a line between two tables may be a row, if not a whole one: it has numbers of two known columns, or one of
-  /// the first of them and as many values as there are names.
+  /// Whether a line between two tables may be a row, possibly an incomplete one: it has numbers in two known columns,
+  /// or one in the first of them and as many values as there are names.
   [[nodiscard]] bool may_be_row(const std::vector<std::string>& fields) const {
     const auto has_number = [&](const Source& source) {
       return source.place_in_row < fields.size() && number_in(fields[source.place_in_row]);
@@ -287,7 +287,7 @@ class MeasuredTableReader {
     }
   }
 
-  /// What a text that is no number may be.
+  /// A hint on the meaning of a text that is not a number.
   [[nodiscard]] std::string hint_on_number(std::string text) const {
     const auto size = text.size();
     for (const std::string_view blank : {" ", "\u00a0", "\u202f", "'", "’"}) {

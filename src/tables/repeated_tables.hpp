@@ -15,10 +15,10 @@ struct RepeatedTables {
   std::vector<CsvRecord> rows;           ///< of all tables, without names and units
   std::vector<std::size_t> other_names;  ///< lines with the names of a table of other columns
   std::vector<std::size_t> other_units;  ///< lines with other units than those of the first table
-  std::size_t count = 1;                 ///< number of tables of these columns
+  std::size_t count = 1;                 ///< number of tables
 };
 
-/// What tells the lines of a file apart.
+/// The rules that distinguish the lines of a file.
 struct TableLines {
   const std::vector<std::string>& names;                       ///< of the first table
   const std::vector<std::string>& units;                       ///< in the row below them; empty if there is none

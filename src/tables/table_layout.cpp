@@ -53,8 +53,8 @@ bool is_row_of_numbers(const CsvRecord& record) {
          }) >= fewest;
 }
 
-/// The likely names among records of which none has known names: the uppermost of the texts right above a row of
-/// numbers that have as many values as it; or else the first record.
+/// The likely names among records without known names: the uppermost of the lines of texts directly above a row of
+/// numbers, with as many values as the row; or else the first record.
 CsvRecord likely_names(const std::vector<CsvRecord>& records) {
   if (records.empty()) return {};
   for (auto numbers = records.begin(); numbers != records.end(); ++numbers) {
@@ -116,7 +116,7 @@ bool may_have_thousands(std::string_view digits) {
   return true;
 }
 
-/// For each column whether it is read: the columns with known names, or all columns if no name is known.
+/// Whether each column is read: the columns with known names, or all columns if no name is known.
 std::vector<bool> columns_read(const TableLayout& layout, Choices choices) {
   std::vector<bool> are_read;
   for (const auto& name : layout.header.fields) {

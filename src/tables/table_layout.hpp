@@ -20,7 +20,7 @@ struct TableLayout {
   bool is_aligned_by_blanks = false;  ///< columns are parted by two blanks and more; `separator` is that of with_tabs()
 };
 
-/// The text with a tab in the place of every two blanks and more within a line.
+/// The text with a tab instead of every two or more blanks within a line.
 std::string with_tabs(std::string_view text);
 
 /// Determines the layout of a text: the separator for which most known columns are found, or blanks if none has any,

@@ -75,8 +75,8 @@ ReducedMaterial reduced(const Material& material, const TimeWindow& window, doub
           std::max(bulk.error_bound, shear.error_bound)};
 }
 
-/// The same by G and K + G/3, which are what mixed cells relax with. K of a mixture has terms of both, of which those
-/// of G cancel in K + G/3: reduced by itself it would keep some that G has lost.
+/// Reduces G and K + G/3, the moduli of mixed cells. K of a mixture has terms of both, and those of G cancel in K +
+/// G/3: a reduction of K by itself would keep terms that the reduced G no longer has.
 ReducedMaterial reduced_in_plane_strain(const Material& material, const TimeWindow& window, double tolerance) {
   const auto bulk = reduce_to_window(plane_strain_bulk_modulus(material), window, tolerance);
   const auto shear = reduce_to_window(material.shear, window, tolerance);
@@ -107,9 +107,9 @@ PreparedDomain<dim> prepare(const DynamicTest<dim>& test, const DomainRules& rul
   }
   domain.time_step = test.options.courant *
                      stable_time_step(test.discretisation, materials, test.options.volumetric, domain.density_factor);
-  // If the factors still rise, the window begins, by definition, after a known number of transits, which gives the
-  // duration of one. A factor that falls again is valid long before its window begins. The composite is stiffer during
-  // the ramp.
+  // While the factors rise, the window begins, by definition, after a known number of transits, which gives the
+  // duration of one. A factor that falls again is valid long before its window begins. The second estimate is lower,
+  // since the composite is stiffer during the ramp.
   const double transit = std::min(begin / (2.0 * there_and_back_transits),
                                   rules.transit(domain.density_factor, bounds.lower(early * begin)));
   const double ramp_transits =

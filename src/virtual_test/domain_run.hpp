@@ -14,7 +14,7 @@ namespace breccia {
 
 // Instantiated for 2 and 3 dimensions.
 
-/// The cells of which this process has the fields of a test.
+/// The cells whose fields in a test are on this process.
 template <int dim>
 IndexRange<dim> cells_with_fields(const DynamicTest<dim>& test);
 

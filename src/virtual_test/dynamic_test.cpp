@@ -76,8 +76,8 @@ double mean_density(const Discretisation<dim>& discretisation, const std::vector
 
 namespace {
 
-/// A lower estimate of the composite's shear modulus at the first time [Pa]. Under a traction boundary a box is softer
-/// than the bounds of an infinite body allow; with points the error of the cells makes up for it.
+/// A lower estimate of the composite's shear modulus at the first time [Pa]. Under a traction boundary a box may be
+/// softer than the lower bound of an infinite body; without mixed cells the error of the grid compensates for that.
 template <int dim>
 double least_modulus(const DynamicTest<dim>& test, const ShearModulusBounds& bounds) {
   constexpr double softening = 0.7;

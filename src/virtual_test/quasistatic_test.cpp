@@ -55,12 +55,12 @@ std::vector<std::vector<Moduli>> moduli_on_paths(const QuasistaticTest& test, co
   return moduli;
 }
 
-/// Does the path of the training set end before these moduli? (theory, section 10)
+/// Whether the path of the training set ends before these moduli (theory, section 10).
 bool is_beyond_the_path(const std::vector<Moduli>& moduli) {
   return std::ranges::any_of(moduli, is_like_softer);
 }
 
-/// In the order of falling shear moduli; those of the first phase come first.
+/// Whether one point has the larger shear modulus: that of the first phase, if equal that of the second, and so on.
 bool is_stiffer(const std::vector<Moduli>& one, const std::vector<Moduli>& other) {
   return std::ranges::lexicographical_compare(one, other, std::ranges::greater(), &Moduli::shear, &Moduli::shear);
 }
@@ -71,7 +71,7 @@ TrainingPath training_set(const QuasistaticTest& test, const std::vector<Materia
   // training set has both.
   const auto near_times = [&test](const auto& of_phases) { return carson_path(of_phases, test.times); };
   TrainingPath path = {.phases = test.varying, .points = moduli_on_paths(test, materials, near_times)};
-  // With several phases the curve takes a network of many unknowns, too many for a look after each snapshot.
+  // With several phases the curve in time takes a network of many unknowns, too many to compute it after each snapshot.
   if (test.varying.size() == 1) path.target = TargetCurve{materials, test.times};
   if (test.options.range == SampledRange::matrix) {
     const auto everywhere = [&test](const auto& of_phases) { return relaxation_path(of_phases, test.times); };
@@ -174,7 +174,7 @@ std::size_t step_at(const std::vector<double>& steps, double time) {
   return static_cast<std::size_t>(found - steps.begin());
 }
 
-/// Inserts a time into the steps unless it is one of them, but for rounding. Returns the time of that step.
+/// Inserts a time into the steps unless one of them equals it to rounding. Returns the time of that step.
 double make_step_at(std::vector<double>& steps, double time) {
   constexpr double rounding = 1e-9;
   const auto place = steps.begin() + static_cast<std::ptrdiff_t>(step_at(steps, time));

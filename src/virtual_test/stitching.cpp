@@ -18,7 +18,7 @@ bool contains(const TimeWindow& window, double time) {
 }
 
 double modulus_at(const TimeDomain& domain, double time) {
-  // Only samples in the window are used, and one sample on either side for interpolation at its ends.
+  // Samples in the window are used, and one sample on either side for interpolation at its ends.
   auto begin = std::ranges::lower_bound(domain.history, domain.window.begin, {}, &Sample::time);
   auto end = std::ranges::upper_bound(domain.history, domain.window.end, {}, &Sample::time);
   if (begin != domain.history.begin()) --begin;

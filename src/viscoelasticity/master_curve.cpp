@@ -283,7 +283,8 @@ Shifts best_shifts(const Projection& projection, const Eigen::VectorXd& start) {
   const auto unit_variances = variances(jacobian);
   if (!unit_variances) {
     throw NumericalError(
-        "master curve: the data do not determine the shift of every sweep; leave out temperatures whose sweeps are flat");
+        "master curve: the data do not determine the shift of every sweep; leave out temperatures whose sweeps are "
+        "flat");
   }
   shifts.standard_errors = (variance * *unit_variances).cwiseSqrt();
   return shifts;

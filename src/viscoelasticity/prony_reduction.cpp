@@ -69,7 +69,7 @@ struct RelaxingModulus {
 /// suffices for a wider one, so that a wider one hardly ever takes more times. Where even a dense fit is far off, as
 /// from a modulus that rises, only the most terms are tried.
 void search_fewest_times(const CommonTimesSearch& times, const PronyReductionOptions& options,
-                   const std::function<void(PronyReduction)>& consider) {
+                         const std::function<void(PronyReduction)>& consider) {
   const auto follows = [&](std::size_t count) {
     auto found = times.with(count);
     const bool is_within = found.worst_deviation() <= options.tolerance;
@@ -124,7 +124,8 @@ double PronyReduction::worst_deviation() const {
   return deviations.empty() ? 0.0 : *std::ranges::max_element(deviations);
 }
 
-PronyReduction reduce_prony(std::span<const PronySeries> series, const TimeWindow& window, const PronyReductionOptions& options) {
+PronyReduction reduce_prony(std::span<const PronySeries> series, const TimeWindow& window,
+                            const PronyReductionOptions& options) {
   if (!(window.begin > 0.0 && window.begin < window.end)) {
     throw InputError(fmt::format("terms: expected two rising times, got {} s and {} s", window.begin, window.end));
   }

@@ -148,7 +148,7 @@ TEST_F(CheckpointTest, AFinishedCalculationKeepsItsResultAlone) {
   EXPECT_EQ(found(), 3.0);
 }
 
-// On several processes none may stop between two parts that they gather together.
+// On several processes no process may stop between two parts that all of them gather.
 TEST_F(CheckpointTest, AStateThatCannotBeWrittenFailsAtItsEnd) {
   Checkpoint checkpoint(directory_.path() / "missing" / "a.checkpoint.h5", owner_, {});
   bool is_at_end = false;

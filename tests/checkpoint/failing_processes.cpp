@@ -18,7 +18,7 @@ namespace parallel = breccia::parallel;
 
 constexpr std::chrono::milliseconds later(300);
 
-/// Whether this process, which may be later than the first one, is told of the damaged file.
+/// Whether the message about the damaged file is returned on this process, which may be later than the first one.
 bool is_told_of_damage(const std::filesystem::path& path) {
   if (parallel::rank() == 0) std::ofstream(path) << "of another program";
   static_cast<void>(parallel::largest(0.0));

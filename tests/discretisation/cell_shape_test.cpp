@@ -42,7 +42,7 @@ typename CellShape<dim>::PointModuli uniform_moduli(const Moduli& of_all) {
   return moduli;
 }
 
-/// What holds in two and in three dimensions.
+/// Tests for two and three dimensions.
 template <class Dimension>
 class CellShapeOf : public testing::Test {};
 using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
@@ -178,7 +178,7 @@ TEST(CellShape2D, AveragedPointsDoNotResistAnIncompressibleHourglass) {
   const auto energy = [&](Volumetric volumetric) {
     return pure.dot(CellShape<2>::stiffness(moduli, volumetric) * pure);
   };
-  // Theory, Eq. 7: F_u = q / 2, and a quarter of it works on q = 1.
+  // By Eq. 7 of the theory F_u = q / 2, of which a quarter does work on q = 1.
   EXPECT_NEAR(energy(Volumetric::averaged), 1.0 / 8.0, 1e-6);
   EXPECT_GT(energy(Volumetric::standard), 1e7);
 }

@@ -22,7 +22,7 @@ double fraction_in(const Discretisation<dim>& mixed, const Index<dim>& cell) {
   return mixture == nullptr ? number : mixture->back().fraction;
 }
 
-/// Grains of equal weights at places that follow each other by irrational steps.
+/// Grains of equal weights at positions with irrational steps between them.
 template <int dim>
 Tessellation<dim> grains_in_unit_box(int count, Walls walls, WallFilm wall_film = WallFilm::half) {
   constexpr std::array steps = {0.8191725134, 0.6710436067, 0.5497004779};
@@ -51,8 +51,8 @@ TEST(GrainCells, HoldTheVolumeOfTheGrains) {
   EXPECT_NEAR(discretise_mixed(cut, film_thickness(cut, 0.85), 24, 0, 1, 2).fractions(2)[1], 0.85, 1e-3);
 }
 
-// Two grains in a periodic box, parted by films of 0.1 from each other and from their own images: the first fills what
-// is from 0.05 to 0.45 along x and from 0.05 to 0.95 along y and z.
+// Two grains in a periodic box, with films of 0.1 between each other and their own images: the first fills the box from
+// 0.05 to 0.45 along x and from 0.05 to 0.95 along y and z.
 TEST(GrainCells, OfBlocksAreExact) {
   const Tessellation<3> blocks({1.0, Walls::periodic, {{{0.25, 0.5, 0.5}}, {{0.75, 0.5, 0.5}}}});
   const auto mixed = discretise_mixed(blocks, 0.1, 8, 0, 1, 2);
@@ -65,7 +65,7 @@ TEST(GrainCells, OfBlocksAreExact) {
   EXPECT_EQ(mixed.mixtures().size(), 3U);
 }
 
-/// Counts the places of a fine lattice in each cell that lie in a grain.
+/// Counts the points of a fine lattice in each cell that are in a grain.
 template <int dim>
 void expect_counted_shares(const Tessellation<dim>& grains, double film, int cells, int places, double tolerance) {
   const auto mixed = discretise_mixed(grains, film, cells, 0, 1, 2);

@@ -39,14 +39,14 @@ TEST(JoinedMixtures, AreEachOnceInTheirOrder) {
   const std::vector<std::vector<Mixture>> parts = {{half, quarter}, {}, {of_others, half}};
   const auto joined = join_mixtures(parts);
   EXPECT_EQ(joined.mixtures, (std::vector<Mixture>{half, quarter, of_others}));
-  EXPECT_EQ(joined.places, (std::vector<std::vector<std::size_t>>{{0, 1}, {}, {2, 0}}));
+  EXPECT_EQ(joined.numbers, (std::vector<std::vector<std::size_t>>{{0, 1}, {}, {2, 0}}));
 }
 
-/// What fills the cells of a microstructure in some layers.
+/// The contents of the cells of a microstructure in some layers.
 template <int dim>
 using Filling = std::function<Discretisation<dim>(const CellLayers& layers)>;
 
-/// The parts of a microstructure hold what is in the same cells of the whole.
+/// Expects the cells in the parts of a microstructure to have the contents of those cells in the whole.
 template <int dim>
 void expect_parts_of_whole(const Filling<dim>& fill, int layers) {
   const auto whole = fill({});

@@ -112,7 +112,7 @@ TEST(MixedCells, OfDiscsThatOverlapStayFilled) {
   const Microstructure<2> overlapping = {1.0, Walls::hard, {Disc{{0.5, 0.5}, 0.9}, Disc{{0.8, 0.5}, 0.3}}};
   constexpr std::array<PhaseIndex, 2> phases = {1, 1};
   const auto mixed = discretise_mixed(overlapping, 20, 0, phases, 2);
-  // On the left side of the smaller disc, inside the larger one.
+  // A cell on the left side of the smaller disc, inside the larger one.
   EXPECT_EQ(mixed.cell({13, 10})[0], 1);
   EXPECT_EQ(mixed.cell({14, 12})[0], 1);
 }

@@ -45,7 +45,7 @@ TEST(Mixture, OfRelaxingPhasesIsASeriesMixtureAtEveryFrequency) {
     const auto dilatational = 1.0 / (0.25 / dilatational_of(materials[0]) + 0.75 / dilatational_of(materials[2]));
     EXPECT_LT(std::abs(dilatational_of(material) / dilatational - 1.0), 1e-12) << omega << " rad/s";
   }
-  // As many terms as there are relaxation times in its phases.
+  // There is one term for each relaxation time of its phases.
   EXPECT_EQ(material.shear.terms().size(), 3U);
 }
 

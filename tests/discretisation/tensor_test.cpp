@@ -54,7 +54,7 @@ void expect_moduli(double of_bulk_load) {
     const double modulus = load == Load::bulk ? of_bulk_load : shear;
     const auto stress = stress_of<dim>(bulk, shear, unit_strain<dim>(load));
     EXPECT_NEAR(modulus_of(load, stress), modulus, 1e-15);
-    // Under the unit stress the body has the strain of the unit stress' shape times 1 / M.
+    // The strain of the body under the unit stress is the unit strain times 1 / M.
     const auto strain = scaled(1.0 / modulus, unit_strain<dim>(load));
     const auto caused = stress_of<dim>(bulk, shear, strain);
     for (int place = 0; place < tensor_components<dim>; ++place) {

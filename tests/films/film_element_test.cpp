@@ -26,8 +26,8 @@ Unknowns affine(const FilmStretch& stretch, const Eigen::Matrix2d& gradient) {
   Unknowns u = Unknowns::Zero();
   Eigen::Index node = 0;
   for (const auto& [begin, end] : stretch.ends) {
-    for (const Eigen::Vector2d& place : {begin, Eigen::Vector2d(0.5 * (begin + end)), end}) {
-      u.segment<2>(2 * node++) = gradient * place;
+    for (const Eigen::Vector2d& position : {begin, Eigen::Vector2d(0.5 * (begin + end)), end}) {
+      u.segment<2>(2 * node++) = gradient * position;
     }
   }
   return u;
@@ -40,7 +40,7 @@ TEST(FilmElement, IsSqueezedOutAsReynoldsHasIt) {
   const auto element = film_element(straight(length, thickness));
   Unknowns u = Unknowns::Zero();
   for (const int node : {3, 4, 5}) u[2 * node + 1] = -closing;
-  // Of the pressures only the middle one is free: its work on the closing is that on the flow.
+  // Only the middle pressure is free: its work on the closing is that on the flow.
   const auto flow_part = element.shear.bottomRightCorner<2, 2>();
   const Eigen::RowVector2d of_flow = element.dilatation.row(1).tail<2>();
   const double pressure =
@@ -60,7 +60,7 @@ TEST(FilmElement, SlidesWithItsShear) {
   EXPECT_LT((element.dilatation * u).cwiseAbs().maxCoeff(), 1e-18);
 }
 
-// With oblique ends and with a vanished face, too.
+// The elements have oblique ends, or a vanished face.
 TEST(FilmElement, IsExactForUniformStrains) {
   auto triangle = straight(0.7, 0.02);
   triangle.ends[1][0] = triangle.ends[1][1] = {0.3, 0.02};

@@ -80,7 +80,7 @@ TEST(FilmFields, OfOneMaterialAreUniform) {
   }
 }
 
-// What a boundary prescribes is the mean over the box in all components, whatever the binder.
+// All components of the mean over the box are those that the boundary prescribes, for any binder.
 TEST(FilmFields, HaveTheMeansOfTheirLoads) {
   for (const auto boundary : all_boundaries) {
     for (const auto load : all_loads) {

@@ -20,13 +20,13 @@ double whole_area(const FilmNetwork& network) {
   for (const auto& film : network.films) {
     double length = 0.0;
     for (const auto& side : film.sides) {
-      length += (network.place(side.end) - network.place(side.begin)).dot(film.direction);
+      length += (network.position(side.end) - network.position(side.begin)).dot(film.direction);
     }
     sum += 0.5 * length * film.thickness;
   }
   for (const auto& junction : network.junctions) {
     std::vector<Eigen::Vector2d> corners;
-    for (const auto& corner : junction.corners) corners.push_back(network.place(corner));
+    for (const auto& corner : junction.corners) corners.push_back(network.position(corner));
     sum += area(corners);
   }
   return sum;
@@ -50,7 +50,7 @@ TEST(FilmNetwork, OfPeriodicGrainsHasThreeFilmsAndTwoJunctionsAGrain) {
   for (const auto& film : network.films) EXPECT_NEAR(film.thickness, 0.001, 1e-12);
 }
 
-// At the largest thickness faces have vanished, on one side or on both.
+// At the largest thickness some faces have vanished on one side or on both.
 TEST(FilmNetwork, TilesTheBox) {
   for (const auto boundary : test::all_boundaries) {
     const auto tessellation = test::voronoi_problem(boundary).tessellation;

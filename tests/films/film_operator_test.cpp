@@ -74,7 +74,7 @@ TEST(FilmOperator, HasTheDerivativesOfTheModulusAsItsParts) {
                                     modulus_at(1.0, 1.0 + step) - modulus_at(1.0, 1.0 - step)};
     const double modulus = modulus_at(1.0, 1.0);
     const auto solution = solver.solve(Load::shear, composite.zero());
-    // Under a traction the derivative is that of the compliance, with the other sign.
+    // Under a traction it is the derivative of the compliance, with the opposite sign.
     const double scale = boundary == Boundary::traction ? modulus * modulus : 1.0;
     for (std::size_t part = 0; part < binder.size(); ++part) {
       const double energy = work(composite.part_forces(part, Load::shear, solution), solution);

@@ -36,7 +36,8 @@ FilmProblem five_grains(Boundary boundary) {
           .face_share = 0.5};
 }
 
-// Both integrate the same network of springs and dashpots; one by steps, one exactly on a few elastic solutions.
+// Both methods integrate one network of springs and dashpots: the one by steps, the other exactly on a few elastic
+// solutions.
 TEST(FilmStepping, MeetsTheReducedResponse) {
   const auto material = test::relaxing_binder();
   constexpr int per_decade = 40;
@@ -93,8 +94,8 @@ TEST(FilmStepping, KeepsFields) {
       size += one.area * std::abs(other.stress[3]);
     }
     const double box = problem.tessellation.side() * problem.tessellation.side();
-    const auto place = std::ranges::find(times, kept[k]) - times.begin();
-    EXPECT_NEAR(stress / box / stepped.responses[0].values[static_cast<std::size_t>(place)], 1.0, 1e-9);
+    const auto index = std::ranges::find(times, kept[k]) - times.begin();
+    EXPECT_NEAR(stress / box / stepped.responses[0].values[static_cast<std::size_t>(index)], 1.0, 1e-9);
     EXPECT_LT(difference / size, 5e-3);
   }
 }

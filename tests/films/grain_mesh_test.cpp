@@ -51,7 +51,7 @@ TEST(GrainMesh, HasTheNodesOfTheFacesInTheirOrder) {
   EXPECT_LT((mesh.nodes[1] - 0.5 * (grain.corners[0] + grain.corners[1])).norm(), 1e-15);
 }
 
-/// Twice the energy of the triangles of a grain, for displacements of its nodes by their places.
+/// Twice the energy of the triangles of a grain, for displacements of its nodes by their positions.
 template <class At>
 double energy(const GrainMesh& mesh, const Moduli& moduli, const At& at) {
   const auto elasticity = plane_strain_stiffness(moduli);

@@ -14,7 +14,7 @@
 namespace breccia::films {
 namespace {
 
-/// How often each edge occurs in the elements: an edge is told from others by its middle.
+/// The number of elements at each edge, by the node in the middle of the edge.
 using Edges = std::map<std::size_t, int>;
 
 template <class Elements>
@@ -27,7 +27,7 @@ void count(const Elements& elements, std::size_t corners, std::set<std::size_t>&
   }
 }
 
-// In a periodic box, a torus, every edge is that of two elements, and there are as many edges as vertices and elements.
+// In a periodic box, a torus, every edge belongs to two elements, and there are as many edges as vertices and elements.
 TEST(ResolvedMesh, IsConforming) {
   for (const double thickness : {test::film_of_25, 0.03}) {
     auto problem = test::voronoi_problem(Boundary::periodic, thickness);
@@ -70,7 +70,7 @@ TEST(NodeMerger, TakesImagesForOneNodeInAPeriodicBox) {
   EXPECT_EQ(periodic.number({0.0, 0.75}), 1U);
   EXPECT_EQ(periodic.number({1.0, 0.25}), 0U);
   EXPECT_EQ(periodic.number({1.0 - 1e-15, -0.75}), 0U);
-  EXPECT_EQ(periodic.places().size(), 2U);
+  EXPECT_EQ(periodic.positions().size(), 2U);
   NodeMerger walled(Walls::hard);
   EXPECT_EQ(walled.number({0.0, 0.25}), 0U);
   EXPECT_EQ(walled.number({1.0, 0.25}), 1U);

@@ -61,23 +61,24 @@ Eigen::VectorXd right_side(const Sparse& matrix) {
 }
 
 TEST(EliminationOrder, HasEveryUnknownOnce) {
-  auto places = elimination_order(grid_matrix(1.0));
-  EXPECT_EQ(places, elimination_order(grid_matrix(3.0)));
-  // Both components of a node have the same entries and follow each other.
+  auto positions = elimination_order(grid_matrix(1.0));
+  EXPECT_EQ(positions, elimination_order(grid_matrix(3.0)));
+  // The two components of a node have the same entries and follow each other in the order.
   for (std::size_t node = 0; node < side_of_grid * side_of_grid; ++node) {
-    EXPECT_EQ(places[components * node] + 1, places[components * node + 1]);
+    EXPECT_EQ(positions[components * node] + 1, positions[components * node + 1]);
   }
-  std::ranges::sort(places);
-  std::vector<int> all(places.size());
+  std::ranges::sort(positions);
+  std::vector<int> all(positions.size());
   std::iota(all.begin(), all.end(), 0);
-  EXPECT_EQ(places, all);
+  EXPECT_EQ(positions, all);
 }
 
 // Nested dissection leaves some 31 n log2(n) / 4 entries of a grid of n nodes, the order of the rows n^(3/2).
 TEST(EliminationOrder, EndsWithASeparator) {
-  const auto places = elimination_order(grid_matrix(1.0));
-  const auto count = places.size();
-  // Without its last unknowns, about two grid lines of nodes, the grid falls into parts of at most two thirds.
+  const auto positions = elimination_order(grid_matrix(1.0));
+  const auto count = positions.size();
+  // Without the last unknowns in the order, about two grid lines of nodes, the grid separates into parts of at most two
+  // thirds.
   constexpr std::size_t separator = 2 * 3 * side_of_grid;
   std::vector<int> part(count);
   std::iota(part.begin(), part.end(), 0);
@@ -86,7 +87,7 @@ TEST(EliminationOrder, EndsWithASeparator) {
     return at;
   };
   const auto is_left = [&](int unknown) {
-    return static_cast<std::size_t>(places[static_cast<std::size_t>(unknown)]) + separator < count;
+    return static_cast<std::size_t>(positions[static_cast<std::size_t>(unknown)]) + separator < count;
   };
   const auto matrix = grid_matrix(1.0);
   for (int column = 0; column < matrix.outerSize(); ++column) {
@@ -148,7 +149,7 @@ TEST(SymmetricFactors, LeaveNoFiles) {
 }
 
 TEST(SymmetricFactors, SayWhereTheyHaveNoPlaceForFiles) {
-  parallel::start();  // MPI has its own wishes for the name of that place
+  parallel::start();  // before TMPDIR is changed, since MPI has its own limits for the name of that directory
   const auto refusal = [](const std::filesystem::path& place) {
     const test::ScopedVariable temporary("TMPDIR", place.string());
     SymmetricFactors factors(0.0);
@@ -157,7 +158,7 @@ TEST(SymmetricFactors, SayWhereTheyHaveNoPlaceForFiles) {
   const test::TemporaryDirectory directory;
   EXPECT_THAT(refusal(directory.path() / "missing"), HasSubstr("the environment variable TMPDIR names none"));
   EXPECT_THAT(refusal("/proc"), AllOf(HasSubstr("the directory /proc/breccia-factors-"), HasSubstr("cannot be made")));
-  // Names of up to 255 characters are those of MUMPS; 23 of them are that of the new directory.
+  // MUMPS takes names of up to 255 characters; 23 of them are the name of the new directory.
   auto place = directory.path();
   while (place.string().size() + 100 < 233) place /= std::string(99, 'a');
   const auto longest = place / std::string(231 - place.string().size(), 'b');

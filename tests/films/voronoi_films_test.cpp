@@ -16,7 +16,7 @@ namespace {
 
 constexpr double mega = 1e6;
 
-/// The modulus [MPa] of every row of the reference, and what the films give there.
+/// The modulus [MPa] in every row of the reference, and that of the model of films.
 struct Comparison {
   double shear;  ///< of the binder [MPa]
   std::string load;
@@ -46,7 +46,7 @@ TEST(VoronoiFilms, AreWithinHalfAPerCentOfTheResolvedOnes) {
   }
 }
 
-// What is left is of the order of (t/L)^2, 0.5 %, and the reference's own 0.1 %.
+// The remaining error is of the order of (t/L)^2, 0.5 %, plus the reference's own 0.1 %.
 TEST(VoronoiFilms, ConvergeToWithinHalfAPerCentAndTheErrorOfTheReference) {
   for (const auto& [shear, load, reference, found] : compare(0.1)) {
     EXPECT_NEAR(found / reference, 1.0, load == "bulk" ? 5e-4 : 6e-3) << shear << " MPa, " << load;

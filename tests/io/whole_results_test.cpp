@@ -98,7 +98,7 @@ TEST_F(WholeResultsTest, AreMadeByOneProcessAtATime) {
   EXPECT_EQ(read_text(directory() / "prony.csv"), "first");
 }
 
-// The system does not tell what is behind a link that leads to itself.
+// The status of a link that leads to itself is an error of the system.
 TEST_F(WholeResultsTest, AreRefusedWhereALinkLeadsToItself) {
   fs::create_directories(directory());
   fs::create_symlink("prony.csv", directory() / "prony.csv");

@@ -39,9 +39,9 @@ class DefinedTessellation {
     std::size_t site;  // with the least q = |x - c|^2 - w
     double depth;      // the least (q' - q) / (2 |c' - c|) - t/2, or that to a wall
   };
-  [[nodiscard]] Place at(const Vector<dim>& place) const {
+  [[nodiscard]] Place at(const Vector<dim>& point) const {
     std::vector<double> powers;
-    for (const Image& image : images_) powers.push_back(squared_distance(place, image.position) - image.weight);
+    for (const Image& image : images_) powers.push_back(squared_distance(point, image.position) - image.weight);
     const auto nearest = static_cast<std::size_t>(std::ranges::min_element(powers) - powers.begin());
     double distance = std::numeric_limits<double>::infinity();
     for (std::size_t other = 0; other < images_.size(); ++other) {
@@ -50,7 +50,7 @@ class DefinedTessellation {
       distance = std::min(distance, (powers[other] - powers[nearest]) / (2.0 * apart));
     }
     if (walls_ == Walls::hard) {
-      for (const double x : place) distance = std::min(distance, std::min(x, side_ - x));
+      for (const double x : point) distance = std::min(distance, std::min(x, side_ - x));
     }
     return {images_[nearest].site, distance - 0.5 * film_};
   }
@@ -73,15 +73,15 @@ class DefinedTessellation {
   std::vector<Image> images_;
 };
 
-/// Random places in the box [0, side]^dim.
+/// Random points in the box [0, side]^dim.
 template <int dim>
-std::vector<Vector<dim>> random_places(std::size_t count, double side, std::uint64_t seed) {
+std::vector<Vector<dim>> random_points(std::size_t count, double side, std::uint64_t seed) {
   std::mt19937_64 engine(seed);
-  std::vector<Vector<dim>> places(count);
-  for (auto& place : places) {
-    for (double& x : place) x = side * uniform(engine);
+  std::vector<Vector<dim>> points(count);
+  for (auto& point : points) {
+    for (double& x : point) x = side * uniform(engine);
   }
-  return places;
+  return points;
 }
 
 /// Diameters from 1 to `ratio`, evenly spread in the logarithm.

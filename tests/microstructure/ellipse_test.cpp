@@ -49,12 +49,12 @@ TEST(Ellipse, TheOutlineTouchesThePlanesOfItsSupport) {
   for (int k = 0; k < 12; ++k) {
     const double angle = std::numbers::pi / 6.0 * k;
     const Vector<2> direction = {std::cos(angle), std::sin(angle)};
-    const auto [place, radius] = ellipse.support(direction);
-    EXPECT_NEAR(std::hypot(place[0] / 1.5, place[1] / 0.5), 1.0, 1e-14);
+    const auto [point, radius] = ellipse.support(direction);
+    EXPECT_NEAR(std::hypot(point[0] / 1.5, point[1] / 0.5), 1.0, 1e-14);
     for (int other = 0; other < 100; ++other) {
       const double at = 2.0 * std::numbers::pi * other / 100;
       EXPECT_LE(1.5 * std::cos(at) * direction[0] + 0.5 * std::sin(at) * direction[1],
-                place[0] * direction[0] + place[1] * direction[1] + 1e-14);
+                point[0] * direction[0] + point[1] * direction[1] + 1e-14);
     }
   }
   EXPECT_DOUBLE_EQ(ellipse.support({1.0, 0.0}).radius_of_curvature, 0.25 / 1.5);

@@ -118,17 +118,17 @@ TEST(EllipsoidLocator, FindsTheNearestParticle) {
   const EllipsoidLocator locator(box);
   int near = 0;
   for (int count = 0; count < 1000; ++count) {
-    const Vector<3> place = {uniform_between(engine, 0.0, 6.0), uniform_between(engine, 0.0, 6.0),
+    const Vector<3> point = {uniform_between(engine, 0.0, 6.0), uniform_between(engine, 0.0, 6.0),
                              uniform_between(engine, 0.0, 6.0)};
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < box.particles.size(); ++k) {
       for_each_index(Index<3>{-1, -1, -1}, Index<3>{2, 2, 2}, [&](const Index<3>& image) {
         auto seen = box.particles[k];
         for (std::size_t axis = 0; axis < 3; ++axis) seen.centre[axis] += image[axis] * box.side;
-        nearest = std::min(nearest, signed_distance(seen, place) - box.coatings[k]);
+        nearest = std::min(nearest, signed_distance(seen, point) - box.coatings[k]);
       });
     }
-    const auto found = locator.at(place);
+    const auto found = locator.at(point);
     if (!found.particle) {
       EXPECT_GE(nearest, found.distance - 1e-12);
       continue;

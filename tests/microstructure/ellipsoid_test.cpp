@@ -25,14 +25,14 @@ using std::numbers::pi;
 constexpr AxisDirections cyclic = {{{0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}}};
 
 Vector<3> support(const Ellipsoid& ellipsoid, const Vector<3>& direction) {
-  Vector<3> place{};
+  Vector<3> point{};
   double height = 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double half = 0.5 * ellipsoid.axes[axis], along = dot(ellipsoid.directions[axis], direction);
-    place = displaced(place, half * half * along, ellipsoid.directions[axis]);
+    point += half * half * along * ellipsoid.directions[axis];
     height += half * half * along * along;
   }
-  return displaced(ellipsoid.centre, 1.0 / std::sqrt(height), place);
+  return ellipsoid.centre + 1.0 / std::sqrt(height) * point;
 }
 
 TEST(Ellipsoid, HasItsVolumeAndSurface) {
@@ -74,17 +74,17 @@ TEST(Ellipsoid, DistancesOfASphereAreExact) {
   EXPECT_NEAR(gap(sphere, sphere), -2.0, 1e-14);
 }
 
-// Along the normal of a place of the surface the distance is that from this place, outside and, up to the smallest
-// radius of curvature, inside.
+// Along the normal at a point of the surface the distance is that from this point: everywhere outside, and inside up to
+// the smallest radius of curvature.
 TEST(Ellipsoid, DistancesAlongNormalsAreExact) {
   std::mt19937_64 engine(5);
   for (int count = 0; count < 500; ++count) {
     const auto ellipsoid = random_ellipsoid(engine);
     const auto normal = random_direction(engine);
-    const auto place = support(ellipsoid, normal);
+    const auto point = support(ellipsoid, normal);
     const auto [shortest, longest] = std::ranges::minmax(ellipsoid.axes);
     for (const double distance : {0.0, 1e-6, 0.1, 3.0, -0.9 * 0.5 * shortest * shortest / longest}) {
-      EXPECT_NEAR(signed_distance(ellipsoid, displaced(place, distance, normal)), distance, 1e-13);
+      EXPECT_NEAR(signed_distance(ellipsoid, point + distance * normal), distance, 1e-13);
     }
   }
 }
@@ -92,14 +92,14 @@ TEST(Ellipsoid, DistancesAlongNormalsAreExact) {
 TEST(Ellipsoid, DistancesOnPlanesOfSymmetry) {
   const Ellipsoid ellipsoid = {{0.0, 0.0, 0.0}, {6.0, 4.0, 2.0}};
   EXPECT_NEAR(signed_distance(ellipsoid, {0.0, 0.0, 0.0}), -1.0, 1e-15);
-  // The nearest places to (x, 0, 0) are above and below, where x of the surface is x / (1 - 1/9).
+  // The nearest points to (x, 0, 0) are above and below, where x of the surface is x / (1 - 1/9).
   EXPECT_NEAR(signed_distance(ellipsoid, {0.8, 0.0, 0.0}), -std::hypot(0.1, std::sqrt(1.0 - 0.09)), 1e-14);
   EXPECT_NEAR(signed_distance(ellipsoid, {2.9, 0.0, 0.0}), -0.1, 1e-14);
   EXPECT_NEAR(signed_distance(ellipsoid, {0.0, 0.0, 1e-17}), -1.0, 1e-15);
   EXPECT_NEAR(signed_distance(ellipsoid, {1e-17, 5.0, 0.0}), 3.0, 1e-15);
 }
 
-// Both bounds: no direction separates them farther, and no two places are nearer.
+// Both bounds: no direction separates them farther, and no two points are nearer.
 TEST(Ellipsoid, GapsAreBetweenTheirBounds) {
   std::mt19937_64 engine(11);
   int apart = 0;
@@ -110,7 +110,7 @@ TEST(Ellipsoid, GapsAreBetweenTheirBounds) {
     for (int trial = 0; trial < 50; ++trial) {
       const auto direction = random_direction(engine);
       const Vector<3> back = {-direction[0], -direction[1], -direction[2]};
-      const double along = dot(direction, difference(support(other, back), support(one, direction)));
+      const double along = dot(direction, support(other, back) - support(one, direction));
       if (found > 0.0) {
         EXPECT_LE(along, found + 1e-13);
       } else {
@@ -119,7 +119,7 @@ TEST(Ellipsoid, GapsAreBetweenTheirBounds) {
     }
     if (found <= 0.0) continue;
     ++apart;
-    // No place of the other one is nearer than the gap.
+    // No point of the other one is nearer than the gap.
     double nearest = std::numeric_limits<double>::infinity();
     for (int trial = 0; trial < 200; ++trial) {
       nearest = std::min(nearest, signed_distance(one, support(other, random_direction(engine))));
@@ -138,8 +138,8 @@ TEST(Ellipsoid, GapsAlongACommonNormalAreExact) {
     const auto normal = random_direction(engine);
     const Vector<3> back = {-normal[0], -normal[1], -normal[2]};
     const double width = uniform_between(engine, 0.0, 1.0) * (count % 3 == 0 ? 1e-6 : 1.0);
-    const auto wanted = displaced(support(one, normal), width, normal);
-    other.centre = displaced(other.centre, 1.0, difference(wanted, support(other, back)));
+    const auto wanted = support(one, normal) + width * normal;
+    other.centre += wanted - support(other, back);
     EXPECT_NEAR(gap(one, other), width, 1e-12);
   }
 }
@@ -160,7 +160,7 @@ TEST(Ellipsoid, AnglesAreFoundAgain) {
     auto one = random_ellipsoid(engine).directions;
     if (count == 0) one = turned(Turn{0.0, 0.5 * std::numbers::pi, 0.4});
     const auto again = turned(turn_of(one));
-    for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(norm(difference(again[axis], one[axis])), 0.0, 1e-14);
+    for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(norm(again[axis] - one[axis]), 0.0, 1e-14);
   }
 }
 
@@ -176,14 +176,14 @@ TEST(Ellipsoid, CoatingsHaveTheVolumeOfTheirPlaces) {
   const double thickness = 0.3;
   EXPECT_NEAR(coating_volume({{}, {2.0, 2.0, 2.0}}, thickness), std::numbers::pi / 6.0 * (2.6 * 2.6 * 2.6 - 8.0),
               1e-13);
-  // Counted on a lattice of places in the eighth of positive coordinates.
+  // The volume is counted on a lattice of points in the octant of positive coordinates.
   const Ellipsoid ellipsoid = {{}, {2.0, 1.2, 0.8}};
   constexpr int along = 60;
   constexpr double step = 1.4 / along;
   int inside = 0;
-  for_each_index(Index<3>{}, Index<3>{along, along, along}, [&](const Index<3>& place) {
+  for_each_index(Index<3>{}, Index<3>{along, along, along}, [&](const Index<3>& index) {
     const double distance =
-        signed_distance(ellipsoid, {(place[0] + 0.5) * step, (place[1] + 0.5) * step, (place[2] + 0.5) * step});
+        signed_distance(ellipsoid, {(index[0] + 0.5) * step, (index[1] + 0.5) * step, (index[2] + 0.5) * step});
     if (distance > 0.0 && distance <= thickness) ++inside;
   });
   EXPECT_NEAR(8.0 * inside * step * step * step / coating_volume(ellipsoid, thickness), 1.0, 2e-3);

@@ -18,20 +18,20 @@ namespace {
 using test::DefinedTessellation;
 using test::diameters_of_ratio;
 using test::expect_error;
-using test::random_places;
+using test::random_points;
 
-/// Compares the locator with the definition at random places, with images up to so many boxes away. Returns the share
-/// of the places that are in the film.
+/// Compares the locator with the definition at random points, with images up to `boxes` boxes away. Returns the share
+/// of the points that are in the film.
 template <int dim>
-double compare_with_definition(const LaguerreSites<dim>& sites, double film, std::size_t places, int boxes) {
+double compare_with_definition(const LaguerreSites<dim>& sites, double film, std::size_t points, int boxes) {
   const Tessellation<dim> tessellation(sites);
   const GrainLocator<dim> locator(tessellation, film);
   const DefinedTessellation<dim> definition(sites, film, boxes);
   const double roundoff = 1e-13 * sites.side;
   std::size_t in_film = 0;
-  for (const auto& place : random_places<dim>(places, sites.side, 17)) {
-    const auto expected = definition.at(place);
-    const auto found = locator.at(place);
+  for (const auto& point : random_points<dim>(points, sites.side, 17)) {
+    const auto expected = definition.at(point);
+    const auto found = locator.at(point);
     EXPECT_EQ(found.site, expected.site);
     EXPECT_NEAR(found.depth, expected.depth, roundoff);
     if (std::abs(expected.depth) > roundoff) {
@@ -39,7 +39,7 @@ double compare_with_definition(const LaguerreSites<dim>& sites, double film, std
     }
     if (!found.is_in_grain()) ++in_film;
   }
-  return static_cast<double>(in_film) / static_cast<double>(places);
+  return static_cast<double>(in_film) / static_cast<double>(points);
 }
 
 TEST(GrainLocator, AgreesWithTheDefinition) {
@@ -68,11 +68,11 @@ void expect_exact_films(const LaguerreSites<dim>& sites, double film) {
   const GrainLocator<dim> locator(tessellation, film);
   const double roundoff = 1e-14 * sites.side;
   std::size_t tried = 0;
-  for (const auto& place : random_places<dim>(3000, sites.side, 5)) {
-    const auto [site, depth] = locator.at(place);
-    // The nearest face, seen from the image of the site to which the place belongs.
+  for (const auto& point : random_points<dim>(3000, sites.side, 5)) {
+    const auto [site, depth] = locator.at(point);
+    // The nearest face, relative to the image of the site to which the point belongs.
     const auto& faces = tessellation.cell(site).half_spaces();
-    Vector<dim> seen = place;
+    Vector<dim> seen = point;
     for (std::size_t axis = 0; axis < dim; ++axis) {
       seen[axis] -= sites.sites[site].position[axis];
       seen[axis] -= sites.side * std::round(seen[axis] / sites.side);
@@ -82,7 +82,7 @@ void expect_exact_films(const LaguerreSites<dim>& sites, double film) {
     const double to_face = height(nearest);
     if (std::abs(to_face - 0.5 * film - depth) > roundoff) continue;  // another image
     const auto at = [&](double beyond) {
-      Vector<dim> moved = place;
+      Vector<dim> moved = point;
       for (std::size_t axis = 0; axis < dim; ++axis) moved[axis] += nearest.normal[axis] * (to_face + beyond);
       return locator.at(moved);
     };
@@ -110,13 +110,13 @@ TEST(GrainLocator, FilmsAreExactlyAsThickAsAsked) {
 
 void expect_depths_of_balls_that_hold_nothing_else(const LaguerreSites<2>& sites) {
   const GrainLocator<2> locator(Tessellation<2>(sites), 0.02);
-  const auto directions = random_places<2>(8, 1.0, 3);
-  for (const auto& place : random_places<2>(2000, 1.0, 2)) {
-    const auto here = locator.at(place);
+  const auto directions = random_points<2>(8, 1.0, 3);
+  for (const auto& point : random_points<2>(2000, 1.0, 2)) {
+    const auto here = locator.at(point);
     for (const auto& direction : directions) {
       const double length = std::hypot(direction[0] - 0.5, direction[1] - 0.5);
       const double step = 0.999999 * std::abs(here.depth) / length;
-      const auto there = locator.at({place[0] + step * (direction[0] - 0.5), place[1] + step * (direction[1] - 0.5)});
+      const auto there = locator.at({point[0] + step * (direction[0] - 0.5), point[1] + step * (direction[1] - 0.5)});
       EXPECT_EQ(there.is_in_grain(), here.is_in_grain());
       if (here.is_in_grain()) {
         EXPECT_EQ(there.site, here.site);
@@ -141,26 +141,26 @@ TEST(GrainLocator, FindsTheGrainsOfFilmsOfSeveralThicknesses) {
   std::vector<ConvexCell<2>> grains;
   for (std::size_t site = 0; site < tessellation.size(); ++site) grains.push_back(tessellation.grain(site, film));
   std::size_t in_grains = 0;
-  constexpr std::size_t places = 50000;
-  for (const auto& place : random_places<2>(places, 1.0, 4)) {
-    const auto found = locator.at(place);
+  constexpr std::size_t points = 50000;
+  for (const auto& point : random_points<2>(points, 1.0, 4)) {
+    const auto found = locator.at(point);
     if (!found.is_in_grain()) continue;
     ++in_grains;
     const auto& site = sites.sites[found.site].position;
-    double outside = -1.0;  // beyond all faces of the grain, seen from the image of its site that is nearest
+    double outside = -1.0;  // largest height above a face of the grain, relative to the nearest image of its site
     for (const auto& face : grains[found.site].half_spaces()) {
-      const Vector<2> seen = {std::remainder(place[0] - site[0], 1.0), std::remainder(place[1] - site[1], 1.0)};
+      const Vector<2> seen = {std::remainder(point[0] - site[0], 1.0), std::remainder(point[1] - site[1], 1.0)};
       outside = std::max(outside, face.height(seen));
     }
     EXPECT_LE(outside, 1e-12);
   }
-  EXPECT_NEAR(static_cast<double>(in_grains) / places, 0.6, 0.01);
+  EXPECT_NEAR(static_cast<double>(in_grains) / points, 0.6, 0.01);
 }
 
 TEST(GrainLocator, APeriodicTessellationContinues) {
   const auto sites = random_sites<2>({1.0, Walls::periodic, diameters_of_ratio(30, 5.0), 6, 1, 1e-9});
   const GrainLocator<2> locator(Tessellation<2>(sites), 0.02);
-  for (const auto& [x, y] : random_places<2>(300, 1.0, 2)) {
+  for (const auto& [x, y] : random_points<2>(300, 1.0, 2)) {
     const auto here = locator.at({x, y});
     const auto there = locator.at({x - 3.0, y + 1.0});
     EXPECT_EQ(there.site, here.site);
@@ -180,7 +180,7 @@ TEST(GrainLocator, HardWalls) {
 TEST(GrainLocator, WithoutAFilmEverythingIsGrain) {
   const auto sites = random_sites<3>({1.0, Walls::periodic, diameters_of_ratio(30, 5.0), 6, 1, 1e-9});
   const GrainLocator<3> locator(Tessellation<3>(sites), 0.0);
-  for (const auto& place : random_places<3>(1000, 1.0, 2)) EXPECT_TRUE(locator.at(place).is_in_grain());
+  for (const auto& point : random_points<3>(1000, 1.0, 2)) EXPECT_TRUE(locator.at(point).is_in_grain());
   EXPECT_TRUE(
       GrainLocator<2>(Tessellation<2>({1.0, Walls::periodic, {{{0.5, 0.5}, 0.0}}}), 0.0).at({0.0, 0.0}).is_in_grain());
 }
@@ -188,7 +188,7 @@ TEST(GrainLocator, WithoutAFilmEverythingIsGrain) {
 TEST(GrainLocator, AThickFilmLeavesNoGrain) {
   const auto sites = random_sites<2>({1.0, Walls::periodic, diameters_of_ratio(30, 5.0), 6, 1, 1e-9});
   const GrainLocator<2> locator(Tessellation<2>(sites), 1.0);
-  for (const auto& place : random_places<2>(300, 1.0, 2)) EXPECT_FALSE(locator.at(place).is_in_grain());
+  for (const auto& point : random_points<2>(300, 1.0, 2)) EXPECT_FALSE(locator.at(point).is_in_grain());
 }
 
 TEST(GrainLocator, BadFilms) {

@@ -53,8 +53,8 @@ TEST_P(LevelGridTest, FindsEveryBallInReach) {
     for (std::uint32_t other = 0; other < radii.size(); ++other) {
       for (std::uint32_t image = 0; image < PeriodicImages<2>::count; ++image) {
         if (other % 3 == 0 || (GetParam() == Walls::hard && image != PeriodicImages<2>::in_place)) continue;
-        const auto seen = displaced(centres[other], 1.0, images.shift(image));
-        if (norm(difference(seen, centres[ball])) >= reach + radii[other]) continue;
+        const auto seen = centres[other] + images.shift(image);
+        if (norm(seen - centres[ball]) >= reach + radii[other]) continue;
         EXPECT_TRUE(visited.contains({other, image})) << "missed";
       }
     }
@@ -66,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(Walls, LevelGridTest, ::testing::Values(Walls::hard, Wa
 TEST(PeriodicImages, OppositesCancel) {
   const PeriodicImages<3> images(side);
   for (std::uint32_t image = 0; image < PeriodicImages<3>::count; ++image) {
-    const auto there_and_back = displaced(images.shift(image), 1.0, images.shift(PeriodicImages<3>::opposite(image)));
+    const auto there_and_back = images.shift(image) + images.shift(PeriodicImages<3>::opposite(image));
     EXPECT_EQ(there_and_back, (Vector<3>{0.0, 0.0, 0.0}));
   }
 }

@@ -236,7 +236,7 @@ TEST_P(PackDensest, IsReachedAndNotPassed) {
   expect_error<NumericalError>([&] { return pack<2>(larger); }, "jam at 99.01 %");  // 1 / 1.01
 }
 
-/// From the largest smallest distance of points in a unit square to the largest diameter of discs in one.
+/// The largest diameter of discs in a unit square, from the largest smallest distance of points in one.
 double in_square(double distance) {
   return distance / (1.0 + distance);
 }

@@ -104,12 +104,12 @@ TEST(ParticleLocator, NothingIsNearerThanItSays) {
   }
   const ParticleLocator locator(box);
   for (int k = 0; k < 500; ++k) {
-    const Vector<2> place = {std::fmod(0.7548777 * k, 1.0), std::fmod(0.5698403 * k, 1.0)};
+    const Vector<2> point = {std::fmod(0.7548777 * k, 1.0), std::fmod(0.5698403 * k, 1.0)};
     double nearest = 1.0;
     for_each_image(box, [&](std::size_t number, const Pose& pose) {
-      nearest = std::min(nearest, signed_distance({box.particles[number].shape, pose}, place));
+      nearest = std::min(nearest, signed_distance({box.particles[number].shape, pose}, point));
     });
-    const auto found = locator.at(place);
+    const auto found = locator.at(point);
     EXPECT_LE(found.distance, nearest + 1e-15);
     if (found.particle) {
       EXPECT_NEAR(found.distance, nearest, 1e-14);

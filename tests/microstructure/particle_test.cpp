@@ -35,17 +35,17 @@ Particle random_particle(std::mt19937_64& engine) {
 
 /// Places on the outline of a particle, `count` on an ellipse and on each side of a polygon.
 std::vector<Vector<2>> outline(const Particle& particle, int count) {
-  std::vector<Vector<2>> places;
+  std::vector<Vector<2>> points;
   const auto add = [&](double x, double y) {
     const auto seen = particle.pose.from_shape({x, y});
-    places.push_back({particle.pose.centre()[0] + seen[0], particle.pose.centre()[1] + seen[1]});
+    points.push_back({particle.pose.centre()[0] + seen[0], particle.pose.centre()[1] + seen[1]});
   };
   if (const auto* ellipse = std::get_if<Ellipse>(&particle.shape)) {
     for (int k = 0; k < count; ++k) {
       const double angle = 2.0 * std::numbers::pi * k / count;
       add(0.5 * ellipse->axes[0] * std::cos(angle), 0.5 * ellipse->axes[1] * std::sin(angle));
     }
-    return places;
+    return points;
   }
   const auto corners = std::get<ConvexPolygon>(particle.shape).corners();
   for (std::size_t corner = 0; corner < corners.size(); ++corner) {
@@ -56,7 +56,7 @@ std::vector<Vector<2>> outline(const Particle& particle, int count) {
           corners[corner][1] + share * (next[1] - corners[corner][1]));
     }
   }
-  return places;
+  return points;
 }
 
 double distance(const Vector<2>& one, const Vector<2>& other) {
@@ -67,10 +67,10 @@ TEST(Particle, SignedDistanceIsThatOfTheNearestPlaceOfTheOutline) {
   std::mt19937_64 engine(5);
   for (int trial = 0; trial < 200; ++trial) {
     const auto particle = random_particle(engine);
-    const Vector<2> place = {uniform(engine, -3.0, 3.0), uniform(engine, -3.0, 3.0)};
+    const Vector<2> point = {uniform(engine, -3.0, 3.0), uniform(engine, -3.0, 3.0)};
     double nearest = 100.0;
-    for (const auto& on : outline(particle, 4000)) nearest = std::min(nearest, distance(on, place));
-    const double found = signed_distance(particle, place);
+    for (const auto& on : outline(particle, 4000)) nearest = std::min(nearest, distance(on, point));
+    const double found = signed_distance(particle, point);
     if (found < 0.0) {
       EXPECT_GE(nearest, -found - 1e-12);
     } else {
@@ -88,7 +88,7 @@ TEST(Particle, GapIsTheSmallestDistanceOfTwoOutlines) {
     const double found = gap(one.shape, one.pose, other.shape, other.pose).width;
     EXPECT_NEAR(gap(other.shape, other.pose, one.shape, one.pose).width, found, found > 0.0 ? 1e-12 : 1.0);
     double nearest = 100.0;
-    for (const auto& place : outline(other, 800)) nearest = std::min(nearest, signed_distance(one, place));
+    for (const auto& point : outline(other, 800)) nearest = std::min(nearest, signed_distance(one, point));
     if (found > 0.0) {
       ++apart;
       EXPECT_LE(found, nearest + 1e-12);

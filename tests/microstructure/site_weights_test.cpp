@@ -18,12 +18,12 @@ namespace breccia {
 namespace {
 
 using test::expect_error;
-using test::random_places;
+using test::random_points;
 
 template <int dim>
 LaguerreSites<dim> sites_at_random(std::size_t count, Walls walls, std::uint64_t seed) {
   LaguerreSites<dim> sites{1.0, walls, {}};
-  for (const auto& place : random_places<dim>(count, 1.0, seed)) sites.sites.push_back({place, 0.0});
+  for (const auto& point : random_points<dim>(count, 1.0, seed)) sites.sites.push_back({point, 0.0});
   return sites;
 }
 
@@ -54,13 +54,13 @@ TEST(SiteWeights, OneSiteHasEverything) {
   EXPECT_EQ(found.steps, 0);
 }
 
-// Random sites and volumes that have nothing to do with the places: the hardest case for the weights.
+// Random sites with volumes independent of their positions: the hardest case for the weights.
 TEST(SiteWeights, FoundForAnyVolumes) {
   for (const auto walls : {Walls::periodic, Walls::hard}) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
       const auto plane = sites_at_random<2>(60, walls, seed);
       std::vector<double> volumes;
-      for (const auto& [x, y] : random_places<2>(60, 1.0, seed + 100)) volumes.push_back(std::pow(100.0, x));
+      for (const auto& [x, y] : random_points<2>(60, 1.0, seed + 100)) volumes.push_back(std::pow(100.0, x));
       EXPECT_LE(error_with(plane, weights_for_volumes<2>(plane, volumes).weights, volumes), 1.1e-9) << seed;
       const auto space = sites_at_random<3>(60, walls, seed);
       EXPECT_LE(error_with(space, weights_for_volumes<3>(space, volumes).weights, volumes), 1.1e-9) << seed;
@@ -99,7 +99,7 @@ TEST(SiteWeights, BadArguments) {
       [&] {
         return weights_for_volumes<2>(coincident, std::vector{1.0, 1.0, 2.0});
       },
-      "site 3", "no place");
+      "site 3", "no point");
 }
 
 TEST(SiteWeights, NoEndBelowRoundoff) {

@@ -141,7 +141,7 @@ TEST(DrawDiametersOfSpheres, FillTheirShareOfACube) {
   const auto diameters = draw_diameters<3>(SizeDistribution::monodisperse(diameter), 0.3, side);
   // Whole spheres of pi d^3 / 6 each.
   EXPECT_EQ(diameters.size(), static_cast<std::size_t>(std::lround(0.3 * 6000.0 / std::numbers::pi)));
-  // Of two spheres of 1 and 2 um the small one has a ninth of the volume.
+  // The smaller of two spheres of 1 and 2 um has a ninth of the volume.
   const auto one_size = SizeDistribution::monodisperse(1e-6);
   EXPECT_DOUBLE_EQ(largest_deviation<3>(one_size, std::vector{2e-6, 1e-6}), 8.0 / 9.0);
 }

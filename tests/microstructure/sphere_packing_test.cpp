@@ -159,7 +159,7 @@ TEST_P(PackDensestSpheres, IsReachedAndNotPassed) {
       "jam at 99.01 %");  // 1 / 1.01
 }
 
-/// From the largest smallest distance of points in a unit cube to the largest diameter of spheres in one (Schaer,
+/// The largest diameter of spheres in a unit cube, from the largest smallest distance of points in one (Schaer,
 /// Canadian Mathematical Bulletin 9 (1966) 265).
 double in_cube(double distance) {
   return distance / (1.0 + distance);

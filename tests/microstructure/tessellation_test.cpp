@@ -82,7 +82,7 @@ TEST(Tessellation, HexagonsAndTheirFilms) {
   const auto faces = face_measures(tessellation.cell(10));
   EXPECT_THAT(faces, SizeIs(6));
   EXPECT_NEAR(sum(faces), 2.0 * upright + 4.0 * slanted, 1e-14);
-  // By t/2 from all sides: the perimeter shrinks by what the six corners take, tan(half the turn) each.
+  // All sides recede by t/2: the perimeter shrinks by the parts that the six corners lose, tan(half the turn) each.
   const double turn = std::acos(0.5 * b / d);  // from an upright to a slanted side
   const double corners = 4.0 * std::tan(0.5 * turn) + 2.0 * std::tan(0.5 * (std::numbers::pi - 2.0 * turn));
   const double film = 0.01;
@@ -282,13 +282,13 @@ TEST(Tessellation, ListsEverySiteThatCannotBe) {
 TEST(Tessellation, ListsEverySiteWithoutACell) {
   const LaguerreSites<2> sites{
       1.0, Walls::hard, {{{0.5, 0.5}, 0.0}, {{0.5, 0.6}, 0.3}, {{0.1, 0.1}, 0.0}, {{0.1, 0.1}, 0.0}}};
-  expect_error<InputError>([&] { return Tessellation<2>(sites); }, "site 1: no place", "site 4: no place");
+  expect_error<InputError>([&] { return Tessellation<2>(sites); }, "site 1: no point", "site 4: no point");
   EXPECT_THAT(mistakes(sites), SizeIs(2));
 }
 
 TEST(Tessellation, SitesOnOppositeSidesOfAPeriodicBoxAreAtTheSamePlace) {
   const LaguerreSites<2> sites{1.0, Walls::periodic, {{{0.0, 0.5}, 0.0}, {{1.0, 0.5}, 0.0}}};
-  expect_error<InputError>([&] { return Tessellation<2>(sites); }, "site 2: no place");
+  expect_error<InputError>([&] { return Tessellation<2>(sites); }, "site 2: no point");
 }
 
 TEST(Tessellation, NoBoxNoSites) {

@@ -1,4 +1,4 @@
-// Under mpirun, two processes: the first question to the library finds both, they share the cores, and they are divided
+// Two processes under mpirun: the first call of the library finds both, they share the cores, and they are divided
 // once.
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace {
 
-/// Prints what is wrong unless it holds.
+/// Prints the mistake unless the condition is true.
 bool expect(bool holds, const char* wrong) {
   if (!holds) std::puts(wrong);
   return holds;

@@ -1,5 +1,5 @@
-// Under mpirun: processes that make layers of a microstructure together get the bits that one makes alone, in memory
-// that they have in common and, where there is none, each in its own.
+// Processes under mpirun that make layers of a microstructure together get the bits that a single process makes, in
+// common memory and, where there is none, each in its own memory.
 
 #include <algorithm>
 #include <array>
@@ -26,7 +26,7 @@ namespace parallel = breccia::parallel;
 using breccia::CellLayers;
 using breccia::Discretisation;
 
-/// Prints what is wrong unless it holds.
+/// Prints the mistake unless the condition is true.
 bool expect(bool holds, const char* wrong) {
   if (!holds) std::puts(wrong);
   return holds;
@@ -52,7 +52,7 @@ bool is_joined(int layers, const Make& make) {
          are_equal<dim>(breccia::joined_on_machine<dim>(part, 2, no_memory), whole);
 }
 
-/// What each has written in the memory that all have in common is seen by all; there may be none.
+/// Whether all processes read the values that each has written to the common memory; also if there is none.
 bool memory_is_common() {
   const auto rank = static_cast<std::size_t>(parallel::rank_on_machine());
   const auto ranks = static_cast<std::size_t>(parallel::ranks_on_machine());
@@ -69,7 +69,7 @@ bool memory_is_common() {
   return true;
 }
 
-/// A mistake of the last process is thrown on all of them.
+/// Whether a mistake of the last process is thrown on all of them.
 bool mistakes_are_common() {
   try {
     static_cast<void>(parallel::made_by_all([] {

@@ -1,6 +1,6 @@
-// Under mpirun: the values of a lattice whose rows the processes share out, a part of each row to each process, are
-// collected, written to a state and read from it in the order of the lattice. The last process has none. Sums are taken
-// in the order of the processes, and the first that has the largest value is found.
+// Under mpirun the values of a lattice, of which each process but the last has a part of each row, are collected,
+// written to a state and read from it in the order of the lattice. Sums are taken in the order of the processes, and
+// the first process with the largest value is found.
 //
 //   ordered_processes DIRECTORY
 
@@ -20,7 +20,7 @@ namespace parallel = breccia::parallel;
 
 constexpr std::size_t in_row = 7, rows = 200'003;  // more than one piece of values
 
-/// Prints what is wrong unless it holds.
+/// Prints the mistake unless the condition is true.
 bool expect(bool holds, const char* wrong) {
   if (!holds) std::puts(wrong);
   return holds;
@@ -30,7 +30,7 @@ double value_at(std::size_t place) {
   return 0.5 + static_cast<double>(place);
 }
 
-/// The places of one of the processes that have values: columns of all rows.
+/// The places of the values of one of the processes that have some: columns of all rows.
 parallel::OrderedPlaces places_of(std::size_t process, std::size_t processes) {
   const auto first = in_row * process / processes, size = in_row * (process + 1) / processes - first;
   return {size * rows, [=](std::size_t value) { return value / size * in_row + first + value % size; }};

@@ -1,5 +1,5 @@
-// Files that are cut off or damaged: they are refused, or read as an image; nothing crashes, and no memory is asked for
-// that the file cannot fill.
+// Files that are cut off or damaged are refused, or read as an image; nothing crashes, and no memory is allocated that
+// the file cannot fill.
 
 #include <filesystem>
 #include <optional>
@@ -19,7 +19,7 @@ namespace {
 
 class DamagedRaster : public testing::TestWithParam<const char*> {
  protected:
-  /// Reads the bytes as a file. Nothing if they are refused.
+  /// Reads the bytes as a file. Returns nothing if they are refused.
   std::optional<Raster> read(std::string_view bytes) {
     const auto file = directory_.path() / std::to_string(++files_);  // writing over a file would wait for the disk
     directory_.write(file.filename(), bytes);
@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(Formats, CutOffRaster,
                                          "stack.npy", "plane-ascii.vti", "plane-inline-zlib.vti",
                                          "stack-two-base64.vti", "plane-raw-zlib.vti", "plane.h5"));
 
-// Without HDF5, whose library leaks memory when it refuses a damaged file.
+// HDF5 is left out, because its library leaks memory when it refuses a damaged file.
 INSTANTIATE_TEST_SUITE_P(Formats, FlippedRaster,
                          testing::Values("plane-interlaced.png", "plane-16bit.png", "plane-group4-mod2.tif",
                                          "plane-bigtiff.tif", "stack-tiled-deflate.tif", "plane-fortran.npy",

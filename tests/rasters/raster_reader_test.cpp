@@ -62,7 +62,7 @@ TEST_P(ReadRaster, FindsTheValuesOfAnotherProgram) {
   EXPECT_EQ(raster.values, values_of_make(is_stack ? 3 : 1, mod == std::string::npos ? 11 : file[mod + 4] - '0'));
 }
 
-/// All files but those that are refused, without a name of an array where they do not need one.
+/// All files that are not refused, without the name of an array where none is needed.
 std::vector<ImageOfAnotherProgram> sound_images() {
   std::vector<ImageOfAnotherProgram> sound;
   for (const auto& entry : std::filesystem::directory_iterator(images)) {

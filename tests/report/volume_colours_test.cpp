@@ -32,7 +32,7 @@ TEST(VolumeColours, GoFromThe1stToThe99thPercentile) {
 TEST(VolumeColours, AreThoseOfThePictures) {
   const auto colours = colours_of_fields();
   EXPECT_EQ(colours.size(), 6 * 256U);
-  // From dark violet to light yellow.
+  // The colours run from dark violet to light yellow.
   const auto channel = [&](std::size_t colour, std::size_t which) {
     return std::stoi(colours.substr(6 * colour + 2 * which, 2), nullptr, 16);
   };

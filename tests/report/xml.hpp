@@ -10,7 +10,7 @@ namespace breccia::test {
 /// stray '<' and '&'. Empty if it is well-formed.
 std::string xml_mistake(std::string_view text);
 
-/// How often a part occurs in a text.
+/// Number of occurrences of a part in a text.
 std::size_t count(std::string_view text, std::string_view part);
 
 }  // namespace breccia::test

@@ -116,7 +116,7 @@ TEST_F(MeasuredTableTest, RecognisesColumnsByTheirNames) {
       {"log10(a_T)", log10_shift_factor, 3.0},
   };
   for (const auto& [name, quantity, three, kind] : cases) {
-    // Of a complex modulus two columns are needed.
+    // A complex modulus takes two columns.
     const bool is_angle = quantity == phase_angle || quantity == loss_tangent;
     const auto table = read(fmt::format("{},something,{}\n3,else,1\n", name,
                                         quantity == absolute_modulus ? "phase_angle_rad"
@@ -238,7 +238,7 @@ TEST_F(MeasuredTableTest, CommasThatMaySeparateThousandsAreRefused) {
 }
 
 TEST_F(MeasuredTableTest, IgnoresCommasInColumnsThatAreNotRead) {
-  // 0,5 and 3.25 stand in columns of which nothing is known.
+  // 0,5 and 3.25 are in columns without known names.
   EXPECT_THAT(mistakes("time_s;modulus_Pa;note\n1;2,000;0,5\n"), HasSubstr("the comma of \"2,000\" may be"));
   const auto table = read("time_s;modulus_Pa;note;remark\n1,5;2;3.25;e,E\n2,5;3;1,000;-,-\n");
   EXPECT_THAT(table.column(time).values, ElementsAre(1.5, 2.5));
@@ -305,7 +305,7 @@ TEST_F(MeasuredTableTest, TablesBelowOneAnother) {
             "table.csv:3: expected 3 values (Time, Modulus, Note), got 2");
   EXPECT_EQ(mistakes("Time,Modulus\ns,Pa\n1,overload\nTime,Modulus\ns,Pa\n3,1\n"),
             "table.csv:3: Modulus: expected a number, got \"overload\"");
-  // Other units and other columns are not passed over.
+  // Tables with other units or other columns are refused.
   EXPECT_EQ(mistakes("Time,Modulus\ns,Pa\n1,3\nTime,Modulus\ns,kPa\n3,1\nTime,Modulus\ns,Pa\n4,1\n"),
             "table.csv:5: expected the units of the first table, as it has the same names");
   EXPECT_EQ(mistakes("Time [s],Modulus [Pa]\n1,3\nModulus [Pa],Time [s]\n3,1\nTime [s],Modulus [Pa]\n4,1\n"),
@@ -327,7 +327,7 @@ TEST_F(MeasuredTableTest, NumbersWithSignsThatPartThousands) {
               HasSubstr("(decimal commas are read where semicolons or tabs part the columns)"));
 }
 
-// No name is known, so they are those above the numbers, for the message that lists them.
+// Where no name is known, the message lists the texts above the numbers as the names.
 TEST_F(MeasuredTableTest, NamesInAnotherLanguageAreThoseAboveTheNumbers) {
   const auto table = read("Projekt:\tBinder\nDaten:\t1\t8\nNr.\tFrequenz\tSpeichermodul\n\t[Hz]\t[Pa]\n1\t0,5\t3\n");
   EXPECT_THAT(table.names(), ElementsAre("Nr.", "Frequenz", "Speichermodul"));

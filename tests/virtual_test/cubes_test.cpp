@@ -1,4 +1,4 @@
-// The dynamic method in three dimensions, against exact answers and against the quasi-static method.
+// The dynamic method in three dimensions, compared with exact solutions and with the quasi-static method.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -52,8 +52,8 @@ TEST(DynamicTestInSpace, AHomogeneousCubeCreepsAsItsMaterial) {
   }
 }
 
-/// Under a load of one the uniform stress is the modulus, the strain is the load, and a place moves by the strain times
-/// its distance from the centre, but for what is left of the waves of the ramp.
+/// Under a unit load the uniform stress is the modulus, the strain is the load, and the displacement of a point is the
+/// strain times its distance from the centre, but for the rest of the waves of the ramp.
 TEST(DynamicTestInSpace, FieldsOfAHomogeneousCubeAreUniform) {
   const Material material = {"m", 1000.0, PronySeries(20e6, {{2e-2, 30e6}}), PronySeries(1e6, {{1e-2, 5e6}})};
   auto test = homogeneous_cube(material, {2e-3, 0.05});
@@ -97,7 +97,7 @@ TEST(DynamicTestInSpace, AMaxwellLaminateHasTheSeriesModulus) {
   test.load = Load::shear_yz;
   // A laminate is softer along its layers than the bounds of isotropic composites let the program expect.
   test.options.density_factors = {20.0, 200.0};
-  // Its slowest wave takes about two transits, so that a ramp of four does not ring it.
+  // The period of its slowest wave is about two transits, so that a ramp of four transits excites little ringing.
   test.options.ramp_transits = 4.0;
   const auto series = series_material<3>({{0, 0.5}, {1, 0.5}}, test.materials).shear;
   for (const auto& [time, modulus] : run_dynamic_test(test).curve) {
@@ -105,7 +105,7 @@ TEST(DynamicTestInSpace, AMaxwellLaminateHasTheSeriesModulus) {
   }
 }
 
-/// How far fields are from others, over these, in the Euclidean norm of all cells.
+/// Relative difference of fields from others in the Euclidean norm of all cells [-].
 template <std::size_t components>
 double distance(const std::vector<std::array<double, components>>& found,
                 const std::vector<std::array<double, components>>& expected) {

@@ -72,13 +72,13 @@ TEST(RunDynamicTest, HomogeneousBoxCreepsAsItsMaterial) {
     EXPECT_NEAR(compliance * 0.5e6 / (1.0 + time / 0.01), 1.0, 3e-3) << "at " << time;
   }
   for (const auto& [time, modulus] : result.curve) {
-    if (time > 0.02) break;  // later G hardly shows in J
+    if (time > 0.02) break;  // later J depends little on G
     EXPECT_NEAR(modulus / (0.5e6 * std::exp(-time / 0.01)), 1.0, 0.03) << "at " << time;
   }
 }
 
 TEST(RunDynamicTest, AnElasticBoxUnderTractionHardlyRings) {
-  // Nothing damps it: what its free boundary rings with is what the ramp lets through.
+  // There is no damping: the free boundary rings with the frequencies that the ramp excites.
   const Material elastic = {"elastic", 1000.0, PronySeries(1e6), PronySeries(0.5e6)};
   for (const auto load : {Load::shear, Load::diagonal_shear, Load::bulk}) {
     auto test = creep(model_composite(24), {elastic, elastic}, {1e-3, 0.02});

@@ -34,7 +34,7 @@ TEST(Extrapolation, ThreeGridsMeasureTheRemainingError) {
 }
 
 TEST(Extrapolation, ModelComposite) {
-  // Averaged points right after the step [MPa]; grids of 100 and 200 cells, the limit known to be about 0.8746.
+  // Moduli with averaged points right after the step [MPa] on grids of 100 and 200 cells; the limit is about 0.8746.
   const auto limit = extrapolated({6.0 / 100, 6.0 / 200}, {0.90167, 0.88841});
   EXPECT_NEAR(limit.value, 0.87515, 1e-5);
   EXPECT_LT(std::abs(limit.value - 0.8746), limit.half_band);

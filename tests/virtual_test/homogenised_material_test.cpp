@@ -97,7 +97,7 @@ TEST_F(BroadSpectrum, TakesNoMoreTermsThanTheToleranceNeeds) {
   const auto found = material(tolerance);
   EXPECT_LE(found.shear_error, 0.034 * tolerance);
   EXPECT_LE(found.bulk_error, 0.034 * tolerance);
-  // Between the samples, too.
+  // The times are between those of the samples.
   for (const double t : logarithmic_times(window, 37)) {
     EXPECT_NEAR(found.material.shear.at(t) / exact_shear.at(t), 1.0, 0.037 * tolerance) << t;
   }

@@ -63,7 +63,7 @@ TEST(RunQuasistaticTest, TheReducedSolverMustKnowTheMatrix) {
   EXPECT_THROW(static_cast<void>(run_quasistatic_test(test)), InputError);
   test.varying = {{2, "matrix"}};
   EXPECT_THROW(static_cast<void>(run_quasistatic_test(test)), InputError);
-  // With the particle as its matrix the binder relaxes without varying.
+  // The particle is the phase that varies, so the binder relaxes without varying.
   test.varying = {{1, "matrix"}};
   EXPECT_THROW(static_cast<void>(run_quasistatic_test(test)), InputError);
   test.varying = {{no_phase, "matrix"}};

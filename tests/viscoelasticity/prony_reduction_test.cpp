@@ -79,7 +79,8 @@ TEST(PronyReduction, KeepsToTheMostTerms) {
   const auto reduction = reduce_prony(given, {1e-9, 1e2}, {.tolerance = 1e-6, .most_terms = 10});
   EXPECT_LE(reduction.relaxation_times(), 10U);
   EXPECT_GT(reduction.worst_deviation(), 1e-6);
-  EXPECT_LT(reduction.worst_deviation(), 0.2);  // the binder has 13 terms there, one a decade, on which its modulus ripples
+  EXPECT_LT(reduction.worst_deviation(),
+            0.2);  // the binder has 13 terms there, one a decade, on which its modulus ripples
 }
 
 /// A series of one term every so many decades from 1 ns, as that of a measured binder, and the window of its decades.

@@ -60,12 +60,12 @@ struct BenchmarkResult {
   std::vector<KernelTiming> kernels;        ///< one for each case
   std::vector<BandwidthTiming> bandwidths;  ///< one for each number of threads among the cases, rising
 
-  /// Memory traffic of a kernel over the highest bandwidth measured with as many threads [-]. It can exceed one if the
-  /// arrays fit into the caches.
+  /// Ratio of the memory traffic of a kernel to the highest bandwidth measured with as many threads [-]. It can exceed
+  /// 1 if the arrays fit into the caches.
   [[nodiscard]] double bandwidth_share(const KernelTiming& kernel) const;
 };
 
-/// Is called with the finished share of the work, 0 to 1. An exception that it throws ends the work.
+/// A function that is called with the finished share of the work, 0 to 1. An exception that it throws ends the work.
 using BenchmarkWatch = std::function<void(double)>;
 
 /// Times the steps of each case on a random packing of discs, which fill 65 % of the box, or of spheres, which fill 40

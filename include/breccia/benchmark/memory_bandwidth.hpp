@@ -11,7 +11,7 @@ namespace breccia {
 /// that the statement reads or writes it.
 struct MemoryBandwidth {
   double triad = 0.0;   ///< of a = b + s c [B/s]
-  double update = 0.0;  ///< of a = a + s b, which updates an array in place as an explicit step does [B/s]
+  double update = 0.0;  ///< bandwidth of a = a + s b, which updates an array in place as an explicit step does [B/s]
 };
 
 /// Arrays larger than the caches, on which the bandwidth is measured.
@@ -19,7 +19,7 @@ class MemoryStreams {
  public:
   explicit MemoryStreams(int threads);
 
-  /// Measures for about `seconds`. On several processes, which must call it together, returns the sum over them.
+  /// Measures for about `seconds`. On several processes, which must all call it, returns the sum over them.
   [[nodiscard]] MemoryBandwidth measure(double seconds, Clock clock);
 
  private:

@@ -24,17 +24,16 @@ class Checkpoint {
  public:
   Checkpoint(std::filesystem::path path, StateOwner owner, CheckpointSchedule schedule);
 
-  /// Looks for the state that an earlier run has saved. Returns a message for each file that is damaged and had to be
-  /// set aside, with what is used instead.
-  /// Throws InputError when a state belongs to another deck or version; FileError, on all processes, when one of them
-  /// cannot read it.
+  /// Looks for the state that an earlier run has saved. Returns a message for each damaged file, which is set aside,
+  /// and for the state used instead. Throws InputError when a state belongs to another deck or version; FileError, on
+  /// all processes, when one of them cannot read it.
   std::vector<std::string> look_for_earlier();
   /// The state that was found, of the unfinished calculation or of its result; nullptr if the calculation starts anew.
   [[nodiscard]] const StateReader* earlier() const noexcept { return earlier_ ? &*earlier_ : nullptr; }
   /// Whether earlier() is the result of a finished calculation.
   [[nodiscard]] bool is_finished() const;
 
-  /// Whether the state should be saved now. The answer is the same on all processes, each of which must ask.
+  /// Whether the state should be saved now: the same value on all processes, each of which must call the function.
   [[nodiscard]] bool is_due();
   /// Saves the state; then throws Interrupted if the run shall end. Throws FileError, on all processes.
   void save(const WriteState& write);

@@ -14,7 +14,7 @@
 
 namespace breccia {
 
-/// The calculation that a state belongs to. Only the same calculation may be resumed from it.
+/// The calculation to which a state belongs. No other calculation may be resumed from it.
 struct StateOwner {
   std::string deck_hash;  ///< hash of the deck's content, seeds included, and of its data files
   std::string version;    ///< version of Breccia
@@ -22,8 +22,8 @@ struct StateOwner {
 
 /// Writes the state of a calculation, numbers under names such as "/domains/0/steps", to a file with a checksum at its
 /// end. The file gets its name only when it is complete. On several processes only the first one writes; calls on the
-/// others do nothing but give it their part. Between these calls the processes may gather what is to be written, so
-/// that none may stop alone: what fails is thrown by commit().
+/// others only send it their part. Between these calls the processes may gather values, so that none may stop alone:
+/// errors are thrown by commit().
 class StateWriter {
  public:
   StateWriter(const std::filesystem::path& path, const StateOwner& owner);
@@ -32,13 +32,13 @@ class StateWriter {
   void write(const std::string& name, std::int64_t value);
   void write(const std::string& name, std::span<const double> values);
   void write(const std::string& name, const std::string& text);
-  /// Writes values of which each process has a part, `count` in all, in an order that does not depend on the number of
-  /// processes. The first one gets them piece by piece. Every process must call it.
+  /// Writes `count` values, of which each process has a part, in an order that does not depend on the number of
+  /// processes. The first process receives them piece by piece. Every process must call the function.
   void write(const std::string& name, std::span<const double> own, const parallel::OrderedPlaces& places,
              std::size_t count);
 
   /// Gives the complete file its name. An existing file of that name is kept under older_state(). Throws FileError,
-  /// also for what could not be written before.
+  /// also for earlier writes that failed.
   void commit();
 
  private:
@@ -62,7 +62,7 @@ class StateReader {
   [[nodiscard]] double number(const std::string& name) const;
   [[nodiscard]] std::int64_t integer(const std::string& name) const;
   [[nodiscard]] std::vector<double> numbers(const std::string& name) const { return file_.read_numbers(name); }
-  /// The same; throws FileError also when there are not `count` numbers.
+  /// The numbers of this name. Throws FileError also when there are not `count` of them.
   [[nodiscard]] std::vector<double> numbers(const std::string& name, std::size_t count) const;
   /// Reads the values of this process among `count` values of all.
   void read(const std::string& name, std::span<double> own, const parallel::OrderedPlaces& places,

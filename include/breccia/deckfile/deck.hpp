@@ -21,7 +21,7 @@ namespace breccia {
 /// The type of the value of a key.
 enum class Kind { absent, boolean, integer, number, text, date, array, table };
 
-/// A word that a key accepts, and the value that it stands for.
+/// A word that a key accepts, and its value.
 template <class T>
 using Choice = std::pair<std::string_view, T>;
 
@@ -39,9 +39,9 @@ class Section {
  public:
   [[nodiscard]] Kind kind(const std::string& key) const;
   [[nodiscard]] bool has(const std::string& key) const { return kind(key) != Kind::absent; }
-  /// All keys, in the order of the deck. Marks them as known.
+  /// Returns all keys, in the order of the deck, and marks them as known.
   [[nodiscard]] std::vector<std::string> keys() const;
-  /// The one key among these that the section has. If it has none of them or several, reports that and returns an empty
+  /// The one key among these that the section has. If it has none or several of them, reports that and returns an empty
   /// string.
   [[nodiscard]] std::string exactly_one(const std::vector<std::string>& keys) const;
 
@@ -65,21 +65,21 @@ class Section {
   [[nodiscard]] std::optional<std::string> optional_text(const std::string& key) const;
   /// The path of a file, which the deck names relative to itself. Reports a file that does not exist.
   [[nodiscard]] std::filesystem::path file(const std::string& key) const;
-  /// The same for a file whose name is a part of the value of an existing key.
+  /// The path of a file whose name is a part of the value of an existing key.
   [[nodiscard]] std::filesystem::path file(const std::string& key, const std::string& name) const;
 
-  /// The value that the word of a key stands for.
+  /// The value of the word that a key has.
   template <class T>
   [[nodiscard]] std::optional<T> choice(const std::string& key, const std::vector<Choice<T>>& choices) const {
     const auto index = choice_index(key, words_of(choices));
     return index ? std::optional<T>(choices[*index].second) : std::nullopt;
   }
-  /// The same for all words of an enumeration.
+  /// The value of an enumeration whose word a key has.
   template <HasWords Enum>
   [[nodiscard]] std::optional<Enum> choice(const std::string& key) const {
     return choice<Enum>(key, {words<Enum>.begin(), words<Enum>.end()});
   }
-  /// The values that the words of an array stand for.
+  /// The values of the words in an array.
   template <class T>
   [[nodiscard]] std::vector<T> list_of_choices(const std::string& key, const std::vector<Choice<T>>& choices) const {
     std::vector<T> chosen;
@@ -148,9 +148,9 @@ class Deck {
   /// FileError when it cannot be read. Overrides whose path does not exist are reported by finish().
   explicit Deck(const std::filesystem::path& path, const std::vector<std::string>& overrides = {},
                 const ValueOrigins& origins = {});
-  /// A deck that a program has put together: its text, its name in messages, and the directory that the files it names
-  /// are relative to. A mistake is reported with the name in place of line and column. Throws InputError when the text
-  /// is not TOML.
+  /// A deck that a program has written: its text, its name in messages, and the directory to which its file names are
+  /// relative. A mistake is reported with the name instead of line and column. Throws InputError when the text is not
+  /// TOML.
   static Deck from_text(const std::string& text, const std::string& name, const std::filesystem::path& directory,
                         const std::vector<std::string>& overrides = {}, const ValueOrigins& origins = {});
   Deck(const Deck&) = delete;

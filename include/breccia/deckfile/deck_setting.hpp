@@ -17,10 +17,10 @@ struct Place {
   std::uint32_t column = 0;
 };
 
-/// What values beside those of a deck are called in messages, by whoever has taken them from a user.
+/// The names, in messages, of the sources of values that do not come from the deck, as the front end calls them.
 struct ValueOrigins {
-  std::string overrides = "--set";     ///< of an override `key.path=value`
-  std::string sweep_keys = "--sweep";  ///< of a swept key `key.path=[value, ...]`
+  std::string overrides = "--set";     ///< name of an override `key.path=value`
+  std::string sweep_keys = "--sweep";  ///< name of a swept key `key.path=[value, ...]`
 };
 
 /// A mistake and its place.
@@ -55,8 +55,8 @@ struct Setting {
   PlacedScalar value;
 };
 
-/// The steps of a dotted path; a step in double quotes may contain dots. Nothing when a step is empty or there are more
-/// than a hundred steps.
+/// The steps of a dotted path; a step in double quotes may contain dots. Returns nothing when a step is empty or there
+/// are more than a hundred steps.
 std::optional<std::vector<std::string>> split_path(std::string_view path);
 
 }  // namespace breccia

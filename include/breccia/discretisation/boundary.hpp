@@ -20,8 +20,8 @@ inline constexpr auto words<Boundary> = std::to_array<Word<Boundary>>({{"displac
                                                                        {"traction", Boundary::traction},
                                                                        {"periodic", Boundary::periodic}});
 
-/// "upper bound", "lower bound" or "periodic": what the apparent modulus under a boundary condition is to the effective
-/// one.
+/// The relation of the apparent modulus under a boundary condition to the effective one: "upper bound", "lower bound"
+/// or "periodic".
 std::string bound_of(Boundary boundary);
 
 }  // namespace breccia

@@ -23,7 +23,7 @@ struct CellShape {
   static constexpr int dofs = dim * nodes;  ///< the components of the first node, then those of the second, ...
   static constexpr int strains = tensor_components<dim>;
   static constexpr int deviators =
-      strains - 1;  ///< independent components of what is left without equal normal strains
+      strains - 1;  ///< independent components of a strain without its equal normal strains
   static constexpr int modes = dofs - dim * (dim + 1) / 2;  ///< ways to strain: motions of the nodes but rigid ones
   static constexpr double point_volume = 1.0 / points;      ///< share of a point in the volume of the cell
 
@@ -71,11 +71,12 @@ struct CellShape {
   /// The stiffness of a cell of points with these full stiffnesses.
   [[nodiscard]] static Stiffness stiffness(const PointTensors& tensors, Volumetric volumetric);
 
-  /// What is left of a strain e without equal strains along all axes, L e, scaled so that |L e|^2 is twice its energy
-  /// per unit shear modulus. L' gives the stress components of such a deviator times a modulus.
+  /// The matrix L that gives the deviator L e of a strain e, its part without equal strains along all axes, scaled so
+  /// that |L e|^2 is twice its energy per unit shear modulus. L' gives the stress components of such a deviator times a
+  /// modulus.
   [[nodiscard]] static DeviatorMatrix deviator_matrix();
   /// The deviators of the points, point by point and times the square root of point_volume, for unit modes: an
-  /// orthonormal basis of what motions of the nodes do to them.
+  /// orthonormal basis of the deviators that displacements of the nodes can cause.
   [[nodiscard]] static PointDeviators point_deviators();
   /// The modes of a cell with averaged volumetric strains: coordinates of the deviators of its points in that basis,
   /// then the mean sum of the normal strains. With one material, twice the energy is the shear modulus times the

@@ -28,11 +28,11 @@ class Discretisation {
  public:
   static constexpr int points_per_cell = 1 << dim;
 
-  /// All points of one phase. Throws InputError when the grid has no cells or no size.
+  /// Gives all points one phase. Throws InputError when the grid has no cells or no size.
   explicit Discretisation(const Grid<dim>& grid, PhaseIndex phase = 0, const CellLayers& layers = {});
 
-  /// Cells in memory that others may read, too, all of them in the order of the grid; the first of the mixtures has the
-  /// number `first_mixture`. Throws as the other does.
+  /// Takes the cells of the whole grid, in its order, in memory that may be shared; the first of the mixtures has the
+  /// number `first_mixture`. Throws InputError when the grid has no cells or no size.
   Discretisation(const Grid<dim>& grid, std::shared_ptr<const CellPhases<dim>[]> cells, std::vector<Mixture> mixtures,
                  PhaseIndex first_mixture);
 
@@ -43,7 +43,7 @@ class Discretisation {
 
   /// Phases of the points of a cell that it has.
   [[nodiscard]] const CellPhases<dim>& cell(const Index<dim>& cell) const noexcept {
-    return cells_.get()[place_of(cell)];
+    return cells_.get()[index_of(cell)];
   }
   /// Phases of the points of all cells that it has, in the order of the grid.
   [[nodiscard]] std::span<const CellPhases<dim>> cells() const noexcept { return {cells_.get(), count_}; }
@@ -62,7 +62,7 @@ class Discretisation {
   void label(PhaseAt&& phase_at) {
     auto* cells = own_cells();
     for_each_index(range_.begin, range_.end, [&](const Index<dim>& cell) {
-      auto& phases = cells[place_of(cell)];
+      auto& phases = cells[index_of(cell)];
       for (int p = 0; p < points_per_cell; ++p) phases[static_cast<std::size_t>(p)] = phase_at(position(cell, p));
     });
   }
@@ -71,15 +71,15 @@ class Discretisation {
   void paint(const Ball<dim>& ball, PhaseIndex phase);
 
   /// Gives a phase, or a mixture, to all points of a cell that it has.
-  void fill(const Index<dim>& cell, PhaseIndex phase) { own_cells()[place_of(cell)].fill(phase); }
+  void fill(const Index<dim>& cell, PhaseIndex phase) { own_cells()[index_of(cell)].fill(phase); }
 
-  /// Adds a mixture, and returns the number that stands for it in place of that of a phase; `phases` is the number of
-  /// phases, which the numbers of the mixtures follow. Throws InputError when there is no number left.
+  /// Adds a mixture, and returns its number, which points have instead of the number of a phase; the numbers of the
+  /// mixtures follow those of the `phases` phases. Throws InputError when there is no number left.
   PhaseIndex add_mixture(Mixture mixture, std::size_t phases);
   [[nodiscard]] const std::vector<Mixture>& mixtures() const noexcept { return mixtures_; }
   /// The number of the first mixture; no_phase without any.
   [[nodiscard]] PhaseIndex first_mixture() const noexcept { return first_mixture_; }
-  /// The mixture that a number stands for; null for the number of a phase and for no_phase.
+  /// The mixture of this number; null for the number of a phase and for no_phase.
   [[nodiscard]] const Mixture* mixture(PhaseIndex number) const noexcept {
     if (number < first_mixture_ || number >= first_mixture_ + mixtures_.size()) return nullptr;
     return &mixtures_[static_cast<std::size_t>(number - first_mixture_)];
@@ -89,7 +89,7 @@ class Discretisation {
   /// these are multiples of 1 / mixture_steps. A mixture whose number is among them has points of its own. Throws
   /// std::out_of_range for another phase; see require_phases().
   [[nodiscard]] std::vector<double> points_by_phase(std::size_t count) const;
-  /// The same as shares of the points that it has [-].
+  /// The numbers of points_by_phase() over the number of points that it has [-].
   [[nodiscard]] std::vector<double> fractions(std::size_t count) const;
 
  private:
@@ -97,15 +97,15 @@ class Discretisation {
   void paint_range(const IndexRange<dim>& range, Inside&& inside, PhaseIndex phase) {
     auto* cells = own_cells();
     for_each_index(range.begin, range.end, [&](const Index<dim>& cell) {
-      auto& phases = cells[place_of(cell)];
+      auto& phases = cells[index_of(cell)];
       for (int p = 0; p < points_per_cell; ++p) {
         if (inside(position(cell, p))) phases[static_cast<std::size_t>(p)] = phase;
       }
     });
   }
 
-  /// The place of a cell in the list of those that it has: layers of the grid follow one another in its list of cells.
-  [[nodiscard]] std::size_t place_of(const Index<dim>& cell) const noexcept {
+  /// The index of a cell in the list of its cells: layers of the grid follow one another in the list of the grid.
+  [[nodiscard]] std::size_t index_of(const Index<dim>& cell) const noexcept {
     assert(range_.contains(cell));
     return grid_.cell_index(cell) - first_;
   }
@@ -119,7 +119,7 @@ class Discretisation {
 
   Grid<dim> grid_;
   IndexRange<dim> range_;
-  std::size_t first_ = 0;  ///< place of the first of its cells among all of the grid
+  std::size_t first_ = 0;  ///< index of the first of its cells among all cells of the grid
   std::size_t count_ = 0;
   std::shared_ptr<const CellPhases<dim>[]> cells_;
   CellPhases<dim>* own_ = nullptr;  ///< the same, if it is memory that may be changed
@@ -131,7 +131,8 @@ class Discretisation {
 /// has no material. Points of no phase need none. Instantiated for 2 and 3 dimensions.
 template <int dim>
 void require_phases(std::string_view calculation, const Discretisation<dim>& discretisation, std::size_t count);
-/// The same for a calculation that takes the moduli of mixed cells from those of their phases.
+/// Throws InputError, with the name of the calculation, when a point has neither one of the phases 0 .. count - 1 nor a
+/// mixture of them. For a calculation that takes the moduli of mixed cells from those of their phases.
 template <int dim>
 void require_phases_in_cells(std::string_view calculation, const Discretisation<dim>& discretisation,
                              std::size_t count);
@@ -156,12 +157,12 @@ template <int dim>
 [[nodiscard]] Discretisation<dim> discretise(const Microstructure<dim>& microstructure, int cells, PhaseIndex matrix,
                                              std::span<const ParticlePhases> particles, const CellLayers& layers = {});
 
-/// The same without coatings.
+/// The points of a microstructure of particles without coatings.
 template <int dim>
 [[nodiscard]] Discretisation<dim> discretise(const Microstructure<dim>& microstructure, int cells, PhaseIndex matrix,
                                              std::span<const PhaseIndex> particles);
 
-/// The same with all particles of one phase.
+/// The points of a microstructure of particles that all have one phase.
 template <int dim>
 [[nodiscard]] Discretisation<dim> discretise(const Microstructure<dim>& microstructure, int cells, PhaseIndex matrix,
                                              PhaseIndex particles);

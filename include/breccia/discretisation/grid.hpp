@@ -9,7 +9,7 @@
 
 namespace breccia {
 
-/// Layers of cells [begin, end), rows in two dimensions and planes across z in three; all of them by default.
+/// Layers of cells [begin, end), rows in two dimensions and planes across z in three; all layers by default.
 struct CellLayers {
   int begin = 0;
   int end = std::numeric_limits<int>::max();
@@ -44,29 +44,29 @@ struct Grid {
     return range;
   }
 
-  /// Places in lists of cells or nodes.
-  [[nodiscard]] std::size_t cell_index(const Index<dim>& cell) const noexcept { return place(cell, cells, 0); }
-  [[nodiscard]] std::size_t node_index(const Index<dim>& node) const noexcept { return place(node, cells, 1); }
-  /// The cell at a place in a list of cells.
-  [[nodiscard]] Index<dim> cell_at(std::size_t place) const noexcept {
+  /// Indices in lists of cells or nodes.
+  [[nodiscard]] std::size_t cell_index(const Index<dim>& cell) const noexcept { return index_in(cell, cells, 0); }
+  [[nodiscard]] std::size_t node_index(const Index<dim>& node) const noexcept { return index_in(node, cells, 1); }
+  /// The cell with an index in a list of cells.
+  [[nodiscard]] Index<dim> cell_at(std::size_t index) const noexcept {
     Index<dim> cell{};
     for (std::size_t axis = 0; axis + 1 < cell.size(); ++axis) {
       const auto along = static_cast<std::size_t>(cells[axis]);
-      cell[axis] = static_cast<int>(place % along);
-      place /= along;
+      cell[axis] = static_cast<int>(index % along);
+      index /= along;
     }
-    cell.back() = static_cast<int>(place);
+    cell.back() = static_cast<int>(index);
     return cell;
   }
-  /// Place in a list of points that follows their lattice, which has two points to a cell along each axis. `point` is
-  /// the number of the point in its cell: bit 0 is its place along the first axis, and so on.
+  /// Index in a list of points that follows their lattice, which has two points to a cell along each axis. `point` is
+  /// the number of the point in its cell: bit 0 is its index (0 or 1) along the first axis, and so on.
   [[nodiscard]] std::size_t point_index(const Index<dim>& cell, int point) const noexcept {
-    auto lattice_place = cell, lattice = cells;
+    auto lattice_index = cell, lattice = cells;
     for (std::size_t axis = 0; axis < cells.size(); ++axis) {
-      lattice_place[axis] = 2 * cell[axis] + ((point >> axis) & 1);
+      lattice_index[axis] = 2 * cell[axis] + ((point >> axis) & 1);
       lattice[axis] = 2 * cells[axis];
     }
-    return place(lattice_place, lattice, 0);
+    return index_in(lattice_index, lattice, 0);
   }
 
   /// Calls action(cell) for all cells, or action(node) for all nodes, in the order of their lists.
@@ -90,12 +90,12 @@ struct Grid {
     for (const int n : along) count *= static_cast<std::size_t>(n) + more;
     return count;
   }
-  static std::size_t place(const Index<dim>& index, const Index<dim>& along, std::size_t more) noexcept {
-    std::size_t place = 0;
+  static std::size_t index_in(const Index<dim>& index, const Index<dim>& along, std::size_t more) noexcept {
+    std::size_t number = 0;
     for (std::size_t axis = index.size(); axis-- > 0;) {
-      place = place * (static_cast<std::size_t>(along[axis]) + more) + static_cast<std::size_t>(index[axis]);
+      number = number * (static_cast<std::size_t>(along[axis]) + more) + static_cast<std::size_t>(index[axis]);
     }
-    return place;
+    return number;
   }
 };
 

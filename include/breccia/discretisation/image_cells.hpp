@@ -9,17 +9,17 @@
 namespace breccia {
 
 // The material points of an image of labels that fills the box of a grid. Cells may be larger or smaller than pixels,
-// and their sides need not be those of pixels: places are counted in whole numbers, so that nothing is rounded.
-// `phases` holds the phase of each label. All of them throw InputError when the image is not valid or a label has no
-// phase.
+// and their sides need not coincide with those of pixels: positions are counted in whole numbers, so that nothing is
+// rounded. `phases` holds the phase of each label. All functions throw InputError when the image is not valid or a
+// label has no phase.
 
-/// Every point has the phase of the pixel at its place; a point on the border of two pixels has that of the greater
-/// coordinate. Instantiated for 2 and 3 dimensions.
+/// Every point has the phase of the pixel that contains it; a point on the border of two pixels belongs to that of the
+/// greater coordinate. Instantiated for 2 and 3 dimensions.
 template <int dim>
 [[nodiscard]] Discretisation<dim> discretise(const Grid<dim>& grid, const LabelImage<dim>& image,
                                              std::span<const PhaseIndex> phases, const CellLayers& layers = {});
 
-/// The same in two dimensions, for arguments in braces, from which these cannot be deduced.
+/// The function for two dimensions, for arguments in braces, from which the dimension cannot be deduced.
 [[nodiscard]] inline Discretisation<2> discretise(const Grid<2>& grid, const LabelImage<2>& image,
                                                   std::span<const PhaseIndex> phases) {
   return discretise<2>(grid, image, phases);

@@ -9,8 +9,8 @@
 
 namespace breccia {
 
-/// The load of a virtual test. Under each, the modulus is stress : unit_strain(load). The last three are of 3
-/// dimensions alone; together the six span all strains.
+/// The load of a virtual test. Under each, the modulus is stress : unit_strain(load). The last three exist in 3
+/// dimensions only; together the six span all strains.
 enum class Load {
   shear,             ///< pure shear of the axes, xy; the modulus is G
   diagonal_shear,    ///< pure shear of the diagonals, xx - yy; the modulus is G
@@ -28,14 +28,14 @@ inline constexpr auto words<Load> = std::to_array<Word<Load>>({{"shear", Load::s
                                                                {"shear-zx", Load::shear_zx},
                                                                {"shear-yy-zz", Load::diagonal_shear_yz}});
 
-/// Is there such a load in `dim` dimensions?
+/// Whether a load exists in `dim` dimensions.
 template <int dim>
 [[nodiscard]] constexpr bool has_load(Load load) noexcept {
   return dim > 2 || load == Load::shear || load == Load::diagonal_shear || load == Load::bulk;
 }
 
-/// Throws InputError, with the name of the calculation, for the first of these loads that there is not in so many
-/// dimensions.
+/// Throws InputError, with the name of the calculation, for the first of these loads that does not exist in this number
+/// of dimensions.
 void require_loads(std::string_view calculation, int dimensions, std::span<const Load> loads);
 
 /// Strain with engineering shear or dilatation 1. A body of modulus M stores M/2 per volume under it. Zero for a load
@@ -73,15 +73,15 @@ template <int dim>
   return strain;
 }
 
-/// Stress [1 Pa] of the same shape whose work on the unit strain is 1 per volume. It deforms a body of modulus M by
+/// Stress [1 Pa] with the shape of the unit strain, whose work on it is 1 per volume. It deforms a body of modulus M by
 /// unit_strain(load) times 1/M.
 template <int dim>
 [[nodiscard]] constexpr Stress<dim> unit_stress(Load load) noexcept {
   const auto strain = unit_strain<dim>(load);
   const double squared = contraction(strain, strain);
   Stress<dim> stress;
-  for (int place = 0; place < tensor_components<dim>; ++place) {
-    component(stress, place) = component(strain, place) / squared;
+  for (int index = 0; index < tensor_components<dim>; ++index) {
+    component(stress, index) = component(strain, index) / squared;
   }
   return stress;
 }

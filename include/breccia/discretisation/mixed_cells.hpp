@@ -25,14 +25,14 @@ template <int dim>
                                                    PhaseIndex matrix, std::span<const ParticlePhases> particles,
                                                    std::size_t phases, const CellLayers& layers = {});
 
-/// The same without coatings.
+/// Mixed cells of particles without coatings.
 template <int dim>
 [[nodiscard]] Discretisation<dim> discretise_mixed(const Microstructure<dim>& microstructure, int cells,
                                                    PhaseIndex matrix, std::span<const PhaseIndex> particles,
                                                    std::size_t phases);
 
-/// The materials given, by PhaseIndex, and then those of the mixtures: what the points of mixed cells are made of, with
-/// the numbers of the mixtures as those of phases. Instantiated for 2 and 3 dimensions.
+/// The given materials, by PhaseIndex, followed by those of the mixtures, so that the numbers of the points of mixed
+/// cells are indices into this list. Instantiated for 2 and 3 dimensions.
 template <int dim>
 [[nodiscard]] std::vector<Material> with_mixtures(const Discretisation<dim>& discretisation,
                                                   std::vector<Material> materials);

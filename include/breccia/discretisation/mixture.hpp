@@ -11,10 +11,10 @@
 
 namespace breccia {
 
-/// What a cell that an interface crosses is made of.
+/// The treatment of a cell that an interface crosses.
 enum class Mixing {
   series,  ///< the series mixture of its phases, by area fraction (theory, Eq. 40)
-  points   ///< each of its material points has the phase at its place, as in the paper
+  points   ///< each of its material points has the phase at its position, as in the paper
 };
 
 template <>
@@ -29,7 +29,7 @@ struct MixedPart {
   friend bool operator==(const MixedPart&, const MixedPart&) = default;
 };
 
-/// What a mixed cell holds: at least two phases, whose fractions add up to 1.
+/// The content of a mixed cell: at least two phases, whose fractions add up to 1.
 using Mixture = std::vector<MixedPart>;
 
 /// Moduli of a mixture in series: its shear modulus and its dilatational modulus are the harmonic means of those of its
@@ -39,8 +39,8 @@ template <int dim>
 
 /// The mixture as a material: its compliances are the means of those of its phases, by exact interconversion, and its
 /// density is the mean density. In plane strain its bulk modulus K, the difference of the dilatational modulus K + G/3
-/// and of G/3, may have negative terms. Throws InputError where a dilatational or a shear modulus of a phase has some.
-/// Instantiated for 2 and 3 dimensions.
+/// and of G/3, may have negative terms. Throws InputError where a dilatational or a shear modulus of a phase has
+/// negative terms. Instantiated for 2 and 3 dimensions.
 template <int dim>
 [[nodiscard]] Material series_material(const Mixture& mixture, std::span<const Material> by_phase);
 

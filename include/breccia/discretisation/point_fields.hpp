@@ -15,8 +15,8 @@ template <int dim>
 struct LatticeFields {
   static constexpr std::size_t shears = dim * (dim - 1) / 2;
 
-  IndexRange<dim> cells;                  ///< to which they belong: all of the box, or those of one process
-  std::vector<PhaseIndex> phase;          ///< where several are mixed the one with the largest share
+  IndexRange<dim> cells;                  ///< cells of the fields: those of the whole box, or of one process
+  std::vector<PhaseIndex> phase;          ///< in a mixture the phase with the largest fraction
   std::vector<Vector<dim>> displacement;  ///< [m]
   /// Normal components, then tensor shears in Voigt's order (2D: xx, yy, xy), as the stress depends on them [-].
   std::vector<std::array<double, dim + shears>> strain;
@@ -25,12 +25,12 @@ struct LatticeFields {
 };
 
 /// Fields at the material points, in the order of their lattice (Grid::point_index): spacing h/2, from the corner with
-/// the lowest coordinates. The points of a cell lie in neighbouring rows of it.
+/// the lowest coordinates. The points of a cell are in neighbouring rows of the lattice.
 template <int dim>
 using PointFields = LatticeFields<dim>;
 
-/// Means of the fields over the cells, in the order of Grid::cell_index. The eight points of a cubic cell would take
-/// more memory than the solution.
+/// Means of the fields over the cells, in the order of Grid::cell_index. Fields of all eight points of a cubic cell
+/// would take more memory than the solution.
 template <int dim>
 using CellFields = LatticeFields<dim>;
 
@@ -41,21 +41,21 @@ struct TimedFields {
   LatticeFields<dim> fields;
 };
 
-/// Fields of the points of a discretisation: their phases, and all else zero. Instantiated for 2 and 3 dimensions.
+/// Zero fields of the points of a discretisation, with their phases. Instantiated for 2 and 3 dimensions.
 template <int dim>
 [[nodiscard]] PointFields<dim> zero_fields(const Discretisation<dim>& discretisation);
 
-/// Fields of the cells of a discretisation: their phases, and all else zero. Where the points of a cell differ its
-/// phase is that of most, the first of equals. Instantiated for 2 and 3 dimensions.
+/// Zero fields of the cells of a discretisation, with their phases. Where the points of a cell differ its phase is the
+/// most frequent one, the first of equals. Instantiated for 2 and 3 dimensions.
 template <int dim>
 [[nodiscard]] CellFields<dim> zero_cell_fields(const Discretisation<dim>& discretisation);
 
-/// The zero fields that belong to a time, of some cells: of the points of a square, of the cells of a cube.
+/// Zero TimedFields::fields of some cells: those of their points in 2D, those of the cells in 3D.
 template <int dim>
 [[nodiscard]] LatticeFields<dim> zero_timed_fields(const Discretisation<dim>& discretisation,
                                                    const IndexRange<dim>& cells);
 
-/// Where the values of a point of a cell stand in such fields of some cells.
+/// Index of the values of a point of a cell in TimedFields::fields of some cells.
 template <int dim>
 [[nodiscard]] std::size_t place_in_timed_fields(const IndexRange<dim>& cells, Index<dim> cell, int point) noexcept {
   if constexpr (dim == 3) return cells.place_of(cell);
@@ -63,17 +63,17 @@ template <int dim>
   return Grid<dim>{.cells = cells.size()}.point_index(cell, point);
 }
 
-/// Where the values of such fields of some cells stand among those of the whole grid.
+/// Indices of the values of TimedFields::fields of some cells among those of the whole grid.
 template <int dim>
 [[nodiscard]] parallel::OrderedPlaces places_of_timed_fields(const Grid<dim>& grid, const IndexRange<dim>& cells);
 
-/// Number of the values of such fields of the whole grid.
+/// Number of the values of TimedFields::fields of the whole grid.
 template <int dim>
 [[nodiscard]] std::size_t size_of_timed_fields(const Grid<dim>& grid) noexcept {
   return grid.cell_count() * (dim == 2 ? Discretisation<dim>::points_per_cell : 1);
 }
 
-/// Puts the values of a point into their place in such fields, or adds its share to the mean of its cell.
+/// Stores the values of a point in TimedFields::fields (2D), or adds its share to the mean of its cell (3D).
 template <int dim, std::size_t components>
 void put_in_timed_fields(const std::array<double, components>& of_point, std::array<double, components>& values) {
   if constexpr (dim == 2) {

@@ -6,15 +6,15 @@
 
 namespace breccia {
 
-/// Multilinear shape function of one node of a cell at a place in it (theory, Eq. 2).
+/// Multilinear shape function of one node of a cell at a point in the cell (theory, Eq. 2).
 template <int dim>
 struct ShapeFunction {
   double weight;
   Vector<dim> gradient;  ///< times the cell side
 };
 
-/// `local` is the place relative to the centre of the cell in units of its side. Bit d of the number of a node says
-/// whether it lies on the upper side of the cell along axis d.
+/// `local` is the position relative to the centre of the cell in units of its side. Bit d of the number of a node is
+/// set if the node is on the upper side of the cell along axis d.
 template <int dim>
 [[nodiscard]] constexpr ShapeFunction<dim> shape_function(std::size_t node, const Vector<dim>& local) noexcept {
   Vector<dim> sign{}, factor{};

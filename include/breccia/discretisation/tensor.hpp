@@ -46,21 +46,21 @@ using Strain = SymmetricTensor<dim, struct StrainQuantity>;
 template <int dim>
 using Stress = SymmetricTensor<dim, struct StressQuantity>;
 
-/// Place of the component (i, j) in Voigt's order; axes count from 0.
+/// Index of the component (i, j) in Voigt's order; axes count from 0.
 template <int dim>
 [[nodiscard]] constexpr int component_index(int i, int j) noexcept {
-  // A shear stands where the axis across its plane would, counted from behind: yz, zx, xy.
+  // The shears are in the order of the axes normal to their planes: yz, zx, xy.
   return i == j ? i : tensor_components<dim> - i - j;
 }
 
-/// Component by its place in Voigt's order.
+/// Component by its index in Voigt's order.
 template <class Quantity>
-[[nodiscard]] constexpr double& component(SymmetricTensor<2, Quantity>& t, int place) noexcept {
-  return place == 0 ? t.xx : place == 1 ? t.yy : t.xy;
+[[nodiscard]] constexpr double& component(SymmetricTensor<2, Quantity>& t, int index) noexcept {
+  return index == 0 ? t.xx : index == 1 ? t.yy : t.xy;
 }
 template <class Quantity>
-[[nodiscard]] constexpr double& component(SymmetricTensor<3, Quantity>& t, int place) noexcept {
-  switch (place) {
+[[nodiscard]] constexpr double& component(SymmetricTensor<3, Quantity>& t, int index) noexcept {
+  switch (index) {
     case 0:
       return t.xx;
     case 1:
@@ -76,9 +76,9 @@ template <class Quantity>
   }
 }
 template <int dim, class Quantity>
-[[nodiscard]] constexpr double component(const SymmetricTensor<dim, Quantity>& t, int place) noexcept {
+[[nodiscard]] constexpr double component(const SymmetricTensor<dim, Quantity>& t, int index) noexcept {
   auto copy = t;
-  return component(copy, place);
+  return component(copy, index);
 }
 
 /// Component (i, j).
@@ -92,9 +92,9 @@ template <int dim, class A, class B>
 [[nodiscard]] constexpr double contraction(const SymmetricTensor<dim, A>& a,
                                            const SymmetricTensor<dim, B>& b) noexcept {
   double sum = component(a, 0) * component(b, 0);
-  for (int place = 1; place < tensor_components<dim>; ++place) {
-    const double times = place < dim ? 1.0 : 2.0;
-    sum += times * component(a, place) * component(b, place);
+  for (int index = 1; index < tensor_components<dim>; ++index) {
+    const double times = index < dim ? 1.0 : 2.0;
+    sum += times * component(a, index) * component(b, index);
   }
   return sum;
 }
@@ -115,7 +115,7 @@ template <int dim, class Quantity>
 template <int dim, class Quantity>
 [[nodiscard]] constexpr SymmetricTensor<dim, Quantity> scaled(double factor,
                                                               SymmetricTensor<dim, Quantity> t) noexcept {
-  for (int place = 0; place < tensor_components<dim>; ++place) component(t, place) *= factor;
+  for (int index = 0; index < tensor_components<dim>; ++index) component(t, index) *= factor;
   return t;
 }
 

@@ -6,7 +6,7 @@
 
 namespace breccia {
 
-/// Which volumetric strain the stress of a material point depends on.
+/// The volumetric strain on which the stress of a material point depends.
 enum class Volumetric {
   averaged,  ///< the mean over the cell (B-bar, mean dilatation): does not lock
   standard   ///< the point's own (full integration), as in the paper: locks where the matrix is nearly incompressible

@@ -8,20 +8,20 @@
 
 namespace breccia {
 
-/// Elastic grains, the cells of a tessellation of a plane, parted by films of binder of one thickness, or of one for
-/// each pair of grains (LaguerreSites::film_shares): the model of grains and films (theory, section 17), in plane
-/// strain. A periodic boundary goes with a periodic tessellation, the others with hard walls. Walls cut grains and
-/// films like a window in a larger body; no film runs along them.
+/// The model of grains and films in plane strain (theory, section 17): elastic grains, the cells of a tessellation of a
+/// plane, with films of binder between them that have one thickness, or one for each pair of grains
+/// (LaguerreSites::film_shares). A periodic boundary requires a periodic tessellation, the others hard walls. Walls cut
+/// grains and films like a window in a larger body; no film runs along them.
 struct FilmProblem {
   Tessellation<2> tessellation;
   double thickness;  ///< of the films, of those of a mean share of one [m]
   Moduli grain;      ///< [Pa]
   Boundary boundary = Boundary::periodic;
-  /// Length of the longest element along a face, over the square root of the area of the smaller of the two grains
-  /// beside it [-]. With 0.3 most faces have two elements.
+  /// Ratio of the longest element along a face to the square root of the area of the smaller grain beside it [-]. With
+  /// 0.3 most faces have two elements.
   double face_share = 0.3;
-  /// Number of layers of elements that resolve the binder across every film (theory, Eq. 66a), whatever its length.
-  /// Without, films are thin: a row of elements each.
+  /// Number of layers of elements that resolve the binder across every film (theory, Eq. 66a). If absent, films are
+  /// thin and have one row of elements each.
   std::optional<int> layers = {};
 };
 

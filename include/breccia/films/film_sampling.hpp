@@ -27,13 +27,13 @@ struct FilmResponses {
   Recovery fields;  ///< owns the vectors of the basis
 };
 
-/// Builds a reduced response of grains and films for each load, like sample_responses() of cells: the moduli of the
-/// binder, which is the matrix, vary in it. `training_set` are moduli [Pa] of the binder from stiff to soft
-/// (carson_path(), relaxation_path()), `target` is the curve of a binder that is to be as accurate in time. What works
-/// on the responses of cells works on these: creep_compliance(), exact in time for a Prony series, coverage(),
-/// calibration. With a checkpoint, the state is saved between solutions when that is due, and an earlier state is
-/// resumed. Throws InputError when the problem is not sound or there are no loads or moduli, NumericalError when a
-/// system cannot be solved or the tolerance cannot be met.
+/// Builds a reduced response of grains and films for each load, as sample_responses() does for cells; the moduli of the
+/// binder, which is the matrix, are its parameters. `training_set` are moduli [Pa] of the binder from stiff to soft
+/// (carson_path(), relaxation_path()); `target` is the curve of a binder for which the curve in time must meet the
+/// tolerance, too. All functions of the responses of cells take these: creep_compliance(), exact in time for a Prony
+/// series, coverage(), calibration. With a checkpoint, the state is saved between solutions when that is due, and an
+/// earlier state is resumed. Throws InputError when the problem is not sound or there are no loads or moduli,
+/// NumericalError when a system cannot be solved or the tolerance cannot be met.
 [[nodiscard]] FilmResponses sample_film_responses(const FilmProblem& problem, std::span<const Load> loads,
                                                   std::span<const Moduli> training_set,
                                                   const SamplingOptions& options = {},

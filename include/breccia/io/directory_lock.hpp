@@ -13,8 +13,8 @@ class DirectoryInUse : public InputError {
 };
 
 /// Prevents other processes of Breccia from writing to a results directory during the lifetime of this object. The
-/// operating system releases the lock when the process ends, in whatever way. A process cannot lock a directory twice.
-/// On a file system without locks it has no effect.
+/// operating system releases the lock when the process ends in any way. A process cannot lock a directory twice. On a
+/// file system without locks it has no effect.
 class DirectoryLock {
  public:
   /// Creates the directory if it is missing. Throws DirectoryInUse when another lock holds it, FileError when it cannot

@@ -30,12 +30,12 @@ std::string display_time(double seconds, int digits = 3);
 /// The duration [s] of a calculation as text: "800 ms", "50 min", "3 h".
 std::string display_duration(double seconds, int digits = 2);
 
-/// A number as text with this many significant digits, or with as many more as tell it from another number: 2.998
+/// A number as text with this many significant digits, or with more where it would look equal to another number: 2.998
 /// beside 3, not 3.
 std::string display_beside(double value, double other, int digits = 2);
 
-/// A positive number rounded down, or up, to two significant digits. One that has two digits but for rounding errors
-/// stays what it is.
+/// A positive number rounded down, or up, to two significant digits. A number with two digits but for rounding errors
+/// does not change.
 double rounded_down_to_two_digits(double value);
 double rounded_up_to_two_digits(double value);
 

@@ -11,7 +11,7 @@ bool is_missing_or_empty(const std::filesystem::path& directory) noexcept;
 /// Removes a directory if it is empty. Keeps a symbolic link to a directory, and ignores a failure to remove.
 void remove_if_empty(const std::filesystem::path& directory) noexcept;
 
-/// The same for several directories, in their order.
+/// Removes those of several directories that are empty, in their order.
 void remove_if_empty(std::span<const std::filesystem::path> directories) noexcept;
 
 }  // namespace breccia

@@ -8,8 +8,8 @@
 
 namespace breccia {
 
-/// Collects the mistakes in a file. Of each kind of mistake the message has the first three and the number of the
-/// others, since a column in a wrong format is wrong in every row.
+/// Collects the mistakes in a file. The message has the first three mistakes of each kind and the number of the others,
+/// since a column in a wrong format has a mistake in every row.
 class FileMistakes {
  public:
   explicit FileMistakes(const std::filesystem::path& file);

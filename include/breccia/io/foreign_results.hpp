@@ -7,15 +7,15 @@
 
 namespace breccia {
 
-/// The reason why results must not be written to a directory, and what helps.
+/// The reason why results must not be written to a directory, and the remedy.
 struct Objection {
   enum class Remedy {
-    none,               ///< the problem says what helps
-    another_directory,  ///< to write to another directory
-    replacing_it,       ///< this, or to replace what is there
-    replacing,          ///< this, or to replace the results that are there
-    adding,             ///< this, to replace the results or to add to them
-    not_resuming        ///< this, or to replace the results by a run from the start
+    none,               ///< the problem has the remedy in its text
+    another_directory,  ///< write to another directory
+    replacing_it,       ///< write to another directory, or replace the content
+    replacing,          ///< write to another directory, or replace the results
+    adding,             ///< write to another directory, replace the results or add to them
+    not_resuming        ///< write to another directory, or replace the results by a run from the start
   };
 
   std::string problem;
@@ -23,8 +23,8 @@ struct Objection {
   std::string free_directory = {};  ///< another directory to suggest
 };
 
-/// A directory that results are to be written to holds something else. The message has a line for each objection, with
-/// what helps in the words of the library.
+/// The error that a directory for results contains something else. The message has a line for each objection, with its
+/// remedy in the terms of the library.
 class ForeignResults : public InputError {
  public:
   explicit ForeignResults(std::vector<Objection> objections);

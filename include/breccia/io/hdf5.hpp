@@ -52,11 +52,11 @@ class Hdf5Writer {
   /// `Number` is double or std::int64_t.
   template <class Number>
   void create(const std::string& name, const Hdf5Shape& shape);
-  /// The same, compressed, for float and std::uint8_t, too. A part that begins and ends at a multiple of 16384 of the
-  /// first index, or at the end, is compressed once; others take longer.
+  /// Creates a compressed dataset, also of float and std::uint8_t. A part that begins and ends at a multiple of 16384
+  /// of the first index, or at the end, is compressed once; other parts take longer.
   template <class Number>
   void create_compressed(const std::string& name, const Hdf5Shape& shape);
-  /// Writes values of a dataset of this type, from a place along its first index on.
+  /// Writes values of a dataset of this type, from a value of its first index on.
   template <class Number>
   void write_part(const std::string& name, std::size_t first, std::span<const Number> values);
   /// Adds an attribute to an existing group or dataset.

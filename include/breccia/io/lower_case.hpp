@@ -4,7 +4,7 @@
 
 namespace breccia {
 
-/// A text with small letters in the place of the capitals of ASCII.
+/// A text with the capital letters of ASCII as small letters.
 std::string lower_case(std::string text);
 
 }  // namespace breccia

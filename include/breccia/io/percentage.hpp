@@ -5,7 +5,7 @@
 
 namespace breccia {
 
-/// The fraction that a text in per cent stands for: "35 %" is 0.35. Nothing for any other text.
+/// The fraction given by a text in per cent: "35 %" is 0.35. Returns nothing for any other text.
 std::optional<double> parse_percentage(std::string_view text);
 
 }  // namespace breccia

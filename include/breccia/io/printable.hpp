@@ -5,8 +5,8 @@
 
 namespace breccia {
 
-/// False for a text with a control character, such as a line break or a tab, or with bytes that are not UTF-8. Such a
-/// text can be neither a value of a table nor part of a file name.
+/// Whether a text has no control character, such as a line break or a tab, and no bytes that are not UTF-8. Other texts
+/// can be neither a value of a table nor part of a file name.
 bool is_printable(std::string_view text);
 
 /// The text on one line, safe for a terminal: control characters are written as `\u000a`, bytes that are not UTF-8 as

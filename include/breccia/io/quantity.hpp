@@ -28,7 +28,7 @@ enum class Quantity {
   angle,                       ///< from the x axis to the first axis of an ellipse [rad]
   particle,                    ///< number of the particle that a corner belongs to
   axis_3,                      ///< whole third axis of an ellipsoid [m]
-  azimuth,                     ///< from the x axis to the first axis of an ellipsoid, seen along z [rad]
+  azimuth,                     ///< from the x axis to the first axis of an ellipsoid, in the xy plane [rad]
   elevation,                   ///< of the first axis of an ellipsoid above the xy plane [rad]
   roll,                        ///< of an ellipsoid about its first axis [rad]
   shift_factor,                ///< a_T of time-temperature superposition [-]

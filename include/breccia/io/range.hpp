@@ -25,9 +25,9 @@ struct Range {
 /// Whether a value is finite and within a range.
 bool accepts(const Range& range, double value);
 
-/// What a range asks for: "a positive integer", "a number between 0 and 1".
+/// The description of the numbers in a range: "a positive integer", "a number between 0 and 1".
 std::string described(const Range& range, std::string_view noun);
-/// The same of a quantity in its SI unit: "a length from 1 pm to 1000 km".
+/// The description of the quantities in a range of the SI unit: "a length from 1 pm to 1000 km".
 std::string described(const Range& range, Dimension dimension);
 
 }  // namespace breccia

@@ -10,14 +10,14 @@
 namespace breccia {
 
 /// Subdirectory of a results directory to which a run writes results that will replace earlier ones. When the new
-/// results are complete, the earlier files are removed and the new files are moved into their place. So a run that
-/// fails, is killed or fills the disk leaves the earlier results unchanged.
+/// results are complete, the earlier files are removed and the new files are moved to the results directory. So a run
+/// that fails, is killed or fills the disk leaves the earlier results unchanged.
 inline constexpr std::string_view unfinished_directory = "unfinished";
 
 /// Replaces files of a directory by all files of its subdirectory `unfinished`. `old_files` are relative to the
 /// directory; missing ones are ignored. `record` is the file that identifies the results: the old one is removed first,
-/// the new one is moved last. If the process is killed meanwhile, finish_replacement() can complete the work from a
-/// list that it leaves. Throws FileError before any change if there is no new record or a new file would replace a file
+/// the new one is moved last. If the process is killed meanwhile, finish_replacement() can complete the work from the
+/// list that remains. Throws FileError before any change if there is no new record or a new file would replace a file
 /// that is not one of `old_files`; throws FileError also if a file cannot be removed or moved. The caller must hold the
 /// DirectoryLock.
 void replace_results(const std::filesystem::path& directory, std::span<const std::string> old_files,
@@ -27,7 +27,7 @@ void replace_results(const std::filesystem::path& directory, std::span<const std
 /// Throws FileError.
 void finish_replacement(const std::filesystem::path& directory);
 
-/// The directory of results whose `unfinished` is this directory or has it in it; nothing for all others. Its
+/// The directory of results whose `unfinished` is this directory or contains it; nothing for all others. Its
 /// DirectoryLock covers `unfinished`, too.
 std::optional<std::filesystem::path> results_with_unfinished(const std::filesystem::path& directory);
 

@@ -6,7 +6,7 @@
 
 namespace breccia::detail {
 
-/// How the characters of a table are stored.
+/// The encoding of the characters of a table.
 enum class TextEncoding { utf8, latin1, utf16 };
 
 /// A table as UTF-8 text without a byte order mark, whose lines end with a line feed.

@@ -24,7 +24,7 @@ enum class Dimension {
 /// The dimension as a noun: "length", "pressure".
 std::string_view name(Dimension dimension);
 
-/// The same with its article: "a length", "an angle".
+/// The name of a dimension with its article: "a length", "an angle".
 std::string with_article(Dimension dimension);
 
 /// An example of a quantity for messages: "48 um".
@@ -41,10 +41,11 @@ struct NumberAndUnit {
   std::string unit;  ///< empty without one
 };
 
-/// Splits a text into number and unit. Nothing when it has no finite number or a second number follows ("3 10 um").
+/// Splits a text into number and unit. Returns nothing when it has no finite number or a second number follows
+/// ("3 10 um").
 std::optional<NumberAndUnit> split_quantity(std::string_view text);
 
-/// The number of the quantity in another unit: "1 mm" is 1000 in "um". Nothing when the units have different
+/// The number of the quantity in another unit: "1 mm" is 1000 in "um". Returns nothing when the units have different
 /// dimensions, or when they are unknown and differ.
 std::optional<double> number_in_unit(const NumberAndUnit& quantity, const std::string& unit);
 

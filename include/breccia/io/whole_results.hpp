@@ -12,7 +12,7 @@ namespace breccia {
 /// The command and the source of results that a single command computes at once, such as `fit`.
 struct ResultsOrigin {
   std::string command;             ///< "fit", for example: the record of the results is then `fit.json`
-  std::string source;              ///< the source in words, such as the name of a file
+  std::string source;              ///< a description of the source, such as the name of a file
   std::string identity;            ///< distinguishes sources, such as a hash
   std::vector<std::string> files;  ///< names of all files that the command may write
   bool overwrite = false;          ///< whether results from another source may be replaced
@@ -23,9 +23,9 @@ struct ResultsOrigin {
 /// during the lifetime of this object.
 class WholeResults {
  public:
-  /// Throws ForeignResults where the directory holds the results of a study or a sweep, or is in `unfinished`, files of
-  /// these names that Breccia did not write, or results from another source that are not to be overwritten, and
-  /// DirectoryInUse where another process writes to it. Throws FileError.
+  /// Throws ForeignResults where the directory is in `unfinished` or has the results of a study or a sweep, files of
+  /// these names that Breccia did not write, or results from another source that are not to be overwritten;
+  /// DirectoryInUse where another process writes to it; FileError where a file cannot be read or written.
   WholeResults(std::filesystem::path directory, ResultsOrigin origin);
   WholeResults(const WholeResults&) = delete;
   WholeResults& operator=(const WholeResults&) = delete;

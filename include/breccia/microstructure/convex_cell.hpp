@@ -13,34 +13,34 @@ namespace breccia {
 
 // Instantiated for 2 and 3 dimensions. In 2D a volume is an area and the measure of a face is a length.
 
-/// The places x with normal . x <= offset.
+/// The points x with normal . x <= offset.
 template <int dim>
 struct HalfSpace {
   Vector<dim> normal;    ///< of the plane that bounds it, outward, of length 1 [-]
   double offset;         ///< of this plane from the origin, along the normal [m]
-  std::uint32_t behind;  ///< number of what lies behind this plane, for whoever cuts
+  std::uint32_t behind;  ///< the caller's number of the neighbour or wall behind this plane
 
-  /// Of a place above the plane [m]; negative inside.
-  [[nodiscard]] double height(const Vector<dim>& place) const noexcept {
+  /// Height of a point above the plane [m]; negative inside.
+  [[nodiscard]] double height(const Vector<dim>& point) const noexcept {
     double height = -offset;
-    for (std::size_t axis = 0; axis < normal.size(); ++axis) height += normal[axis] * place[axis];
+    for (std::size_t axis = 0; axis < normal.size(); ++axis) height += normal[axis] * point[axis];
     return height;
   }
 };
 
-/// A convex polygon or polyhedron, from which half-spaces cut parts off. Its corners are simple: `dim` planes meet in
+/// A convex polygon or polyhedron from which half-spaces cut parts off. Its corners are simple: `dim` planes meet in
 /// each. Planes that pass through a corner within roundoff cut nothing.
 template <int dim>
 class ConvexCell {
  public:
   struct Corner {
     Vector<dim> position;  ///< [m]
-    /// Numbers of the planes that meet here. In 2D counter-clockwise: the corner is the end of the first edge and the
-    /// beginning of the second.
+    /// Numbers of the planes that meet in the corner. In 2D they run counter-clockwise: the corner is the end of the
+    /// first edge and the beginning of the second.
     std::array<std::uint32_t, static_cast<std::size_t>(dim)> planes;
   };
 
-  /// Numbers of what lies below and above a box along each axis.
+  /// The numbers HalfSpace::behind of the lower and upper side of a box along each axis.
   using BoxSides = std::array<std::array<std::uint32_t, 2>, static_cast<std::size_t>(dim)>;
 
   ConvexCell() = default;
@@ -49,20 +49,20 @@ class ConvexCell {
 
   [[nodiscard]] bool is_empty() const noexcept { return corners_.empty(); }
   [[nodiscard]] std::span<const Corner> corners() const noexcept { return corners_; }
-  /// Those that have been cut off themselves are among them until trim().
+  /// The half-spaces; until trim() also those whose face has been cut off.
   [[nodiscard]] std::span<const HalfSpace<dim>> half_spaces() const noexcept { return half_spaces_; }
   /// Largest distance of a corner from the origin [m].
   [[nodiscard]] double reach() const noexcept;
-  /// Number of the corner at the other end of the edge that leaves a corner and its plane `slot`.
+  /// Number of the corner at the other end of the edge of a corner that leaves its plane `slot`.
   [[nodiscard]] std::size_t corner_across(std::size_t corner, std::size_t slot) const noexcept;
 
-  /// Keeps what lies in the half-space. True if it has cut something off.
+  /// Cuts off the part outside the half-space. Returns false if there is none.
   bool cut(const HalfSpace<dim>& half_space);
-  /// Forgets the half-spaces that have no face any more, and numbers the others anew.
+  /// Removes the half-spaces without a face, and renumbers the others.
   void trim();
-  /// The places whose distance from all faces is at least `distance` [m].
+  /// The cell of the points whose distance from all faces is at least `distance` [m].
   [[nodiscard]] ConvexCell eroded(double distance) const;
-  /// The places whose distance from each face is at least that of the face [m]; where it is 0, the face stays.
+  /// The cell of the points whose distance from each face is at least distance(face) [m]; faces at distance 0 stay.
   [[nodiscard]] ConvexCell eroded(const std::function<double(const HalfSpace<dim>&)>& distance) const;
 
  private:
@@ -75,7 +75,7 @@ class ConvexCell {
 template <int dim>
 [[nodiscard]] double volume(const ConvexCell<dim>& cell);
 
-/// Of the face of each half-space [m^(dim - 1)].
+/// Area (2D: length) of the face of each half-space [m^(dim - 1)].
 template <int dim>
 [[nodiscard]] std::vector<double> face_measures(const ConvexCell<dim>& cell);
 
@@ -83,7 +83,7 @@ template <int dim>
 struct Moments {
   double volume = 0.0;                                                  ///< [m^dim]
   Vector<dim> centroid{};                                               ///< [m]
-  std::array<Vector<dim>, static_cast<std::size_t>(dim)> covariance{};  ///< of the places in the cell [m^2]
+  std::array<Vector<dim>, static_cast<std::size_t>(dim)> covariance{};  ///< of the points in the cell [m^2]
 };
 
 /// Volume, centroid and mean square distances from it. Zeros for an empty cell.

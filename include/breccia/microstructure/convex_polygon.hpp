@@ -10,14 +10,15 @@
 
 namespace breccia {
 
-/// What is wrong with a corner of a polygon.
+/// A mistake of one corner of a polygon.
 struct CornerMistake {
   std::size_t corner;  ///< its number, from 0
   std::string text;
 };
 
-/// What keeps corners, in their order around the polygon either way, from being those of a convex polygon: fewer than
-/// three, one that is not finite, two in one place, one that points inwards, sides that cross. Empty if nothing does.
+/// The mistakes that keep corners, in their order around the polygon either way, from making a convex polygon: fewer
+/// than three corners, one that is not finite, two at one point, one that points inwards, sides that cross. Empty if
+/// there are none.
 [[nodiscard]] std::vector<CornerMistake> corner_mistakes(std::span<const Vector<2>> corners);
 
 /// A convex polygon with its centroid in the origin. Copies share their corners.
@@ -28,23 +29,23 @@ class ConvexPolygon {
   explicit ConvexPolygon(std::vector<Vector<2>> corners);
 
   [[nodiscard]] std::span<const Vector<2>> corners() const noexcept { return *corners_; }  ///< counter-clockwise [m]
-  /// The same polygon, larger by a factor.
+  /// The polygon with all lengths multiplied by a factor.
   [[nodiscard]] ConvexPolygon scaled(double factor) const;
 
-  /// The place farthest along a direction of length 1.
+  /// The point farthest along a direction of length 1.
   [[nodiscard]] SupportPoint support(const Vector<2>& direction) const noexcept;
-  /// True for places inside and on the outline.
-  [[nodiscard]] bool contains(const Vector<2>& place) const noexcept;
-  /// Distance from a place inside to the outline [m]; 0 on it.
-  [[nodiscard]] double depth(const Vector<2>& place) const noexcept;
+  /// True for points inside and on the outline.
+  [[nodiscard]] bool contains(const Vector<2>& point) const noexcept;
+  /// Distance from a point inside to the outline [m]; 0 on it.
+  [[nodiscard]] double depth(const Vector<2>& point) const noexcept;
 
   friend bool operator==(const ConvexPolygon& one, const ConvexPolygon& other) {
     return *one.corners_ == *other.corners_;
   }
 
  private:
-  /// Smallest distance of a place from the lines of the sides [m], counted inwards: negative outside.
-  [[nodiscard]] double height(const Vector<2>& place) const noexcept;
+  /// Smallest distance of a point from the lines of the sides [m], counted inwards: negative outside.
+  [[nodiscard]] double height(const Vector<2>& point) const noexcept;
 
   std::shared_ptr<const std::vector<Vector<2>>> corners_;
 };

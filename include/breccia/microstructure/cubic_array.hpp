@@ -7,7 +7,7 @@
 
 namespace breccia {
 
-/// Where equal spheres are in a cubic cell, beside the one in its centre.
+/// Positions of equal spheres in a cubic cell, beside the one in its centre.
 enum class Lattice {
   simple,        ///< nowhere else: one sphere a cell, with six nearest neighbours
   body_centred,  ///< in its corners: two spheres a cell, with eight nearest neighbours

@@ -8,14 +8,14 @@
 
 namespace breccia {
 
-/// More particles in a box are refused as a mistake: their packing would run for days.
+/// The largest number of particles in a box; more are refused as a mistake, because their packing would run for days.
 inline constexpr std::size_t most_particles = 1'000'000;
 
 /// Diameters [m], from the largest down, of balls that fill `fraction` of a box of this side [m] in `dim` dimensions
-/// and follow the distribution as closely as whole balls can: each sits at the middle of its own slice of the
-/// cumulative volume, so the drawn distribution and the total volume agree with what was asked within one ball. Uses no
-/// random numbers. Throws InputError if a bound of the distribution is 0 or infinite, NumericalError if not even one
-/// ball is to be drawn, or more than most_particles. Instantiated for 2 and 3 dimensions.
+/// and follow the distribution as closely as whole balls can: each is at the middle of its own slice of the cumulative
+/// volume, so that the drawn distribution and the total volume are within one ball of the given ones. Uses no random
+/// numbers. Throws InputError if a bound of the distribution is 0 or infinite, NumericalError if less than one ball or
+/// more than most_particles would be drawn. Instantiated for 2 and 3 dimensions.
 template <int dim>
 [[nodiscard]] std::vector<double> draw_diameters(const SizeDistribution& distribution, double fraction, double side);
 

@@ -8,12 +8,12 @@ namespace breccia {
 struct Ellipse {
   Vector<2> axes;  ///< whole lengths [m]
 
-  /// The place farthest along a direction of length 1.
+  /// The point farthest along a direction of length 1.
   [[nodiscard]] SupportPoint support(const Vector<2>& direction) const noexcept;
-  /// True for places inside and on the outline.
-  [[nodiscard]] bool contains(const Vector<2>& place) const noexcept;
-  /// A lower bound of the distance from a place inside to the outline [m]; 0 on it.
-  [[nodiscard]] double depth(const Vector<2>& place) const noexcept;
+  /// True for points inside and on the outline.
+  [[nodiscard]] bool contains(const Vector<2>& point) const noexcept;
+  /// A lower bound of the distance from a point inside to the outline [m]; 0 on it.
+  [[nodiscard]] double depth(const Vector<2>& point) const noexcept;
 
   friend bool operator==(const Ellipse&, const Ellipse&) = default;
 };

@@ -6,7 +6,7 @@
 
 namespace breccia {
 
-/// How a body is turned: the directions of its three axes, of length 1 and perpendicular to each other.
+/// Orientation of a body: the directions of its three axes, of length 1 and perpendicular to each other.
 using AxisDirections = std::array<Vector<3>, 3>;
 
 /// The axes of a body along x, y and z.
@@ -16,8 +16,9 @@ inline constexpr AxisDirections unturned = {{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {
 /// first; four numbers from a normal distribution make all rotations equally likely.
 [[nodiscard]] AxisDirections turned(const std::array<double, 4>& quaternion);
 
-/// Angles that turn a body [rad]: its first axis points to `azimuth` from x in the xy plane, `elevation` above that
-/// plane, and the body is turned by `roll` about it. Without a roll the second axis is in the xy plane.
+/// Orientation of a body by three angles [rad]: its first axis has the `azimuth` from x in the xy plane and the
+/// `elevation` above this plane, and the body is turned by `roll` about it. Without a roll the second axis is in the xy
+/// plane.
 struct Turn {
   double azimuth = 0.0;
   double elevation = 0.0;
@@ -34,8 +35,8 @@ struct Ellipsoid {
   Vector<3> axes{};                      ///< whole lengths [m]
   AxisDirections directions = unturned;  ///< of the axes
 
-  /// True for places inside and on the surface.
-  [[nodiscard]] bool contains(const Vector<3>& place) const noexcept;
+  /// True for points inside and on the surface.
+  [[nodiscard]] bool contains(const Vector<3>& point) const noexcept;
 
   friend bool operator==(const Ellipsoid&, const Ellipsoid&) = default;
 };
@@ -48,14 +49,14 @@ struct Ellipsoid {
 [[nodiscard]] double equivalent_diameter(const Ellipsoid& ellipsoid) noexcept;
 [[nodiscard]] double circumradius(const Ellipsoid& ellipsoid) noexcept;  ///< largest distance from the centre [m]
 
-/// Volume of the places outside that are no farther from it than `thickness` [m^3] (theory, Eq. 52a).
+/// Volume of the points outside that are no farther from it than `thickness` [m^3] (theory, Eq. 52a).
 [[nodiscard]] double coating_volume(const Ellipsoid& ellipsoid, double thickness);
 
-/// How far it reaches from its centre along x, y and z, either way [m].
+/// The largest distance of its points from its centre along x, y and z, equal in both senses [m].
 [[nodiscard]] Vector<3> extent(const Ellipsoid& ellipsoid) noexcept;
 
-/// Distance of a place from the surface [m], negative inside; exact to rounding.
-[[nodiscard]] double signed_distance(const Ellipsoid& ellipsoid, const Vector<3>& place);
+/// Distance of a point from the surface [m], negative inside; exact to rounding.
+[[nodiscard]] double signed_distance(const Ellipsoid& ellipsoid, const Vector<3>& point);
 
 /// Distance between the surfaces of two ellipsoids [m] (theory, Eq. 52): never above the true one, and no more than
 /// 1e-13 of the distance of their centres below it. Negative where they overlap: moved by as much along some direction,

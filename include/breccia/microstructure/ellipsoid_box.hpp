@@ -9,21 +9,23 @@
 
 namespace breccia {
 
-/// A cubic box [0, side]^3 with ellipsoids. Those of a periodic box are listed once, with their centre in the box.
+/// A cubic box [0, side]^3 with ellipsoids. Each ellipsoid of a periodic box is listed once, with its centre in the
+/// box.
 struct EllipsoidBox {
   double side = 0.0;  ///< [m]
   Walls walls = Walls::hard;
   std::vector<Ellipsoid> particles = {};
   /// The number of the filler that each particle belongs to, from 0; empty where all belong to the first.
   std::vector<std::size_t> fillers = {};
-  /// Thickness of the coating around each particle [m]: the places that are so near to it. Empty where none has one.
+  /// Thickness of the coating around each particle [m]; the coating is the set of points within this distance of it.
+  /// Empty where no particle has one.
   std::vector<double> coatings = {};
 
   [[nodiscard]] std::size_t filler_of(std::size_t particle) const { return fillers.empty() ? 0 : fillers.at(particle); }
   [[nodiscard]] double coating_of(std::size_t particle) const { return coatings.empty() ? 0.0 : coatings.at(particle); }
 };
 
-/// The particles as balls, if each of them is one.
+/// The particles as balls, if all of them are balls.
 [[nodiscard]] std::optional<Microstructure<3>> as_balls(const EllipsoidBox& box);
 
 /// Volume of the particles per volume of the box, without coatings.
@@ -41,10 +43,9 @@ struct EllipsoidBox {
 /// Smallest distance between a particle without its coating and a side of the box [m]; negative where one crosses it.
 [[nodiscard]] double smallest_side_distance(const EllipsoidBox& box);
 
-/// Throws InputError if the particles cannot be where they are: an axis that is not positive, directions of axes that
-/// are not perpendicular and of length 1, a centre outside the box, a particle or its coating across a hard wall, two
-/// of them that overlap by more than roundoff. The message lists every one of them (up to twenty), counting particles
-/// from 1.
+/// Throws InputError if the particles are invalid: an axis that is not positive, directions of axes that are not
+/// perpendicular and of length 1, a centre outside the box, a particle or its coating across a hard wall, two particles
+/// that overlap by more than roundoff. The message lists up to twenty mistakes, counting particles from 1.
 void require_valid(const EllipsoidBox& box);
 
 }  // namespace breccia

@@ -7,7 +7,7 @@
 
 namespace breccia {
 
-/// Tells for any place of a box which ellipsoid it is in, or which one is near. The ellipsoids must not overlap.
+/// Finds the ellipsoid that contains any point of a box, or one that is near it. The ellipsoids must not overlap.
 class EllipsoidLocator {
  public:
   explicit EllipsoidLocator(EllipsoidBox box);
@@ -18,8 +18,8 @@ class EllipsoidLocator {
   ~EllipsoidLocator();
 
   [[nodiscard]] const EllipsoidBox& box() const noexcept;
-  /// What is at a position in the box [m].
-  [[nodiscard]] ParticlePlace at(const Vector<3>& position) const;
+  /// The ellipsoid at a position in the box [m].
+  [[nodiscard]] LocatedParticle at(const Vector<3>& position) const;
 
  private:
   struct Search;

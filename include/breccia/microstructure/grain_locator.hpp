@@ -9,11 +9,11 @@
 
 namespace breccia {
 
-/// What is at a place of a tessellation.
-struct GrainPlace {
-  std::uint32_t site = 0;  ///< the cell that the place is in
-  /// Of the place inside its grain [m]: the distance from the nearest film. Negative in the film: no grain is nearer
-  /// than -depth.
+/// The grain or film at a point of a tessellation.
+struct LocatedGrain {
+  std::uint32_t site = 0;  ///< the cell that the point is in
+  /// Depth of the point inside its grain [m]: the distance from the nearest film. In the film it is negative, and no
+  /// grain is nearer than -depth.
   double depth = 0.0;
   [[nodiscard]] bool is_in_grain() const noexcept { return depth >= 0.0; }
 };
@@ -21,7 +21,7 @@ struct GrainPlace {
 template <int dim>
 class SiteTree;
 
-/// Tells for any place of a tessellation which grain it is in, or that it is in the film. Instantiated for 2 and 3
+/// Finds the grain that contains any point of a tessellation, unless the point is in the film. Instantiated for 2 and 3
 /// dimensions.
 template <int dim>
 class GrainLocator {
@@ -35,9 +35,9 @@ class GrainLocator {
   GrainLocator& operator=(const GrainLocator&) = delete;
   ~GrainLocator();
 
-  /// What is at a position [m]. A periodic tessellation continues beyond the box; with hard walls a position outside is
-  /// in the film.
-  [[nodiscard]] GrainPlace at(const Vector<dim>& position) const;
+  /// The grain or film at a position [m]. A periodic tessellation continues beyond the box; with hard walls a position
+  /// outside is in the film.
+  [[nodiscard]] LocatedGrain at(const Vector<dim>& position) const;
 
  private:
   struct Face {
@@ -49,7 +49,7 @@ class GrainLocator {
   double least_half_film_;
   std::unique_ptr<SiteTree<dim>> tree_;
   std::vector<std::size_t> first_face_;  // of each cell; behind them the number of all
-  std::vector<Face> faces_;              // seen from the site of their cell
+  std::vector<Face> faces_;              // relative to the site of their cell
 };
 
 extern template class GrainLocator<2>;

@@ -5,7 +5,7 @@
 
 namespace breccia {
 
-/// A place on a lattice, or the number of places along each axis.
+/// The indices of a cell or point of a lattice, or their number along each axis.
 template <int dim>
 using Index = std::array<int, static_cast<std::size_t>(dim)>;
 
@@ -28,12 +28,12 @@ struct IndexRange {
   }
   /// Number of an index among them, the first axis fastest.
   [[nodiscard]] std::size_t place_of(const Index<dim>& index) const noexcept {
-    std::size_t place = 0;
+    std::size_t number = 0;
     for (std::size_t axis = index.size(); axis-- > 0;) {
-      place = place * static_cast<std::size_t>(end[axis] - begin[axis]) +
-              static_cast<std::size_t>(index[axis] - begin[axis]);
+      number = number * static_cast<std::size_t>(end[axis] - begin[axis]) +
+               static_cast<std::size_t>(index[axis] - begin[axis]);
     }
-    return place;
+    return number;
   }
 };
 

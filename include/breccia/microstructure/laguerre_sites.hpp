@@ -8,43 +8,43 @@
 
 namespace breccia {
 
-/// What a grain of a tessellation grows from.
+/// A site of a Laguerre tessellation, from which a grain grows.
 template <int dim>
 struct Site {
   Vector<dim> position{};  ///< [m]
   double weight = 0.0;     ///< the larger, the larger is the grain [m^2]
 };
 
-/// What runs along hard walls.
+/// The film along hard walls.
 enum class WallFilm {
   half,  ///< half a film: the grains keep off the walls
   none   ///< nothing: the walls cut grains and films, as the sides of a window in a larger body do
 };
 
-/// The sites of a Laguerre tessellation (power diagram) of the box [0, side]^dim: a place x belongs to the site with
+/// The sites of a Laguerre tessellation (power diagram) of the box [0, side]^dim: a point x belongs to the site with
 /// the least |x - position|^2 - weight (theory, Eq. 48). In a periodic box all images of a site count; hard walls cut
-/// the cells. A number that is added to all weights changes nothing.
+/// the cells. Adding a number to all weights changes nothing.
 template <int dim>
 struct LaguerreSites {
   double side = 0.0;  ///< [m]
   Walls walls = Walls::periodic;
   std::vector<Site<dim>> sites;
   WallFilm wall_film = WallFilm::half;  ///< without a meaning in a periodic box
-  /// Thickness of the films around the grain of each site over that of the tessellation [-]; a film between two grains
-  /// has the mean of theirs, one along a wall that of its grain. Empty where all are one.
+  /// Ratio of the thickness of the films around the grain of each site to that of the tessellation [-]; a film between
+  /// two grains has the mean ratio of both, one along a wall the ratio of its grain. Empty where all are 1.
   std::vector<double> film_shares = {};
 };
 
-/// What is wrong with one site.
+/// A mistake of one site.
 struct SiteMistake {
   std::size_t site;  ///< its number, from 0
   std::string text;
 };
 
-/// Everything that is wrong, in the order of the sites: a position that is not in the box, a weight that is not finite,
-/// a share of the films that is not positive; if there is nothing of that kind, the sites without a place that belongs
-/// to them. Throws InputError if the box has no size, there are no sites or more than most_particles, or the number of
-/// the shares is not that of the sites. Instantiated for 2 and 3 dimensions.
+/// The mistakes of all sites, in their order: a position outside the box, a weight that is not finite, a share of the
+/// films that is not positive; if there are none of these, the sites to which no point belongs. Throws InputError if
+/// the box has no size, there are no sites or more than most_particles, or the number of the shares is not that of the
+/// sites. Instantiated for 2 and 3 dimensions.
 template <int dim>
 [[nodiscard]] std::vector<SiteMistake> mistakes(const LaguerreSites<dim>& sites);
 

@@ -8,7 +8,7 @@
 
 namespace breccia {
 
-/// What the sides of the box do to particles.
+/// The kind of the sides of the box.
 enum class Walls {
   hard,     ///< particles stay inside the box
   periodic  ///< particles leave on one side and enter on the other

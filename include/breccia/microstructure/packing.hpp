@@ -17,8 +17,8 @@ struct PackingRequest {
   Walls walls = Walls::hard;
   std::vector<double> diameters;  ///< [m]
   double minimum_gap = 0.0;       ///< between surfaces [m]; half of it to a hard wall
-  /// Thickness of a shell around each particle that comes on top of half the minimum gap [m]: its coating, or what it
-  /// wants beyond the smallest gap. No two shells overlap. Empty: none.
+  /// Thickness of a shell around each particle in addition to half the minimum gap [m]: its coating, or the part of its
+  /// own gap beyond the smallest one. No two shells overlap. Empty: none.
   std::vector<double> shells = {};
   std::uint64_t seed = 1;  ///< the same seed gives the same packing
   /// Growth rate of the mean diameter, in units of the speed at which particles move; at most 1. A packing that jams
@@ -62,7 +62,7 @@ struct PackingProgress {
   double fraction_to_reach;  ///< volume fraction at their final size
 };
 
-/// State of an unfinished packing. With the request it has all that is needed to continue to the same bits. The unit of
+/// State of an unfinished packing. Together with the request it is sufficient to continue to the same bits. The unit of
 /// length is the mean final diameter with the gap; the unit of time makes the mean speed of order one.
 template <int dim>
 struct PackingState {
@@ -72,15 +72,15 @@ struct PackingState {
   std::uint64_t events = 0;             ///< so far
   std::vector<Vector<dim>> positions;   ///< of the particles
   std::vector<Vector<dim>> velocities;  ///< of the particles
-  /// The particles in the order of the heap of events. It decides which of two particles that meet is moved first, and
-  /// so the last digits.
+  /// The particles in the order of the heap of events. It determines which of two particles that meet is moved first,
+  /// and so the last digits.
   std::vector<std::uint32_t> queue;
   std::vector<double> queue_times;  ///< of the event of each particle of `queue`
 };
 
 template <int dim>
 struct Packing {
-  std::vector<Ball<dim>> balls;  ///< of the diameters asked for, in the same order
+  std::vector<Ball<dim>> balls;  ///< with the diameters of the request, in the same order
   double fraction = 0.0;         ///< volume fraction
   double gap = 0.0;              ///< smallest between two surfaces [m]; infinite if there are no two
   std::uint64_t events = 0;      ///< that led there
@@ -89,16 +89,15 @@ struct Packing {
 template <int dim>
 class GrowingBalls;
 
-/// Places balls at random by the method of Lubachevsky and Stillinger (1990): points with random places and velocities
-/// grow, and collide, until they have the diameters asked for. It runs step by step, so that it can be followed and
-/// interrupted.
+/// Packs balls at random by the method of Lubachevsky and Stillinger (1990): points with random positions and
+/// velocities grow and collide until they have the diameters of the request. It runs step by step, so that it can be
+/// followed and interrupted.
 template <int dim>
 class PackingRun {
  public:
   /// Throws InputError on arguments without meaning, PackingError if the packing is impossible.
   explicit PackingRun(PackingRequest request);
-  /// Continues another run with this request from its state. Also throws InputError if the state belongs to another
-  /// request.
+  /// Continues a run with this request from its state. Also throws InputError if the state belongs to another request.
   PackingRun(PackingRequest request, const PackingState<dim>& state);
   PackingRun(PackingRun&&) noexcept;
   PackingRun& operator=(PackingRun&&) noexcept;
@@ -107,8 +106,8 @@ class PackingRun {
   ~PackingRun();
 
   [[nodiscard]] bool is_done() const noexcept;
-  /// Runs until the particles have grown by a tenth, or each has had twenty events on average. Throws PackingError if
-  /// they jam at every growth rate before they have the diameters asked for (the message says how far they came).
+  /// Runs until the particles have grown by a tenth, or each has had twenty events on average. Throws PackingError,
+  /// with the fraction reached, if they jam at every growth rate before they have the diameters of the request.
   void advance();
   [[nodiscard]] PackingProgress progress() const noexcept;
   [[nodiscard]] PackingState<dim> state() const;

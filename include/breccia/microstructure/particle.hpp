@@ -21,7 +21,7 @@ class Pose {
 
   [[nodiscard]] const Vector<2>& centre() const noexcept { return centre_; }
   [[nodiscard]] double angle() const noexcept { return angle_; }
-  /// The same orientation somewhere else.
+  /// The pose with this orientation and another centre [m].
   [[nodiscard]] Pose at(const Vector<2>& centre) const noexcept;
 
   /// A direction as the shape sees it.
@@ -53,16 +53,16 @@ struct Particle {
 [[nodiscard]] double circumradius(const Shape& shape);  ///< largest distance from the centre [m]
 /// Diameter of the disc of the same area [m].
 [[nodiscard]] double equivalent_diameter(const Shape& shape);
-/// The shape in words: "ellipse of 2 um x 1 um", "polygon of 6 corners".
+/// A description of the shape: "ellipse of 2 um x 1 um", "polygon of 6 corners".
 [[nodiscard]] std::string in_words(const Shape& shape);
 
-/// How far a shape in this orientation reaches from its centre along each axis: {{left, right}, {below, above}}, all
-/// positive [m].
+/// The largest distances of a shape in this orientation from its centre along each axis: {{left, right}, {below,
+/// above}}, all positive [m].
 [[nodiscard]] std::array<Vector<2>, 2> extent(const Shape& shape, const Pose& pose);
 
-/// Distance of a place from the outline of a particle [m], exact to rounding outside. Inside it is negative, and the
+/// Distance of a point from the outline of a particle [m], exact to rounding outside. Inside it is negative, and the
 /// outline is at least as far away as it says.
-[[nodiscard]] double signed_distance(const Particle& particle, const Vector<2>& place);
+[[nodiscard]] double signed_distance(const Particle& particle, const Vector<2>& point);
 
 /// A gap between two shapes, and the direction along which it is.
 struct ParticleGap {

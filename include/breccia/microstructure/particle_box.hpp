@@ -9,8 +9,8 @@
 
 namespace breccia {
 
-/// A square box [0, side]^2 with convex particles of any shape. Those of a periodic box are listed once, with their
-/// centre in the box. (Microstructure is the same for balls alone, in any dimension.)
+/// A square box [0, side]^2 with convex particles of any shape. Each particle of a periodic box is listed once, with
+/// its centre in the box. (A box of balls alone, in any dimension, is a Microstructure.)
 struct ParticleBox {
   double side = 0.0;  ///< [m]
   Walls walls = Walls::hard;
@@ -24,7 +24,7 @@ struct ParticleBox {
   [[nodiscard]] double coating_of(std::size_t particle) const { return coatings.empty() ? 0.0 : coatings.at(particle); }
 };
 
-/// The particles as discs, if each of them is a circle.
+/// The particles as discs, if all of them are circles.
 [[nodiscard]] std::optional<Microstructure<2>> as_discs(const ParticleBox& box);
 
 /// Calls action(number, pose) for every particle and, in a periodic box, for its images in the boxes around.

@@ -8,24 +8,24 @@
 
 namespace breccia {
 
-/// What is at a place of a box with particles.
-struct ParticlePlace {
-  /// The particle that the place is in, or whose coated outline is nearest; none beyond the reach of the locator.
+/// The particle at or near a point of a box.
+struct LocatedParticle {
+  /// The particle that contains the point, or whose coated outline is nearest; none beyond the reach of the locator.
   std::optional<std::size_t> particle = {};
   /// Signed distance from the outline of that particle, without its coating (signed_distance()); the reach of the
   /// locator where there is none [m].
   double distance = 0.0;
 };
 
-/// Tells for any place of a box which particle it is in, or which one is near. The particles must not overlap.
+/// Finds the particle that contains any point of a box, or one that is near it. The particles must not overlap.
 class ParticleLocator {
  public:
   /// The box need not outlive the locator.
   explicit ParticleLocator(ParticleBox box);
 
   [[nodiscard]] const ParticleBox& box() const noexcept { return box_; }
-  /// What is at a position in the box [m].
-  [[nodiscard]] ParticlePlace at(const Vector<2>& position) const;
+  /// The particle at a position in the box [m].
+  [[nodiscard]] LocatedParticle at(const Vector<2>& position) const;
 
  private:
   /// A particle or one of its images.

@@ -9,17 +9,17 @@
 
 namespace breccia {
 
-/// What the pixels of one value are.
+/// The label of the pixels of one value.
 struct ValueLabel {
   std::int32_t value;  ///< in the image, such as a grey level
   Label label;         ///< number of the phase
 };
 
-/// What is wrong between the values of an image and the table of labels, a line each; empty if nothing is:
+/// The contradictions between the values of an image and the table of labels, a line each; empty if there are none:
 /// - all values without a label, with the number of their pixels and its share (the ten most frequent values);
-/// - each value that stands in the table twice;
+/// - each value that is in the table twice;
 /// - each value of the table that no pixel has. It is an error and no warning: values are typed by hand, and a phase
-///   that is left out by a wrong digit would change the result without being seen.
+///   that is left out by a wrong digit would change the result unnoticed.
 [[nodiscard]] std::vector<std::string> label_mistakes(std::span<const std::int32_t> values,
                                                       std::span<const ValueLabel> table);
 

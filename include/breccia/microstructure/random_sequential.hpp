@@ -13,7 +13,7 @@
 
 namespace breccia {
 
-/// A particle to place.
+/// A plane particle to place.
 struct ParticleToPlace {
   Shape shape;
   std::optional<double> angle = {};  ///< of its first axis from the x axis [rad]; without it at random
@@ -22,7 +22,7 @@ struct ParticleToPlace {
   double wall_distance = 0.0;  ///< smallest distance between the particle and a hard wall [m]
 };
 
-/// Convex particles of any shape to place at random, and the box.
+/// A box, and convex particles of any shape to place in it at random.
 struct RandomSequentialRequest {
   static constexpr int dim = 2;
   using Pose = breccia::Pose;
@@ -33,7 +33,7 @@ struct RandomSequentialRequest {
   std::uint64_t seed = 1;  ///< the same seed gives the same packing
 };
 
-/// An ellipsoid to place, each orientation as likely as any other.
+/// An ellipsoid to place; all orientations are equally likely.
 struct EllipsoidToPlace {
   Vector<3> axes{};    ///< whole lengths [m]
   double shell = 0.0;  ///< as that of ParticleToPlace [m]
@@ -46,7 +46,7 @@ struct EllipsoidPose {
   std::array<double, 4> quaternion = {1.0, 0.0, 0.0, 0.0};  ///< of the rotation of its axes from x, y and z (turned())
 };
 
-/// Ellipsoids to place at random, and the box.
+/// A box, and ellipsoids to place in it at random.
 struct EllipsoidSequentialRequest {
   static constexpr int dim = 3;
   using Pose = EllipsoidPose;
@@ -57,11 +57,11 @@ struct EllipsoidSequentialRequest {
   std::uint64_t seed = 1;  ///< the same seed gives the same packing
 };
 
-/// Places particles at random, the largest first, each where it has room (random sequential addition; Feder, Journal of
-/// Theoretical Biology 87, 237, 1980), and grows them by a Monte Carlo compression where they shall be denser than that
-/// can make them: they are placed at a smaller scale, and then grow in steps, between which each moves and turns at
-/// random, but never into another one (theory, Eq. 53). It runs step by step, so that it can be followed and
-/// interrupted. Instantiated for the particles of a plane and for ellipsoids.
+/// Places particles at random, the largest first, each where it overlaps none (random sequential addition; Feder,
+/// Journal of Theoretical Biology 87, 237, 1980). For larger fractions than this can reach, they are placed at a
+/// smaller scale and grow by a Monte Carlo compression in steps, between which each moves and turns at random, but
+/// never into another one (theory, Eq. 53). It runs step by step, so that it can be followed and interrupted.
+/// Instantiated for the particles of a plane and for ellipsoids.
 template <class Request>
 class SequentialRun {
  public:
@@ -81,7 +81,7 @@ class SequentialRun {
   void advance();
   /// Events are moves that were tried.
   [[nodiscard]] PackingProgress progress() const noexcept;
-  /// Of the particles, in the order of the request. Throws InputError if it is not done.
+  /// The poses of the particles, in the order of the request. Throws InputError if the run is not done.
   [[nodiscard]] const std::vector<Pose>& poses() const;
 
  private:

@@ -7,10 +7,10 @@
 
 namespace breccia {
 
-/// Weights of sites, and what they give.
+/// Weights of sites, and the error of the volumes of their cells.
 struct SiteWeights {
   std::vector<double> weights;  ///< [m^2], by site
-  double largest_error = 0.0;   ///< largest relative difference of a cell's volume from what is asked [-]
+  double largest_error = 0.0;   ///< largest relative difference of a cell's volume from the wanted one [-]
   int steps = 0;                ///< of Newton's method
 };
 

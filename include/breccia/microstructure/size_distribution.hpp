@@ -13,7 +13,7 @@ struct LognormalComponent {
 };
 
 /// Distribution of particle diameters by volume (in 2D: by area): F(d) is the share of the volume that is in particles
-/// of diameter d and less. All functions throw InputError on arguments that make no distribution.
+/// of diameter d and less. All functions throw InputError on arguments that are no distribution.
 class SizeDistribution {
  public:
   /// All particles have one diameter [m].

@@ -12,36 +12,36 @@ namespace breccia {
 
 // Instantiated for 2 and 3 dimensions. In 2D a volume is an area and a surface a length.
 
-/// A Laguerre tessellation: convex cells that fill a box, one for each site. A film of uniform thickness t between the
-/// cells leaves of each of them a grain, the places whose distance from all faces of the cell is at least t/2; so
-/// every film is t thick between two grains and t/2 along a hard wall (theory, Eq. 49). Where the walls have no film,
-/// their faces do not count. Where the sites have shares of the films (LaguerreSites::film_shares), t differs from face
-/// to face by the mean share of the two grains.
+/// A Laguerre tessellation: convex cells that fill a box, one for each site. With a film of uniform thickness t between
+/// the cells, the grain of a cell is the set of points whose distance from all its faces is at least t/2; so every film
+/// is t thick between two grains and t/2 along a hard wall (theory, Eq. 49). Where the walls have no film, their faces
+/// do not count. Where the sites have shares of the films (LaguerreSites::film_shares), the film of each face is t
+/// times the mean share of the two grains.
 template <int dim>
 class Tessellation {
  public:
-  /// Throws InputError that lists what is wrong with the sites (see mistakes()).
+  /// Throws InputError that lists the mistakes of the sites (see mistakes()).
   explicit Tessellation(LaguerreSites<dim> sites);
 
   [[nodiscard]] double side() const noexcept { return sites_.side; }  ///< of the box [m]
   [[nodiscard]] Walls walls() const noexcept { return sites_.walls; }
   [[nodiscard]] const LaguerreSites<dim>& sites() const noexcept { return sites_; }
   [[nodiscard]] std::size_t size() const noexcept { return cells_.size(); }  ///< number of grains
-  /// The cell of a site, seen from its position; in a periodic box it may reach beyond the sides.
+  /// The cell of a site, relative to its position; in a periodic box it may reach beyond the sides.
   [[nodiscard]] const ConvexCell<dim>& cell(std::size_t site) const { return cells_[site]; }
-  /// The cell without its share of the film, seen in the same way. Empty if the film leaves nothing.
+  /// The cell without its share of the film, relative to the position of the site. Empty if the film leaves nothing.
   [[nodiscard]] ConvexCell<dim> grain(std::size_t site, double film) const;
   /// The site beyond a face of a cell (it may be an image of the cell's own site); none beyond a wall.
   [[nodiscard]] static std::optional<std::size_t> neighbour(const HalfSpace<dim>& face) noexcept;
   /// Half of the thickness of the film at a face of the cell of a site, if the film of the tessellation has this
   /// thickness [m]; 0 at a wall without a film.
   [[nodiscard]] double half_film(std::size_t site, const HalfSpace<dim>& face, double film) const;
-  /// Whether a film makes grains recede from this face: from all but walls without one.
+  /// Whether there is a film at this face: at all faces but walls without one.
   [[nodiscard]] bool recedes(const HalfSpace<dim>& face) const noexcept {
     return sites_.wall_film == WallFilm::half || neighbour(face).has_value();
   }
-  /// By how many sides of the box the image of that site beyond the face is displaced along each axis: -1, 0 or 1. Zero
-  /// beyond a wall.
+  /// Displacement of the image of the site beyond the face along each axis, in sides of the box: -1, 0 or 1; zero for a
+  /// wall.
   [[nodiscard]] static Index<dim> image(const HalfSpace<dim>& face) noexcept;
 
  private:

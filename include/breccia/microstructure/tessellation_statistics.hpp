@@ -10,7 +10,7 @@ namespace breccia {
 
 // Instantiated for 2 and 3 dimensions. In 2D a volume is an area and a surface a length.
 
-/// One cell of a tessellation and the grain that a film leaves of it.
+/// One cell of a tessellation, and its grain without the film.
 template <int dim>
 struct GrainGeometry {
   Vector<dim> centroid;    ///< of the cell; inside the box if the walls are hard [m]
@@ -48,8 +48,8 @@ struct TessellationStatistics {
 template <int dim>
 [[nodiscard]] TessellationStatistics statistics(const Tessellation<dim>& tessellation, double film);
 
-/// Largest relative difference of the volume of a cell from the one asked for; `volumes` are in proportion to those
-/// asked for. Throws InputError if there is not one for each site.
+/// Largest relative difference of the volume of a cell from the wanted one; `volumes` are proportional to the wanted
+/// volumes. Throws InputError if there is not one for each site.
 template <int dim>
 [[nodiscard]] double largest_volume_error(const Tessellation<dim>& tessellation, std::span<const double> volumes);
 

@@ -8,11 +8,11 @@
 
 namespace breccia::parallel {
 
-/// Throws InputError with the message of the first process of the group that has one, on all of them; returns where
-/// none has. Each process must call the function.
+/// Throws InputError on all processes of the group with the message of the first process that has one; returns if none
+/// has. Each process must call the function.
 void throw_if_any(const std::optional<std::string>& mistake);
 
-/// What make() returns on each process of the group. Where it throws InputError on some of them, all throw that of the
+/// Returns make() on each process of the group. If it throws InputError on some of them, all throw the error of the
 /// first of these, so that none waits for a process that has stopped. Each process must call the function.
 template <class Make>
 [[nodiscard]] auto made_by_all(const Make& make) {

@@ -7,7 +7,7 @@ namespace breccia::parallel {
 /// The MPI communicator of the group of this process (session.hpp). Valid after start().
 MPI_Comm communicator() noexcept;
 
-/// That of the processes of the group which run on the same machine (machine.hpp). The first call is collective: every
+/// The communicator of the processes of the group on this machine (machine.hpp). The first call is collective: every
 /// process of the group must make it. Valid after start().
 MPI_Comm machine_communicator();
 

@@ -9,23 +9,23 @@
 
 namespace breccia::parallel {
 
-/// Where the values of this process stand in an order of the values of all processes of its group, which together have
-/// one for each place. A value is one number or several.
+/// The places of the values of this process in an order of the values of all processes of its group, which together
+/// have one value for each place. A value is one number or several.
 struct OrderedPlaces {
-  std::size_t count = 0;                                  ///< of the values of this process
-  std::function<std::size_t(std::size_t)> place_of = {};  ///< of each of them; places rise
+  std::size_t count = 0;                                  ///< number of the values of this process
+  std::function<std::size_t(std::size_t)> place_of = {};  ///< the place of each of them; places rise
 
-  /// Number of the values of this process that stand before a place.
+  /// Number of the values of this process before a place.
   [[nodiscard]] std::size_t before(std::size_t place) const;
 };
 
 /// Places that follow one another.
 [[nodiscard]] OrderedPlaces consecutive_places(std::size_t first, std::size_t count);
 
-/// Values are collected in pieces of so many places, so that no process has to hold all of them.
+/// Number of places in a piece. Values are collected piece by piece, so that no process has to hold all of them.
 inline constexpr std::size_t places_of_a_piece = std::size_t{1} << 20U;
 
-/// Calls action(begin, end) for one piece of so many places after the other.
+/// Calls action(begin, end) for one piece of the places after the other.
 template <class Action>
 void for_each_piece(std::size_t count, const Action& action) {
   for (std::size_t begin = 0; begin < count; begin += places_of_a_piece) {
@@ -33,16 +33,16 @@ void for_each_piece(std::size_t count, const Action& action) {
   }
 }
 
-/// Whether this is the process that gets what is collected: the first of the group.
+/// Whether this is the process that receives collected values: the first of the group.
 [[nodiscard]] bool is_collecting() noexcept;
 
-/// Puts the values at the places from `begin` to before `end`, of some bytes each, into their order at `all` on the
+/// Copies the values at the places from `begin` to before `end`, of `bytes_each` bytes, in their order to `all` on the
 /// first process; on the others `all` is not used.
 void collect_bytes(const std::byte* own, std::size_t bytes_each, const OrderedPlaces& places, std::size_t begin,
                    std::size_t end, std::byte* all);
 
-/// The values at the places from `begin` to before `end`, in their order, on the first process of the group; nothing on
-/// the others. Every process gives its own values, and calls the function.
+/// The values at the places from `begin` to before `end`, in their order, on the first process of the group; an empty
+/// list on the others. Every process must call the function, with its own values.
 template <class Value>
 [[nodiscard]] std::vector<Value> collect(std::span<const Value> own, const OrderedPlaces& places, std::size_t begin,
                                          std::size_t end) {

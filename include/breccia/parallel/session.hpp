@@ -6,8 +6,8 @@
 namespace breccia::parallel {
 
 /// Starts MPI and PETSc in this process, unless they are running. Solvers call it when they first need them, so that
-/// other work does not wait for their start. If the host program has started MPI or PETSc, that one is used.
-/// Signals keep the handlers that the process has.
+/// other work does not wait for their start. MPI or PETSc that the host program has started is used. Signals keep the
+/// handlers that the process has.
 /// Throws NumericalError when they cannot be started.
 void start();
 
@@ -18,7 +18,7 @@ bool is_under_mpirun() noexcept;
 /// Throws InputError when PETSc cannot read them.
 void set_petsc_options(const std::string& options);
 
-/// The names of the options of PETSc that nothing has asked for so far, such as "-ksp_monitr". PETSc must have started.
+/// The names of the options of PETSc that have not been read so far, such as "-ksp_monitr". PETSc must have started.
 std::vector<std::string> unused_petsc_options();
 
 /// Divides the processes that mpirun started into groups of `processes_each`. From then on each group works
@@ -27,11 +27,11 @@ std::vector<std::string> unused_petsc_options();
 /// divided already, and when the host program has started PETSc, which only the host may finalise.
 void divide(int processes_each);
 
-/// Finalises MPI and PETSc if start() has started them; must be called once, as the last call. A host program finalises
-/// what it has started itself.
+/// Finalises MPI and PETSc if start() has started them; must be called once, as the last call. A host program must
+/// finalise those that it has started itself.
 void stop() noexcept;
 
-/// Ends all processes of this run with an exit code: for a failure of one process for which the others would wait.
+/// Ends all processes of this run with an exit code, after a failure of one process for which the others would wait.
 [[noreturn]] void abort(int exit_code) noexcept;
 
 /// Rank of this process in its group, from 0; 0 before start().
@@ -44,8 +44,8 @@ int group() noexcept;
 /// Number of groups; 1 before divide().
 int groups() noexcept;
 
-/// Whether this is the only process of the run. Under mpirun the answer comes from MPI, which is started for it; where
-/// MPI does not start, the process does not count as the only one.
+/// Whether this is the only process of the run. Under mpirun MPI is started to find out; false where MPI does not
+/// start.
 bool is_alone() noexcept;
 
 /// Whether this is the first process of the first group, which writes the messages for all processes.

@@ -7,9 +7,9 @@
 
 namespace breccia {
 
-/// Whole numbers on a regular lattice of square pixels, or of cubic voxels: what an image file holds.
+/// The content of an image file: whole numbers on a regular lattice of square pixels or of cubic voxels.
 ///
-/// The axes are those of a box: x to the right, y upwards, z from layer to layer. Where the rows of a file belong:
+/// The axes are those of a box: x to the right, y upwards, z from layer to layer. The order of the rows of a file is:
 /// - In a picture (PNG, TIFF) and in an array (NumPy, HDF5) the first row is the top one, so that the box looks like
 ///   the picture in any viewer, and like the array in matplotlib's imshow. Arrays are indexed [y][x] or [z][y][x].
 /// - The pages of a TIFF stack, and the first index of an array of three, are layers with z rising.
@@ -18,7 +18,7 @@ namespace breccia {
 struct Raster {
   std::vector<std::size_t> extents;  ///< number of pixels along x, y and, in three dimensions, z
   std::vector<std::int32_t> values;  ///< x runs fastest, then y from the bottom row up, then z
-  std::optional<double> pixel;       ///< side of a pixel, where the file tells it in a unit of length [m]
+  std::optional<double> pixel;       ///< side of a pixel, where the file has it in a unit of length [m]
 };
 
 }  // namespace breccia

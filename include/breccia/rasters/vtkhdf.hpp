@@ -29,7 +29,7 @@ struct CubeLattice {
 
 /// Polygons in the plane.
 struct PolygonMesh {
-  std::vector<std::array<double, 2>> points;  ///< places [m]
+  std::vector<std::array<double, 2>> points;  ///< their positions [m]
   std::vector<std::int64_t> corners;          ///< points of the polygons, one polygon after the other, anticlockwise
   std::vector<std::int64_t> corner_counts;    ///< of each polygon, at least three
 };

@@ -14,8 +14,8 @@ namespace breccia {
 /// not valid or not square, or a label has no colour.
 std::string image_picture(const LabelImage<2>& image, std::span<const std::size_t> colours);
 
-/// The same for a plane through a microstructure of three dimensions, whose labels are the numbers of their colours;
-/// `content` is what the title of the picture names.
+/// SVG picture of a plane through a microstructure of three dimensions, whose labels are the numbers of their colours;
+/// `content` is the subject in the title of the picture.
 std::string plane_picture(const LabelImage<2>& plane, std::string_view content);
 
 }  // namespace breccia

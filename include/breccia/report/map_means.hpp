@@ -9,8 +9,8 @@ namespace breccia {
 /// The most columns of the map of field_picture().
 inline constexpr std::size_t most_map_columns = 600;
 
-/// Means of a square map over equal squares, the smallest for which at most some number of columns remains, from its
-/// values row by row; the last squares may be smaller. So a map may be larger than the memory.
+/// Means of a square map over equal squares, the smallest squares with which at most a given number of columns remains,
+/// from its values row by row; the last squares may be smaller. A map may thus be larger than the memory.
 class MapMeans {
  public:
   MapMeans(std::size_t columns, std::size_t most);
@@ -26,7 +26,7 @@ class MapMeans {
   [[nodiscard]] std::vector<double> values() const;
 
  private:
-  /// Length of the side of a square, the last of which may be shorter.
+  /// Length of the side of a square, in values; that of the last one may be shorter.
   [[nodiscard]] std::size_t side_of(std::size_t square) const noexcept;
 
   std::size_t columns_, side_, means_;

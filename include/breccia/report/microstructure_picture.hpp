@@ -9,7 +9,7 @@
 
 namespace breccia {
 
-/// How the particles of one filler are drawn. Colours are numbers of phases: 1 is that of a single filler.
+/// The appearance of the particles of one filler. Colours are numbers of phases: a single filler has 1.
 struct DrawnFiller {
   std::size_t colour = 1;
   std::size_t coating_colour = 0;  ///< unused without a coating
@@ -21,7 +21,7 @@ std::string_view colour_of_phase(std::size_t number);
 
 /// SVG picture of a microstructure: the box seen from above, y upwards, with a scale bar.
 /// Discs of a periodic box are drawn with their periodic images; all discs are clipped at the sides of the box.
-/// `fillers` says how the particles of each filler look; without it all have one colour and no coating.
+/// `fillers` has the appearance of the particles of each filler; without it all have one colour and no coating.
 /// Throws InputError if the side of the box is not positive and finite, or a particle belongs to none of the fillers.
 std::string microstructure_picture(const Microstructure<2>& microstructure,
                                    const std::vector<DrawnFiller>& fillers = {{}});

@@ -8,7 +8,7 @@
 
 namespace breccia {
 
-/// How a curve of a plot is drawn.
+/// The style of a curve in a plot.
 enum class PlotStyle {
   line,
   dashed,
@@ -50,8 +50,9 @@ struct ModulusPlot {
 /// gnuplot is missing or fails.
 std::string modulus_plot(const ModulusPlot& plot);
 
-/// Writes such a plot to a file. Where gnuplot cannot draw it, returns why, and no file of that name is left: results
-/// are whole without their plots. Throws InputError as above, and FileError where the file cannot be written.
+/// Writes a plot to a file. Where gnuplot cannot draw it, returns the reason, and no file of that name is left: results
+/// are complete without their plots. Throws InputError as the function above, and FileError where the file cannot be
+/// written.
 std::optional<std::string> write_modulus_plot(const std::filesystem::path& file, const ModulusPlot& plot);
 
 /// The reason why gnuplot cannot draw, with the package to install; nothing if it can. For callers that leave out their

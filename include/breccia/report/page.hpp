@@ -9,7 +9,7 @@ namespace breccia {
 /// (docs/results.md).
 std::string study_page(std::string_view title, std::string_view data);
 
-/// The same with rotatable views of the stages of three dimensions, which `data` describe as `views`.
+/// The page of a study with rotatable views of the stages of three dimensions, which `data` has as `views`.
 std::string study_page_with_views(std::string_view title, std::string_view data);
 
 /// The report of a sweep, in the same way.

@@ -6,7 +6,7 @@
 
 namespace breccia {
 
-/// A column that stands for a quantity because a user says so, whatever its name means otherwise.
+/// A user's choice of the column of a quantity, which overrides the meaning of its name.
 struct ColumnChoice {
   Quantity quantity = Quantity::time;
   std::string name;  ///< of the column in the file, or that and a unit in brackets where the file has none

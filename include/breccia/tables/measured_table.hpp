@@ -16,22 +16,22 @@ struct MeasuredColumn {
   Quantity quantity;
   ModulusKind kind;             ///< kind of a modulus or compliance
   std::string name;             ///< name of the column in the file
-  std::string unit;             ///< of the numbers in the file, as it stands there
+  std::string unit;             ///< unit of the numbers in the file, as written there
   std::vector<double> values;   ///< in the unit of the quantity
   std::vector<double> written;  ///< the numbers in the file
 };
 
-/// How the text of a table was taken.
+/// The way in which the text of a table was read.
 struct TableReading {
   std::string encoding;  ///< "UTF-8", "Latin-1" or "UTF-16"
   char separator = ',';  ///< of columns; a blank: two blanks and more
   bool has_decimal_commas = false;
   std::size_t line_of_names = 0;  ///< from 1
   bool has_row_of_units = false;  ///< below the names
-  std::size_t tables = 1;         ///< of the same columns, one below the other
+  std::size_t tables = 1;         ///< number of tables of the same columns, one below the other
 };
 
-/// The columns of a file that are recognised by their names. All other columns are ignored.
+/// The columns of a file that are recognised by their names. Other columns are ignored.
 class MeasuredTable {
  public:
   [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
@@ -59,8 +59,7 @@ class MeasuredTable {
   /// The column of a quantity other than a modulus or compliance. Throws InputError if there is none.
   [[nodiscard]] const MeasuredColumn& column(Quantity quantity) const;
   /// The column of a modulus or compliance of the wanted kind, or else of unspecified kind; any column if the wanted
-  /// kind is unspecified. Throws InputError if there is no column, or only columns of other kinds; the message says how
-  /// to convert them.
+  /// kind is unspecified. Throws InputError if there is no column, or only columns of other kinds, with the conversion.
   [[nodiscard]] const MeasuredColumn& column(Quantity quantity, ModulusKind wanted) const;
 
  private:

@@ -8,7 +8,7 @@ namespace breccia {
 
 /// The kind of modulus, or of compliance, in a column of a file.
 enum class ModulusKind {
-  unspecified,  ///< a modulus whose kind the name of the column does not say
+  unspecified,  ///< a modulus whose kind is not in the name of the column
   shear,        ///< shear modulus G
   young,        ///< Young's modulus E
   bulk,         ///< bulk modulus K
@@ -18,14 +18,14 @@ enum class ModulusKind {
 /// The name of a kind: "shear modulus", "Young's modulus", "bulk modulus"; "modulus" for the others.
 std::string_view name(ModulusKind kind);
 
-/// The beginning of the names of columns: "shear_", "youngs_", "bulk_"; empty for the others. It also precedes the
-/// moduli of dynamic tests: "shear_storage_modulus_Pa".
+/// The prefix of the names of columns: "shear_", "youngs_", "bulk_"; empty for the others. The moduli of dynamic tests
+/// have it, too: "shear_storage_modulus_Pa".
 std::string_view column_prefix(ModulusKind kind);
 
 /// The symbol of a kind: G, E or K; G for the others.
 std::string_view symbol(ModulusKind kind);
 
-/// The kind that a word in the name of a column stands for, such as "shear" or "tensile"; nothing for other words.
+/// The kind meant by a word in the name of a column, such as "shear" or "tensile"; nothing for other words.
 std::optional<ModulusKind> kind_of_word(std::string_view word);
 
 /// The end of a message: how to convert the modulus in the file into the wanted one.

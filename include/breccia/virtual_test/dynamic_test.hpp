@@ -41,8 +41,8 @@ struct TimeDomain {
   TimeWindow window;            ///< times at which the run is valid [s]
   std::int64_t steps = 0;
   std::size_t terms = 0;  ///< largest number of integrated Prony terms of a material
-  /// Bound on the relative error of the moduli without the other Prony terms [-], from the time on at which the run was
-  /// expected to become valid. A first run with a given density factor may be used earlier (theory, section 4).
+  /// Bound on the relative error of the moduli without the other Prony terms [-], from the expected start of the
+  /// validity of the run on. A first run with a given density factor may be used earlier (theory, section 4).
   double reduction_error = 0.0;
   double seconds = 0.0;  ///< wall time [s]
   /// The modulus [Pa] from the start of the ramp on, or the reciprocal of the creep compliance, 1 / J(t), from the end
@@ -80,17 +80,17 @@ struct DynamicPlan {
   std::vector<TimeDomain> domains;  ///< without histories and wall times
   std::size_t bytes = 0;            ///< approximate memory of the largest run [B]
 };
-/// Plans the time domains of a test. Throws as run_dynamic_test(). With a refinement the plan is that of the same test
-/// with so many times the cells along each axis; a large grid is planned by a small one in little time and memory.
-/// Instantiated, as the functions below, for 2 and 3 dimensions.
+/// Plans the time domains of a test. Throws the errors of run_dynamic_test(). The plan is that of the test with
+/// `refinement` times as many cells along each axis, so that a large grid is planned by a small one in little time and
+/// memory. Instantiated, as the functions below, for 2 and 3 dimensions.
 template <int dim>
 DynamicPlan plan_dynamic_test(const DynamicTest<dim>& test, double refinement = 1.0);
 
 /// Runs the time domains that the test needs and stitches their curves. The share of the progress is estimated on the
 /// logarithmic time axis. With a checkpoint, the state is saved when that
 /// is due, and an earlier state is resumed, with the same bits as in one run.
-/// Throws InputError for an incomplete test or a load that there is not in so many dimensions, NumericalError when a
-/// run is unstable or the times cannot be covered.
+/// Throws InputError for an incomplete test or a load that does not exist in this number of dimensions, NumericalError
+/// when a run is unstable or the times cannot be covered.
 template <int dim>
 DynamicTestResult run_dynamic_test(const DynamicTest<dim>& test, const ProgressObserver& observer = {},
                                    const DomainObserver& finished = {}, Checkpoint* checkpoint = nullptr);

@@ -20,8 +20,8 @@ Extrapolated extrapolate(std::span<const double> cell_sides, std::span<const dou
 
 /// Half widths of the error band of a curve on the finer of two grids, in the unit of its values: twice the largest
 /// difference of the coarser grid up to each time, relative to the finer one, times the value. For mixed cells, whose
-/// error has either sign, so that the change at one time says little (theory, Eq. 43). Both curves have the same times,
-/// in rising order. Throws InputError when their lengths differ.
+/// error has either sign, so that the change at one time is no estimate (theory, Eq. 43). Both curves have the same
+/// times, in rising order. Throws InputError when their lengths differ.
 std::vector<double> half_bands_of_mixed_cells(std::span<const double> coarse, std::span<const double> fine);
 
 }  // namespace breccia

@@ -32,7 +32,7 @@ class ShearModulusBounds {
   /// Shear modulus [Pa] of the composite if the medium around each phase had these moduli [Pa].
   [[nodiscard]] double surrounded_by(double bulk, double shear, double time) const;
 
-  /// What a medium with these moduli [Pa] adds to the shear modulus of a phase that it surrounds [Pa].
+  /// The term that a medium with these moduli [Pa] adds to the shear modulus of a phase within it [Pa].
   double (*surrounding_)(double bulk, double shear);
   std::vector<Phase> phases_;
 };

@@ -18,7 +18,7 @@ namespace breccia {
 
 class Checkpoint;
 
-/// How the quasi-static method integrates through time.
+/// The integration of the quasi-static method through time.
 enum class Solver {
   reduced,  ///< reduced basis of a few elastic solutions, with exact poles in time
   stepping  ///< log-time stepping: the reference
@@ -30,7 +30,7 @@ inline constexpr auto words<Solver> = std::to_array<Word<Solver>>({{"reduced", S
 
 /// Training set of a reduced response: moduli of the matrix and of the other phases that vary.
 enum class SampledRange {
-  matrix,  ///< the whole relaxation of these phases: that of a matrix alone then holds for every temperature
+  matrix,  ///< the whole relaxation of these phases: with the matrix alone it is valid at every temperature
   times    ///< the moduli that matter at the times of the test
 };
 
@@ -48,8 +48,8 @@ struct QuasistaticOptions {
   LinearOptions linear = {};
 };
 
-/// What a quasi-static test is done on: cells in 2 or 3 dimensions, or grains and films, whose boundary is that of the
-/// test. Of grains and films the binder alone relaxes and varies.
+/// The body of a quasi-static test: cells in 2 or 3 dimensions, or grains and films, whose boundary is that of the
+/// test. In grains and films only the binder relaxes and varies.
 using QuasistaticComposite = std::variant<Discretisation<2>, Discretisation<3>, FilmProblem>;
 
 /// A quasi-static virtual test.
@@ -59,11 +59,11 @@ struct QuasistaticTest {
   /// The phases whose moduli vary in the reduced basis, the matrix first: all that relax, and any other. The stepping
   /// solver of cells does not use them; that of films takes the first for the binder.
   std::vector<VaryingPhase> varying = {};
-  /// Other materials of these phases, each time in their order, for which the reduced response is to hold as well.
+  /// Other materials of these phases, each list in their order, for which the reduced response must be valid, too.
   std::vector<std::vector<Material>> variants = {};
   /// Carson moduli [Pa] of these phases and of their variants, in their order, over their whole relaxation, from stiff
-  /// to soft. They are given when the matrix is itself a composite, whose series is a fit to some times alone; empty,
-  /// they follow from the series. Used with SampledRange::matrix alone.
+  /// to soft, for a matrix that is itself a composite, whose series is a fit to some times alone. Empty: those of the
+  /// series. Used with SampledRange::matrix alone.
   std::vector<std::vector<Moduli>> relaxation = {};
   Boundary boundary = Boundary::displacement;
   std::vector<Load> loads;

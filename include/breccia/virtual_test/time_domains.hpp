@@ -29,7 +29,7 @@ struct DomainRules {
   [[nodiscard]] double transit(double density_factor, double modulus) const;
 };
 
-/// Chooses density factors one after the other from the curve as it is computed.
+/// Chooses density factors one after the other from the curve while it is computed.
 ///
 /// A domain is valid while its factor is at most the admissible factor. It ends when the next factor has been
 /// admissible for the ratio of times `overlap`. If the composite relaxes so fast that the admissible factor falls
@@ -48,7 +48,7 @@ class DomainSequence {
   [[nodiscard]] std::optional<TimeWindow> window() const noexcept { return window_; }
 
   /// Records the composite's shear modulus [Pa] at a time [s]; times must rise. Returns false when the domain is
-  /// finished: the last requested time is reached, or the next domain can take over.
+  /// finished: the last requested time is reached, or the next domain is valid.
   /// Throws NumericalError when the first domain becomes valid only after the first requested time.
   [[nodiscard]] bool observe(double time, double modulus);
 

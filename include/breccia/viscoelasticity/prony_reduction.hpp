@@ -34,6 +34,6 @@ struct PronyReduction {
 /// whose deviations exceed it least are returned; see worst_deviation(). Throws InputError for a window of no length, a
 /// tolerance that is not positive, and a modulus that is not positive in the window.
 PronyReduction reduce_prony(std::span<const PronySeries> series, const TimeWindow& window,
-                        const PronyReductionOptions& options = {});
+                            const PronyReductionOptions& options = {});
 
 }  // namespace breccia

@@ -17,17 +17,17 @@ FilmElement film_element(const FilmStretch& stretch) {
   const Eigen::Vector2d lengths{(first[1] - first[0]).dot(stretch.direction),
                                 (second[1] - second[0]).dot(stretch.direction)};
   const double mean_length = lengths.mean();
-  const auto& [gauss_places, gauss_weights] = gauss_rule();
+  const auto& [gauss_points, gauss_weights] = gauss_rule();
   const auto deviatoric = plane_strain_stiffness({.bulk = 0.0, .shear = 1.0});
 
-  for (std::size_t i = 0; i < gauss_places.size(); ++i) {
-    const double x = gauss_places[i];
+  for (std::size_t i = 0; i < gauss_points.size(); ++i) {
+    const double x = gauss_points[i];
     const auto along = quadratic(x), slope = quadratic_slope(x);
-    // How far the place on the second side is ahead of that on the first one.
+    // The offset, along the film, of the point on the second side relative to that on the first.
     const double ahead = linear(x).dot(
         Eigen::Vector2d((second[0] - first[0]).dot(stretch.direction), (second[1] - first[1]).dot(stretch.direction)));
-    for (std::size_t j = 0; j < gauss_places.size(); ++j) {
-      const auto across = linear(gauss_places[j]);
+    for (std::size_t j = 0; j < gauss_points.size(); ++j) {
+      const auto across = linear(gauss_points[j]);
       const double half_length = 0.5 * across.dot(lengths);
       Gradients gradients(2, 6);
       for (int side = 0; side < 2; ++side) {

@@ -20,7 +20,7 @@ struct FilmMatrices {
   Sparse volume;                                       ///< lower triangle of the products of the pressures' functions
   Eigen::Matrix<double, Eigen::Dynamic, 3> tractions;  ///< forces of the stresses xx, yy and xy on the boundary
   Eigen::Matrix<double, Eigen::Dynamic, 4> by_gradient;  ///< unknowns of the displacement gradients 11, 12, 21 and 22
-  /// From the first node to the one that a traction boundary keeps from moving along the second axis.
+  /// Vector from the first node to the node whose second component a traction boundary holds at zero.
   Eigen::Vector2d farthest_held = Eigen::Vector2d::Zero();
   double area = 0.0;  ///< of grains and binder, of a box of area 1
 };

@@ -27,11 +27,11 @@ std::vector<NodeImage> FilmMesh::nodes_of(const Junction& junction) const {
   return nodes;
 }
 
-/// The node of a film's side at one of the places along it: the ends and middles of its elements.
-NodeImage FilmMesh::node_of_side(const Film& film, std::size_t side, int place_along) const {
+/// The node of a film's side with an index along it: the ends and middles of its elements, in turn.
+NodeImage FilmMesh::node_of_side(const Film& film, std::size_t side, int index_along) const {
   const auto& [begin, end, face] = film.sides[side];
   if (!face) return node_of(begin);
-  const int past = side == 0 ? place_along : 2 * film.segments - place_along;
+  const int past = side == 0 ? index_along : 2 * film.segments - index_along;
   return {begin.grain, unknowns_.node(begin.grain, *face, past), begin.image};
 }
 
@@ -48,7 +48,7 @@ std::array<NodeImage, 6> FilmMesh::nodes_of_stretch(std::size_t film, int elemen
 FilmStretch FilmMesh::stretch(std::size_t film, int element) const {
   const auto nodes = nodes_of_stretch(film, element);
   const auto& [sides, direction, normal, thickness, junctions, segments] = network_.films[film];
-  return {.ends = {{{place(nodes[0]), place(nodes[2])}, {place(nodes[3]), place(nodes[5])}}},
+  return {.ends = {{{position(nodes[0]), position(nodes[2])}, {position(nodes[3]), position(nodes[5])}}},
           .direction = direction,
           .normal = normal,
           .thickness = thickness};
@@ -56,7 +56,7 @@ FilmStretch FilmMesh::stretch(std::size_t film, int element) const {
 
 Eigen::Vector2d FilmMesh::cut(std::size_t film, std::size_t end) const {
   const auto& corners = network_.junctions[network_.films[film].junctions[end]].corners;
-  return network_.place(corners.front()) - network_.place(corners.back());
+  return network_.position(corners.front()) - network_.position(corners.back());
 }
 
 }  // namespace breccia::films

@@ -31,14 +31,14 @@ class FilmMesh {
   [[nodiscard]] const std::vector<GrainMesh>& grains() const noexcept { return grains_; }
   [[nodiscard]] const Unknowns& unknowns() const noexcept { return unknowns_; }
 
-  [[nodiscard]] Eigen::Vector2d place(const NodeImage& node) const {
+  [[nodiscard]] Eigen::Vector2d position(const NodeImage& node) const {
     return grains_[node.grain].nodes[node.number] + node.image.cast<double>();
   }
   [[nodiscard]] NodeImage node_of(const CornerImage& corner) const {
     return {corner.grain, unknowns_.node(corner.grain, corner.corner, 0), corner.image};
   }
   [[nodiscard]] std::vector<NodeImage> nodes_of(const Junction& junction) const;
-  /// The nodes of an element of a film: begin, middle and end of its first side, then of its second one.
+  /// The nodes of an element of a film: start, middle and end of its first side, then of its second one.
   [[nodiscard]] std::array<NodeImage, 6> nodes_of_stretch(std::size_t film, int element) const;
   /// The shape of an element of a film.
   [[nodiscard]] FilmStretch stretch(std::size_t film, int element) const;
@@ -50,7 +50,7 @@ class FilmMesh {
   }
 
  private:
-  [[nodiscard]] NodeImage node_of_side(const Film& film, std::size_t side, int place_along) const;
+  [[nodiscard]] NodeImage node_of_side(const Film& film, std::size_t side, int index_along) const;
 
   FilmNetwork network_;
   std::vector<GrainMesh> grains_;

@@ -4,7 +4,7 @@
 
 namespace breccia::films {
 
-/// How soft the opening of a film in a wall under tractions is (theory, Eq. 63b).
+/// Stiffness of the opening of a film in a wall under tractions (theory, Eq. 63b).
 struct FilmOpening {
   Eigen::Vector2d slip;       ///< direction of the slip, along the wall, of length 1
   Eigen::Matrix2d stiffness;  ///< of a unit shear modulus, for the flow of the film and the slip

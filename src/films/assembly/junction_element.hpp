@@ -6,8 +6,8 @@
 
 namespace breccia::films {
 
-/// What the binder between the corners of grains adds to the matrices (theory, Eq. 64): triangles from the first
-/// corner, with linear displacements. The unknowns are the displacements of the corners, two components each.
+/// Matrices of the binder between the corners of grains (theory, Eq. 64): triangles from the first corner, with linear
+/// displacements. The unknowns are the displacements of the corners, two components each.
 struct JunctionElement {
   Eigen::MatrixXd shear;          ///< stiffness of a unit shear modulus
   Eigen::RowVectorXd dilatation;  ///< change of area

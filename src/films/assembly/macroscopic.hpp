@@ -12,10 +12,10 @@ namespace breccia::films {
   return {strain.xx, strain.yy, 2.0 * strain.xy};
 }
 
-/// Displacement at a place by the macroscopic strains xx, yy and the engineering shear.
-[[nodiscard]] inline Eigen::Matrix<double, 2, 3> affine_motion(const Eigen::Vector2d& place) {
+/// Matrix that gives the displacement at a position from the macroscopic strains xx, yy and the engineering shear.
+[[nodiscard]] inline Eigen::Matrix<double, 2, 3> affine_motion(const Eigen::Vector2d& position) {
   Eigen::Matrix<double, 2, 3> motion;
-  motion << place.x(), 0.0, 0.5 * place.y(), 0.0, place.y(), 0.5 * place.x();
+  motion << position.x(), 0.0, 0.5 * position.y(), 0.0, position.y(), 0.5 * position.x();
   return motion;
 }
 

@@ -82,8 +82,8 @@ void MatrixAssembly::add_traction(int unknown, const Eigen::RowVector3d& forces)
   if (unknown != held) result_.tractions.row(unknown) += forces;
 }
 
-void MatrixAssembly::set_place(int unknown, int component, const Eigen::Vector2d& place) {
-  if (unknown != held) result_.by_gradient.row(unknown).segment<2>(2 * component) = place.transpose();
+void MatrixAssembly::set_position(int unknown, int component, const Eigen::Vector2d& position) {
+  if (unknown != held) result_.by_gradient.row(unknown).segment<2>(2 * component) = position.transpose();
 }
 
 MatrixAssembly::Part::Part(int unknowns)

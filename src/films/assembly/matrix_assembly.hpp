@@ -13,13 +13,13 @@ namespace breccia::films {
 /// Force on a line by the stresses xx, yy and xy; `line` has the body on its left.
 [[nodiscard]] Eigen::Matrix<double, 2, 3> traction_on(const Eigen::Vector2d& line);
 
-/// Unknowns of an element: their numbers, and what each of them is by the macroscopic strains.
+/// Unknowns of an element: their numbers, and the value of each of them in each macroscopic strain.
 struct ElementUnknowns {
   std::vector<int> numbers;
   Eigen::Matrix<double, Eigen::Dynamic, 3> macroscopic;
 };
 
-/// Adds up the matrices of elements, whatever they are. Nothing is added for an unknown that is held.
+/// Adds up the matrices of elements of any kind. Nothing is added for an unknown that is held.
 class MatrixAssembly {
  public:
   MatrixAssembly(int unknowns, int pressures);
@@ -35,18 +35,18 @@ class MatrixAssembly {
   void add_area(double area) { result_.area += area; }
   /// Forces of the stresses xx, yy and xy on an unknown.
   void add_traction(int unknown, const Eigen::RowVector3d& forces);
-  /// The component of a displacement at a place, seen from the first node.
-  void set_place(int unknown, int component, const Eigen::Vector2d& place);
-  /// The place, seen from the first node, of the one that a traction boundary holds against rotation.
-  void set_farthest_held(const Eigen::Vector2d& place) { result_.farthest_held = place; }
+  /// Sets the position, relative to the first node, of the node to whose displacement component an unknown belongs.
+  void set_position(int unknown, int component, const Eigen::Vector2d& position);
+  /// Sets the position, relative to the first node, of the node that a traction boundary holds against rotation.
+  void set_farthest_held(const Eigen::Vector2d& position) { result_.farthest_held = position; }
 
   [[nodiscard]] FilmMatrices finish();
 
  private:
   using Entries = std::vector<Eigen::Triplet<double>>;
 
-  /// A symmetric matrix that is added up: what has been added up, and further entries of its lower triangle; the forces
-  /// of the macroscopic strains on the unknowns, and their own stiffness.
+  /// A symmetric matrix that is added up: its sum so far, and further entries of its lower triangle; the forces of the
+  /// macroscopic strains on the unknowns, and the stiffness of the macroscopic strains.
   struct Part {
     explicit Part(int unknowns);
     void add_up();

@@ -42,14 +42,14 @@ MixedElement mixed_quadrilateral(const std::array<Eigen::Vector2d, 4>& corners) 
   MixedElement element{Eigen::MatrixXd::Zero(2 * nodes, 2 * nodes), Eigen::MatrixXd::Zero(pressures, 2 * nodes),
                        Eigen::MatrixXd::Zero(pressures, pressures)};
   const auto deviatoric = unit_deviatoric_stiffness();
-  const auto& [places, weights] = gauss_rule();
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    for (std::size_t j = 0; j < places.size(); ++j) {
-      const double x = places[i], y = places[j];
+  const auto& [points, weights] = gauss_rule();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t j = 0; j < points.size(); ++j) {
+      const double x = points[i], y = points[j];
       const auto along = linear(x), across = linear(y);
       const Eigen::Vector4d of_corners(along[0] * across[0], along[1] * across[0], along[1] * across[1],
                                        along[0] * across[1]);
-      Eigen::Matrix2d jacobian;  // derivatives of the place by x and by y
+      Eigen::Matrix2d jacobian;  // derivatives of the position by x and y
       jacobian << 0.5 * (across[0] * (corners[1] - corners[0]) + across[1] * (corners[2] - corners[3])),
           0.5 * (along[0] * (corners[3] - corners[0]) + along[1] * (corners[2] - corners[1]));
       Gradients gradients(2, nodes);

@@ -5,7 +5,7 @@
 namespace breccia::films {
 
 const GaussRule& gauss_rule() {
-  static const GaussRule rule = {.places = {-std::sqrt(0.6), 0.0, std::sqrt(0.6)},
+  static const GaussRule rule = {.points = {-std::sqrt(0.6), 0.0, std::sqrt(0.6)},
                                  .weights = {5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0}};
   return rule;
 }

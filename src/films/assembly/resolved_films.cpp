@@ -15,7 +15,7 @@
 namespace breccia::films {
 namespace {
 
-/// Whether two places are on the same wall of the box.
+/// Whether two positions are on the same wall of the box.
 bool are_on_a_wall(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   constexpr double tolerance = 1e-10;
   const auto is_at = [&](int axis, double wall) {
@@ -56,7 +56,7 @@ class ResolvedUnknowns {
  private:
   static constexpr int none = -1;
 
-  /// Holds the height of the node that is farthest from the first one along the other axis.
+  /// Holds the second displacement component of the node that is farthest from the first one along the first axis.
   void hold_rotation(const ResolvedMesh& mesh) {
     const auto distance = [&](std::size_t node) { return std::abs(mesh.nodes[node].x() - mesh.nodes[0].x()); };
     for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
@@ -79,19 +79,19 @@ class ResolvedUnknowns {
   int count_ = 0, pressure_count_ = 0;
 };
 
-/// Places of all nodes of an element: its corners, the middles of its edges, and its centre if it has one.
+/// Positions of all nodes of an element: its corners, the middles of its edges, and its centre if it has one.
 template <std::size_t corners, std::size_t count>
-std::array<Eigen::Vector2d, count> places_of(const MeshElement<corners, count>& element) {
-  std::array<Eigen::Vector2d, count> places;
-  places.back().setZero();
+std::array<Eigen::Vector2d, count> positions_of(const MeshElement<corners, count>& element) {
+  std::array<Eigen::Vector2d, count> positions;
+  positions.back().setZero();
   for (std::size_t c = 0; c < corners; ++c) {
-    places[c] = element.places[c];
-    places[corners + c] = 0.5 * (element.places[c] + element.places[(c + 1) % corners]);
+    positions[c] = element.positions[c];
+    positions[corners + c] = 0.5 * (element.positions[c] + element.positions[(c + 1) % corners]);
   }
   if constexpr (count > 2 * corners) {
-    for (const auto& corner : element.places) places.back() += corner / static_cast<double>(corners);
+    for (const auto& corner : element.positions) positions.back() += corner / static_cast<double>(corners);
   }
-  return places;
+  return positions;
 }
 
 /// Adds up the matrices of the elements of a mesh.
@@ -103,15 +103,15 @@ class ResolvedFilms {
   void add_grains(const Moduli& moduli) {
     const auto elasticity = plane_strain_stiffness(moduli);
     for (const auto& element : mesh_.grains) {
-      const auto triangle = quadratic_triangle(element.places);
+      const auto triangle = quadratic_triangle(element.positions);
       sum_.add_grain(unknowns_of(element), triangle_stiffness(triangle, elasticity));
       sum_.add_area(triangle.area);
     }
   }
 
   void add_binder() {
-    for (const auto& element : mesh_.quadrilaterals) add_mixed(element, mixed_quadrilateral(element.places));
-    for (const auto& element : mesh_.triangles) add_mixed(element, mixed_triangle(element.places));
+    for (const auto& element : mesh_.quadrilaterals) add_mixed(element, mixed_quadrilateral(element.positions));
+    for (const auto& element : mesh_.triangles) add_mixed(element, mixed_triangle(element.positions));
   }
 
   /// Uniform tractions on the edges along the walls.
@@ -121,11 +121,11 @@ class ResolvedFilms {
     for (const auto& element : mesh_.triangles) add_tractions(element);
   }
 
-  /// What the unknowns are in a uniform displacement gradient that leaves the first node where it is.
+  /// Sets the unknowns in a uniform displacement gradient with no displacement at the first node.
   void add_uniform_gradients() {
     const auto& first = mesh_.nodes[0];
     for (std::size_t n = 0; n < mesh_.nodes.size(); ++n) {
-      for (int i = 0; i < 2; ++i) sum_.set_place(unknowns_.displacement(n, i), i, mesh_.nodes[n] - first);
+      for (int i = 0; i < 2; ++i) sum_.set_position(unknowns_.displacement(n, i), i, mesh_.nodes[n] - first);
     }
     sum_.set_farthest_held(mesh_.nodes[unknowns_.farthest_held()] - first);
   }
@@ -133,15 +133,16 @@ class ResolvedFilms {
   [[nodiscard]] FilmMatrices finish() { return sum_.finish(); }
 
  private:
-  /// The displacements of the nodes of an element, seen from its first node like those of thin films.
+  /// The displacements of the nodes of an element; the macroscopic motion is relative to its first node, as for thin
+  /// films.
   template <std::size_t corners, std::size_t count>
   [[nodiscard]] ElementUnknowns unknowns_of(const MeshElement<corners, count>& element) const {
     ElementUnknowns unknowns;
     unknowns.macroscopic.resize(static_cast<Eigen::Index>(2 * count), 3);
-    const auto places = places_of(element);
+    const auto positions = positions_of(element);
     for (std::size_t n = 0; n < count; ++n) {
       unknowns.macroscopic.template middleRows<2>(2 * static_cast<Eigen::Index>(n)) =
-          affine_motion(places[n] - places[0]);
+          affine_motion(positions[n] - positions[0]);
       for (int i = 0; i < 2; ++i) unknowns.numbers.push_back(unknowns_.displacement(element.nodes[n], i));
     }
     return unknowns;
@@ -162,8 +163,8 @@ class ResolvedFilms {
   void add_tractions(const MeshElement<corners, count>& element) {
     for (std::size_t c = 0; c < corners; ++c) {
       const std::size_t next = (c + 1) % corners;
-      if (!are_on_a_wall(element.places[c], element.places[next])) continue;
-      const auto force = traction_on(element.places[next] - element.places[c]);
+      if (!are_on_a_wall(element.positions[c], element.positions[next])) continue;
+      const auto force = traction_on(element.positions[next] - element.positions[c]);
       add_node_force(element.nodes[c], 1.0 / 6.0 * force);
       add_node_force(element.nodes[corners + c], 4.0 / 6.0 * force);
       add_node_force(element.nodes[next], 1.0 / 6.0 * force);

@@ -32,11 +32,12 @@ class ThinFilms {
   void add_grains(const Moduli& moduli) {
     const auto elasticity = plane_strain_stiffness(moduli);
     for (std::size_t g = 0; g < meshes_.size(); ++g) {
-      const auto& places = meshes_[g].nodes;
+      const auto& positions = meshes_[g].nodes;
       for (const auto& triangle : meshes_[g].triangles) {
         std::vector<NodeImage> nodes;
         for (const auto node : triangle) nodes.push_back({g, node, Eigen::Vector2i::Zero()});
-        const auto functions = quadratic_triangle({places[triangle[0]], places[triangle[1]], places[triangle[2]]});
+        const auto functions =
+            quadratic_triangle({positions[triangle[0]], positions[triangle[1]], positions[triangle[2]]});
         sum_.add_grain(unknowns_of(nodes, {}), triangle_stiffness(functions, elasticity));
       }
       sum_.add_area(films::area(network_.grains[g].corners));
@@ -59,9 +60,9 @@ class ThinFilms {
 
   void add_junctions() {
     for (std::size_t j = 0; j < network_.junctions.size(); ++j) {
-      std::vector<Eigen::Vector2d> places;
-      for (const auto& corner : network_.junctions[j].corners) places.push_back(network_.place(corner));
-      const auto element = junction_element(places);
+      std::vector<Eigen::Vector2d> positions;
+      for (const auto& corner : network_.junctions[j].corners) positions.push_back(network_.position(corner));
+      const auto element = junction_element(positions);
       const auto unknowns = unknowns_of(mesh_.nodes_of(network_.junctions[j]), {});
       const std::array pressures = {static_cast<int>(j)};
       sum_.add_shear(unknowns, element.shear);
@@ -71,7 +72,7 @@ class ThinFilms {
     }
   }
 
-  /// Uniform tractions on what is cut by the walls.
+  /// Adds uniform tractions on the grains and junctions that the walls cut.
   void add_tractions() {
     for (std::size_t g = 0; g < network_.grains.size(); ++g) {
       for (const auto& edge : network_.grains[g].edges) {
@@ -81,20 +82,20 @@ class ThinFilms {
     for (const auto& junction : network_.junctions) {
       if (!junction.is_at_wall) continue;
       const auto force =
-          traction_on(network_.place(junction.corners.front()) - network_.place(junction.corners.back()));
+          traction_on(network_.position(junction.corners.front()) - network_.position(junction.corners.back()));
       for (const auto& corner : {junction.corners.front(), junction.corners.back()}) {
         add_node_force(mesh_.node_of(corner), 0.5 * force);
       }
     }
   }
 
-  /// What the unknowns are in a uniform displacement gradient that leaves the first node where it is.
+  /// Sets the unknowns in a uniform displacement gradient with no displacement at the first node.
   void add_uniform_gradients() {
     const auto& first = meshes_[0].nodes[0];
     for (std::size_t g = 0; g < meshes_.size(); ++g) {
       for (std::size_t n = 0; n < meshes_[g].nodes.size(); ++n) {
-        const Eigen::Vector2d place = meshes_[g].nodes[n] - first;
-        for (int i = 0; i < 2; ++i) sum_.set_place(unknowns_.displacement(g, n, i), i, place);
+        const Eigen::Vector2d position = meshes_[g].nodes[n] - first;
+        for (int i = 0; i < 2; ++i) sum_.set_position(unknowns_.displacement(g, n, i), i, position);
       }
     }
     sum_.set_farthest_held(unknowns_.farthest_held() - first);
@@ -103,14 +104,15 @@ class ThinFilms {
   [[nodiscard]] FilmMatrices finish() { return sum_.finish(); }
 
  private:
-  /// The displacements of nodes, and flows. The macroscopic motion is taken from the first node: a translation does no
-  /// work on an element, and the motion from the origin of the box would add its rounding to the element's forces.
+  /// The displacements of nodes, and flows. The macroscopic motion is relative to the first node: a translation does no
+  /// work on an element, and the motion relative to the origin of the box would add its rounding to the element's
+  /// forces.
   [[nodiscard]] ElementUnknowns unknowns_of(std::span<const NodeImage> nodes, std::span<const int> flows) const {
     ElementUnknowns unknowns;
     unknowns.macroscopic.setZero(static_cast<Eigen::Index>(2 * nodes.size() + flows.size()), 3);
     for (std::size_t n = 0; n < nodes.size(); ++n) {
       unknowns.macroscopic.middleRows<2>(2 * static_cast<Eigen::Index>(n)) =
-          affine_motion(mesh_.place(nodes[n]) - mesh_.place(nodes[0]));
+          affine_motion(mesh_.position(nodes[n]) - mesh_.position(nodes[0]));
       for (int i = 0; i < 2; ++i) {
         unknowns.numbers.push_back(unknowns_.displacement(nodes[n].grain, nodes[n].number, i));
       }
@@ -134,7 +136,8 @@ class ThinFilms {
     return end == 0 ? unknowns_.flow(film, 0, 0) : unknowns_.flow(film, network_.films[film].segments - 1, 1);
   }
 
-  /// At a wall under tractions a film flows out, and its opening slips along the wall.
+  /// Adds the stiffness of the opening of a film in a wall under tractions, where the film flows out and the opening
+  /// slips along the wall.
   void add_opening(std::size_t f, std::size_t end) {
     const auto& film = network_.films[f];
     const int flow = flow_at(f, end), slip = unknowns_.slip(f, end);
@@ -155,7 +158,7 @@ class ThinFilms {
         nodes[static_cast<std::size_t>(k)] = {grain, unknowns_.node(grain, face, 2 * element + k),
                                               Eigen::Vector2i::Zero()};
       }
-      const auto force = traction_on(mesh_.place(nodes[2]) - mesh_.place(nodes[0]));
+      const auto force = traction_on(mesh_.position(nodes[2]) - mesh_.position(nodes[0]));
       for (std::size_t k = 0; k < 3; ++k) add_node_force(nodes[k], shares[k] * force);
     }
   }

@@ -59,7 +59,7 @@ void Unknowns::hold_translations() {
   displacements_[0][0] = displacements_[0][1] = held;
 }
 
-/// Holds the height of the node that is farthest from the first one along the other axis.
+/// Holds the second displacement component of the node that is farthest from the first one along the first axis.
 void Unknowns::hold_rotation(const std::vector<GrainMesh>& meshes) {
   double farthest = 0.0;
   int* rotated = nullptr;
@@ -80,11 +80,11 @@ std::array<int, 3> Unknowns::pressures(const FilmNetwork& network, std::size_t f
   const int last = 2 * network.films[film].segments;
   std::array<int, 3> numbers{};
   for (int k = 0; k < 3; ++k) {
-    const int place = 2 * element + k;
+    const int index = 2 * element + k;
     auto& number = numbers[static_cast<std::size_t>(k)];
-    number = first_pressures_[film] + place - 1;
-    if (place == 0) number = static_cast<int>(begin);
-    if (place == last) number = static_cast<int>(end);
+    number = first_pressures_[film] + index - 1;
+    if (index == 0) number = static_cast<int>(begin);
+    if (index == last) number = static_cast<int>(end);
   }
   return numbers;
 }

@@ -27,7 +27,7 @@ class Unknowns {
   [[nodiscard]] int count() const noexcept { return count_; }
   [[nodiscard]] int pressures() const noexcept { return pressures_; }
 
-  /// Of a component of a node of a grain, or `held`.
+  /// The number of a displacement component of a node of a grain, or `held`.
   [[nodiscard]] int displacement(std::size_t grain, std::size_t node, int component) const noexcept {
     return displacements_[grain][2 * node + static_cast<std::size_t>(component)];
   }
@@ -35,15 +35,15 @@ class Unknowns {
   [[nodiscard]] std::size_t node(std::size_t grain, std::size_t face, int past) const noexcept {
     return (first_nodes_[grain][face] + static_cast<std::size_t>(past)) % boundary_nodes_[grain];
   }
-  /// Of the flow at the begin (0) or the end (1) of an element of a film.
+  /// The number of the flow at the start (0) or the end (1) of an element of a film.
   [[nodiscard]] int flow(std::size_t film, int element, int end) const noexcept {
     return first_flows_[film] + 2 * element + end;
   }
-  /// Of the slip of the opening at the begin (0) or the end (1) of a film, or `held` where there is none.
+  /// The number of the slip of the opening at the start (0) or the end (1) of a film, or `held` where there is none.
   [[nodiscard]] int slip(std::size_t film, std::size_t end) const noexcept { return slips_[film][end]; }
-  /// The place of the node that a traction boundary holds against a rotation about the first node.
+  /// The position of the node that a traction boundary holds against a rotation about the first node.
   [[nodiscard]] const Eigen::Vector2d& farthest_held() const noexcept { return farthest_held_; }
-  /// Of the pressures at begin, middle and end of an element of a film.
+  /// The numbers of the pressures at the start, middle and end of an element of a film.
   [[nodiscard]] std::array<int, 3> pressures(const FilmNetwork& network, std::size_t film, int element) const noexcept;
 
  private:

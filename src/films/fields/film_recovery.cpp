@@ -20,25 +20,35 @@
 namespace breccia::films {
 namespace {
 
-/// The integral of the strain xx, yy and the engineering shear that a displacement of a stretch of the boundary adds;
-/// the body is on its left.
+/// The part of the integral of the strain (xx, yy, engineering shear) over a body that comes from the mean displacement
+/// of one edge of its boundary, by the theorem of Gauss; the body is on the left of the edge.
 Eigen::Vector3d strain_by(const Eigen::Vector2d& stretch, const Eigen::Vector2d& displacement) {
   const Eigen::Vector2d normal(stretch.y(), -stretch.x());
   return {normal.x() * displacement.x(), normal.y() * displacement.y(),
           normal.x() * displacement.y() + normal.y() * displacement.x()};
 }
 
-/// Mean of a quadratic function from its values at begin, middle and end.
+/// Mean of a quadratic function along a line, from its values at the start, middle and end.
 template <class Value>
 Value mean_of(const Value& begin, const Value& middle, const Value& end) {
   return (begin + 4.0 * middle + end) / 6.0;
+}
+
+/// Displacement of a node of an element, from those of all its nodes.
+Eigen::Vector2d at_node(const Eigen::VectorXd& displacements, Eigen::Index node) {
+  return displacements.segment<2>(2 * node);
+}
+
+/// Mean displacements of the two sides of a stretch of film.
+std::array<Eigen::Vector2d, 2> means_of_sides(const Eigen::VectorXd& u) {
+  return {mean_of(at_node(u, 0), at_node(u, 1), at_node(u, 2)), mean_of(at_node(u, 3), at_node(u, 4), at_node(u, 5))};
 }
 
 std::array<double, 3> as_tensor(const Eigen::Vector3d& strain) {
   return {strain[0], strain[1], 0.5 * strain[2]};
 }
 
-/// Stress of the deviator xx, yy, xy, whose zz is what makes it free of trace, and of a pressure.
+/// Stress xx, yy, zz, xy from the deviator xx, yy, xy, whose trace is zero, and a pressure.
 std::array<double, 4> stress_of(const Eigen::Vector3d& deviator, double pressure) {
   return {deviator[0] - pressure, deviator[1] - pressure, -deviator[0] - deviator[1] - pressure, deviator[2]};
 }
@@ -63,14 +73,31 @@ class Recovery {
     const auto ends = end_lengths(mesh_.network());
     for (std::size_t f = 0; f < mesh_.network().films.size(); ++f) add_film(f, ends[f]);
     for (std::size_t j = 0; j < mesh_.network().junctions.size(); ++j) add_junction(j);
+    scale_lengths();
     return std::move(fields_);
   }
 
  private:
-  /// Displacement of a node, seen from a place that takes no part in the macroscopic motion.
+  using Motions = std::array<Eigen::Vector2d, 2>;
+
+  /// Converts lengths from sides of the box to metres.
+  void scale_lengths() {
+    for (auto* vectors : {&fields_.points, &fields_.displacement}) {
+      for (auto& [x, y] : *vectors) {
+        x *= side_;
+        y *= side_;
+      }
+    }
+    for (auto& cell : fields_.cells) {
+      cell.area *= side_ * side_;
+      for (double* length : {&cell.slip, &cell.opening, &cell.flow}) *length *= side_;
+    }
+  }
+
+  /// Displacement of a node, with the macroscopic motion relative to the position `from`.
   [[nodiscard]] Eigen::Vector2d displacement_of(const FilmVector& of, const NodeImage& node,
                                                 const Eigen::Vector2d& from) const {
-    Eigen::Vector2d displacement = of.macroscopic() * affine_motion(mesh_.place(node) - from) * strain_;
+    Eigen::Vector2d displacement = of.macroscopic() * affine_motion(mesh_.position(node) - from) * strain_;
     for (int i = 0; i < 2; ++i) {
       const int number = mesh_.unknowns().displacement(node.grain, node.number, i);
       if (number != held) displacement[i] += of.unknowns()[number];
@@ -78,27 +105,28 @@ class Recovery {
     return displacement;
   }
 
-  /// Displacements of nodes seen from the first of them, two components each, and room for what else an element has.
+  /// Displacements of nodes relative to the first of them, two components each, and `others` zeros for the remaining
+  /// unknowns of an element.
   [[nodiscard]] Eigen::VectorXd displacements_of(const FilmVector& of, std::span<const NodeImage> nodes,
                                                  Eigen::Index others = 0) const {
     Eigen::VectorXd all = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(nodes.size()) + others);
     for (std::size_t n = 0; n < nodes.size(); ++n) {
-      all.segment<2>(2 * static_cast<Eigen::Index>(n)) = displacement_of(of, nodes[n], mesh_.place(nodes[0]));
+      all.segment<2>(2 * static_cast<Eigen::Index>(n)) = displacement_of(of, nodes[n], mesh_.position(nodes[0]));
     }
     return all;
   }
 
-  std::size_t add_point(const Eigen::Vector2d& place, const Eigen::Vector2d& displacement) {
-    fields_.points.push_back({side_ * place.x(), side_ * place.y()});
-    fields_.displacement.push_back({side_ * displacement.x(), side_ * displacement.y()});
+  std::size_t add_point(const Eigen::Vector2d& position, const Eigen::Vector2d& displacement) {
+    fields_.points.push_back({position.x(), position.y()});
+    fields_.displacement.push_back({displacement.x(), displacement.y()});
     return fields_.points.size() - 1;
   }
 
-  /// Adds a cell with points of its own at these nodes.
+  /// Adds a cell with these nodes as its corners, each with a new point.
   void add_cell(FilmCell cell, std::span<const NodeImage> nodes) {
     for (const auto& node : nodes) {
       const auto displacement = displacement_of(*displacement_, node, Eigen::Vector2d::Zero());
-      fields_.corners.push_back(add_point(mesh_.place(node), displacement));
+      fields_.corners.push_back(add_point(mesh_.position(node), displacement));
     }
     cell.corners = nodes.size();
     fields_.cells.push_back(cell);
@@ -111,7 +139,7 @@ class Recovery {
     const auto displacements = displacements_of(*displacement_, nodes);
     const auto elasticity = plane_strain_stiffness(grain_);
     const double first_lame = grain_.bulk - 2.0 / 3.0 * grain_.shear;
-    const Eigen::Vector2d offset = displacement_->macroscopic() * affine_motion(mesh_.place(nodes[0])) * strain_;
+    const Eigen::Vector2d offset = displacement_->macroscopic() * affine_motion(mesh_.position(nodes[0])) * strain_;
     std::vector<std::size_t> points(mesh.nodes.size());
     std::vector<bool> is_added(mesh.nodes.size(), false);
     for (const auto& triangle : mesh.triangles) {
@@ -122,7 +150,7 @@ class Recovery {
         u.segment<2>(2 * static_cast<Eigen::Index>(n)) =
             displacements.segment<2>(2 * static_cast<Eigen::Index>(triangle[n]));
       }
-      FilmCell cell{.part = FilmPart::grain, .corners = 3, .area = side_ * side_ * area};
+      FilmCell cell{.part = FilmPart::grain, .corners = 3, .area = area};
       Eigen::Vector3d mean = Eigen::Vector3d::Zero();
       for (const auto& gradients : at) {
         const Eigen::Vector3d strain = strain_rows(gradients) * u;
@@ -153,8 +181,8 @@ class Recovery {
     return of.unknowns()[mesh_.unknowns().slip(film, end)];
   }
 
-  /// By what the binder moves more than the faces at the ends of the elements of a film: the flow, of which two
-  /// elements have the mean, and the slip of an opening.
+  /// Displacements of the binder relative to the mean of the grain faces, at the ends of the elements of a film: the
+  /// flow, averaged over the two elements that meet, and at a wall under tractions the slip of the opening.
   [[nodiscard]] std::vector<Eigen::Vector2d> motions_between(std::size_t f) const {
     const auto& film = mesh_.network().films[f];
     std::vector<Eigen::Vector2d> motions = {flow(*displacement_, f, 0, 0) * film.direction};
@@ -207,42 +235,51 @@ class Recovery {
     return all;
   }
 
-  void add_stretch(std::size_t f, int element, const std::array<Eigen::Vector2d, 2>& motions, double work_of_ends) {
+  /// Values of a field of the pressure functions (a pressure or a volumetric strain) at the nodes of a stretch.
+  [[nodiscard]] Eigen::Vector3d at_pressures(const Eigen::VectorXd& field, std::size_t f, int element) const {
+    Eigen::Vector3d values;
+    const auto pressures = mesh_.unknowns().pressures(mesh_.network(), f, element);
+    for (std::size_t k = 0; k < pressures.size(); ++k) values[static_cast<Eigen::Index>(k)] = field[pressures[k]];
+    return values;
+  }
+
+  /// The integral of the strain over a stretch whose nodes have the displacements u: the sum over its two sides and its
+  /// two ends, at which the binder has the `motions` beyond the mean of the sides.
+  [[nodiscard]] Eigen::Vector3d strain_integral(std::span<const NodeImage> nodes, const Eigen::VectorXd& u,
+                                                const Motions& motions) const {
+    const auto position = [&](std::size_t node) { return mesh_.position(nodes[node]); };
+    const auto [first, second] = means_of_sides(u);
+    return strain_by(position(0) - position(2), first) + strain_by(position(5) - position(3), second) +
+           strain_by(position(3) - position(0), 0.5 * (at_node(u, 0) + at_node(u, 3)) + motions[0]) +
+           strain_by(position(2) - position(5), 0.5 * (at_node(u, 2) + at_node(u, 5)) + motions[1]);
+  }
+
+  void add_stretch(std::size_t f, int element, const Motions& motions, double work_of_ends) {
     const auto& film = mesh_.network().films[f];
     const auto nodes = mesh_.nodes_of_stretch(f, element);
     const auto matrices = film_element(mesh_.stretch(f, element));
     const auto u = unknowns_of_stretch(*displacement_, f, element);
     const Eigen::VectorXd shear_forces = matrices.shear * unknowns_of_stretch(*shear_, f, element);
-    Eigen::Vector3d dilatation, negative_pressure;
-    const auto pressures = mesh_.unknowns().pressures(mesh_.network(), f, element);
-    for (Eigen::Index k = 0; k < FilmElement::pressures; ++k) {
-      dilatation[k] = volumetric_strain_[pressures[static_cast<std::size_t>(k)]];
-      negative_pressure[k] = negative_pressure_[pressures[static_cast<std::size_t>(k)]];
-    }
+    const auto dilatation = at_pressures(volumetric_strain_, f, element);
+    const Eigen::Vector3d bulk_forces = matrices.volume * at_pressures(negative_pressure_, f, element);
+    const auto [first, second] = means_of_sides(u);
     const double area = matrices.volume.sum();
-    const auto at = [&u](Eigen::Index node) -> Eigen::Vector2d { return u.segment<2>(2 * node); };
-    const Eigen::Vector2d first = mean_of(at(0), at(1), at(2)), second = mean_of(at(3), at(4), at(5));
-    const auto place = [&](std::size_t node) { return mesh_.place(nodes[node]); };
-    const Eigen::Vector3d strain = strain_by(place(0) - place(2), first) + strain_by(place(5) - place(3), second) +
-                                   strain_by(place(3) - place(0), 0.5 * (at(0) + at(3)) + motions[0]) +
-                                   strain_by(place(2) - place(5), 0.5 * (at(2) + at(5)) + motions[1]);
-    FilmCell cell{.part = FilmPart::film, .area = side_ * side_ * area};
-    cell.strain = as_tensor(strain / area);
-    cell.stress =
-        stress_of(mean_deviator(nodes, shear_forces, area), -(matrices.volume * negative_pressure).sum() / area);
-    cell.work = (u.dot(shear_forces) + dilatation.dot(matrices.volume * negative_pressure) + work_of_ends) / area;
-    cell.slip = side_ * (second - first).dot(film.direction);
-    cell.opening = side_ * (second - first).dot(film.normal);
-    cell.flow = 0.5 * side_ * (u[FilmElement::displacements] + u[FilmElement::displacements + 1]);
+    FilmCell cell{.part = FilmPart::film, .area = area};
+    cell.strain = as_tensor(strain_integral(nodes, u, motions) / area);
+    cell.stress = stress_of(mean_deviator(nodes, shear_forces, area), -bulk_forces.sum() / area);
+    cell.work = (u.dot(shear_forces) + dilatation.dot(bulk_forces) + work_of_ends) / area;
+    cell.slip = (second - first).dot(film.direction);
+    cell.opening = (second - first).dot(film.normal);
+    cell.flow = 0.5 * (u[FilmElement::displacements] + u[FilmElement::displacements + 1]);
     add_cell(cell, std::array{nodes[2], nodes[0], nodes[3], nodes[5]});
   }
 
-  /// Mean stress of the forces on nodes that are in equilibrium with it: those forces' work on macroscopic motions.
+  /// Mean stress of an element, from the work of the forces on its nodes in macroscopic motions.
   [[nodiscard]] Eigen::Vector3d mean_deviator(std::span<const NodeImage> nodes, const Eigen::VectorXd& forces,
                                               double area) const {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (std::size_t n = 0; n < nodes.size(); ++n) {
-      sum += affine_motion(mesh_.place(nodes[n]) - mesh_.place(nodes[0])).transpose() *
+      sum += affine_motion(mesh_.position(nodes[n]) - mesh_.position(nodes[0])).transpose() *
              forces.segment<2>(2 * static_cast<Eigen::Index>(n));
     }
     return sum / area;
@@ -251,19 +288,19 @@ class Recovery {
   void add_junction(std::size_t j) {
     const auto nodes = mesh_.nodes_of(mesh_.network().junctions[j]);
     if (nodes.size() < 3) return;  // the end of a film at a wall has no area
-    std::vector<Eigen::Vector2d> places;
-    for (const auto& node : nodes) places.push_back(mesh_.place(node));
-    const auto element = junction_element(places);
+    std::vector<Eigen::Vector2d> positions;
+    for (const auto& node : nodes) positions.push_back(mesh_.position(node));
+    const auto element = junction_element(positions);
     const auto u = displacements_of(*displacement_, nodes);
     const Eigen::VectorXd shear_forces = element.shear * displacements_of(*shear_, nodes);
     Eigen::Vector3d strain = inflow_[j];
     for (std::size_t n = 0; n < nodes.size(); ++n) {
       const auto next = (n + 1) % nodes.size();
-      strain += strain_by(places[next] - places[n], 0.5 * (u.segment<2>(2 * static_cast<Eigen::Index>(n)) +
-                                                           u.segment<2>(2 * static_cast<Eigen::Index>(next))));
+      strain += strain_by(positions[next] - positions[n], 0.5 * (u.segment<2>(2 * static_cast<Eigen::Index>(n)) +
+                                                                 u.segment<2>(2 * static_cast<Eigen::Index>(next))));
     }
     const auto pressure = static_cast<Eigen::Index>(j);
-    FilmCell cell{.part = FilmPart::junction, .area = side_ * side_ * element.area};
+    FilmCell cell{.part = FilmPart::junction, .area = element.area};
     cell.strain = as_tensor(strain / element.area);
     cell.stress = stress_of(mean_deviator(nodes, shear_forces, element.area), -negative_pressure_[pressure]);
     cell.work =
@@ -279,7 +316,8 @@ class Recovery {
   Eigen::Vector3d strain_;
   const FilmVector *displacement_, *shear_;
   Eigen::VectorXd volumetric_strain_, negative_pressure_;  ///< by number of the pressure
-  std::vector<Eigen::Vector3d> inflow_;  ///< by junction: integral of the strain that the flow into it adds
+  std::vector<Eigen::Vector3d>
+      inflow_;  ///< by junction: the part of the integral of its strain that comes from flow into it
   FilmFields fields_;
 };
 

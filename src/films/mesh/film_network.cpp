@@ -23,7 +23,7 @@ struct EdgeOf {
   std::size_t edge;
 };
 
-/// Which edges of cells face each other, and which junction each of them leads to.
+/// The pairs of cell edges that face each other, and the junction at the end of each edge.
 class EdgePairs {
  public:
   explicit EdgePairs(std::vector<GrainPolygon>& grains) : grains_(grains) {
@@ -41,12 +41,12 @@ class EdgePairs {
     return {*edge.neighbour, number_.at(key(*edge.neighbour, at.grain, -edge.image))};
   }
 
-  /// Has erosion left a face of it on either side?
+  /// Whether erosion has left a face of the edge on either side.
   [[nodiscard]] bool is_alive(const EdgeOf& at) const {
     return (*this)(at).face || ((*this)(at).neighbour && (*this)(opposite(at)).face);
   }
 
-  /// The next such edge of the same cell.
+  /// The next edge of the cell that is alive.
   [[nodiscard]] EdgeOf next_alive(EdgeOf at) const {
     do {
       at.edge = (at.edge + 1) % grains_[at.grain].edges.size();
@@ -72,7 +72,8 @@ class EdgePairs {
     }
   }
 
-  /// Where four cells meet in a point, roundoff may leave one of them an edge of no length that no other one knows.
+  /// Removes edges without an opposite edge: where four cells meet at a point, roundoff may leave one of them an edge
+  /// of no length that no other cell has.
   void drop_single_edges() {
     for (std::size_t g = 0; g < grains_.size(); ++g) {
       std::erase_if(grains_[g].edges, [&](const CellEdge& edge) {
@@ -85,7 +86,7 @@ class EdgePairs {
   std::map<Key, std::size_t> number_;
 };
 
-/// Goes clockwise around the place where an edge ends, from cell to cell, back to this edge or to a wall.
+/// Traces the junction at the end of an edge: clockwise from cell to cell, back to this edge or to a wall.
 Junction trace(EdgePairs& edges, const std::vector<GrainPolygon>& grains, const EdgeOf& start, std::size_t number) {
   Junction junction;
   EdgeOf at = start;
@@ -117,7 +118,8 @@ std::vector<Junction> trace_junctions(EdgePairs& edges, const std::vector<GrainP
       }
     }
   };
-  // From the walls first, so that none begins in its middle. No junction is in a corner of the box.
+  // Traces from the walls come first, so that no trace starts in the middle of a junction at a wall. No junction is in
+  // a corner of the box.
   trace_from_all([&](const EdgeOf& at) { return !edges(at).neighbour && edges(edges.next_alive(at)).neighbour; });
   trace_from_all([&](const EdgeOf& at) { return edges(at).neighbour.has_value(); });
   return junctions;
@@ -141,7 +143,7 @@ std::vector<Film> find_films(const EdgePairs& edges, const FilmNetwork& network)
       auto across = side_of(grains[beyond.grain], beyond.grain, beyond.edge, edge.image);
       std::swap(across.begin, across.end);
       const auto along = side_of(grains[g], g, e, Eigen::Vector2i::Zero());
-      const Eigen::Vector2d distance = network.place(across.begin) - network.place(along.begin);
+      const Eigen::Vector2d distance = network.position(across.begin) - network.position(along.begin);
       films.push_back({.sides = {along, across},
                        .direction = {-edge.normal.y(), edge.normal.x()},
                        .normal = edge.normal,
@@ -173,7 +175,7 @@ void set_segments(FilmNetwork& network, double face_share) {
     auto& film = network.films[f];
     double length = 0.0, element = std::numeric_limits<double>::infinity();
     for (const auto& side : film.sides) {
-      length = std::max(length, (network.place(side.end) - network.place(side.begin)).norm());
+      length = std::max(length, (network.position(side.end) - network.position(side.begin)).norm());
       element = std::min(element, longest(side.begin.grain));
     }
     if (network.ends_at_wall(f, 0) || network.ends_at_wall(f, 1)) element *= at_walls;

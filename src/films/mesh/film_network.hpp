@@ -20,8 +20,8 @@ struct CornerImage {
   Eigen::Vector2i image;  ///< sides of the box by which the grain is displaced
 };
 
-/// Where binder of several films meets: the polygon between the corners of the grains around it. Between three grains
-/// it is a triangle. Where a film ends at a wall between two grains it is a line, the end of the film.
+/// A junction of several films: the polygon between the corners of the grains around it, a triangle between three
+/// grains. Where a film ends at a wall between two grains it is a line, the end of the film.
 struct Junction {
   std::vector<CornerImage> corners;  ///< counter-clockwise; at a wall, the last and the first are those next to it
   bool is_at_wall = false;
@@ -33,14 +33,14 @@ struct FilmSide {
   std::optional<std::size_t> face;  ///< the face of the grain along the film, unless it has vanished
 };
 
-/// The film between two grains, from one junction to another. Along the first side the grain's face runs from begin to
-/// end; the second side is beyond it.
+/// The film between two grains, from one junction to another. Along the first side the grain's face runs from the start
+/// to the end; the second side is opposite.
 struct Film {
   std::array<FilmSide, 2> sides;
-  Eigen::Vector2d direction;             ///< from begin to end, of length 1
+  Eigen::Vector2d direction;             ///< from start to end, of length 1
   Eigen::Vector2d normal;                ///< from the first side to the second, of length 1
-  double thickness;                      ///< [sides of the box]; of a film of one face the distance of the other grain
-  std::array<std::size_t, 2> junctions;  ///< at its begin and at its end
+  double thickness;                      ///< [sides of the box]; with one face, its distance from the other grain
+  std::array<std::size_t, 2> junctions;  ///< at its start and at its end
   int segments;                          ///< number of equal elements along it
 };
 
@@ -51,10 +51,10 @@ struct FilmNetwork {
   std::vector<Junction> junctions;
   std::vector<std::vector<int>> segments;  ///< of each face of each grain
 
-  [[nodiscard]] Eigen::Vector2d place(const CornerImage& corner) const {
+  [[nodiscard]] Eigen::Vector2d position(const CornerImage& corner) const {
     return grains[corner.grain].corners[corner.corner] + corner.image.cast<double>();
   }
-  /// Whether the begin (0) or the end (1) of a film is at a wall, and not at a junction with other films.
+  /// Whether the start (0) or the end (1) of a film is at a wall, and not at a junction with other films.
   [[nodiscard]] bool ends_at_wall(std::size_t film, std::size_t end) const {
     const auto& junction = junctions[films[film].junctions[end]];
     return junction.is_at_wall && junction.corners.size() <= 2;
@@ -62,9 +62,9 @@ struct FilmNetwork {
 };
 
 /// The network of films of one thickness [sides] in a tessellation (theory, section 17). Elements along a face are not
-/// longer than `face_share` times the square root of the area of the smaller one of the grains beside it. Where a face
-/// has vanished on one side, the film is a triangle; where on both, its junctions are one. Throws InputError, with all
-/// the sites, when a film leaves nothing of a grain.
+/// longer than `face_share` times the square root of the area of the smaller grain beside it. Where a face has vanished
+/// on one side, the film is a triangle; where it has vanished on both, its two junctions become one. Throws InputError,
+/// with all the sites, when grains vanish in their films.
 [[nodiscard]] FilmNetwork film_network(const Tessellation<2>& tessellation, double thickness, double face_share);
 
 }  // namespace breccia::films

@@ -4,12 +4,12 @@
 
 namespace breccia::films {
 
-/// Where along a line the share x of its elements ends: they are shorter near its ends.
+/// Share of the length of a line that the share x of its elements takes, which are shorter near both ends of it.
 [[nodiscard]] double graded(double x);
 
-/// Shares of the length of a line at which its elements begin and end, from 0 to 1, the same from both ends: the
-/// elements at the ends are about `first` long, each is longer than the one nearer to the end, and none is longer than
-/// `longest`. Lengths are in one unit.
+/// Shares of the length of a line at which its elements start and end, from 0 to 1 and symmetric: the elements at the
+/// ends are about `first` long, each is longer than the one nearer to the end, and none is longer than `longest`. All
+/// lengths are in the same unit.
 [[nodiscard]] std::vector<double> graded_divisions(double length, double first, double longest);
 
 }  // namespace breccia::films

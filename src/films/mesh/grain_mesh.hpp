@@ -24,8 +24,8 @@ struct GrainMesh {
 /// elements are smaller than the distance from the centroid; then a fan. `segments` are the elements of each face.
 [[nodiscard]] GrainMesh grain_mesh(const GrainPolygon& grain, std::span<const int> segments);
 
-/// The same with elements of any length: `divisions` say, for each face, at which shares of its length elements begin;
-/// the first one begins at 0.
+/// The mesh of a grain with elements of any length: `divisions` are, for each face, the shares of its length at which
+/// elements start; the first one starts at 0.
 [[nodiscard]] GrainMesh grain_mesh(const GrainPolygon& grain, std::span<const std::vector<double>> divisions);
 
 }  // namespace breccia::films

@@ -12,7 +12,7 @@ Eigen::Vector2d to_eigen(const Vector<2>& vector) {
   return {vector[0], vector[1]};
 }
 
-/// The corners of a cell and the numbers of the half-spaces whose edges begin there, counter-clockwise.
+/// The corners of a cell and the numbers of the half-spaces whose edges start there, counter-clockwise.
 struct Outline {
   std::vector<Eigen::Vector2d> corners;
   std::vector<std::uint32_t> half_spaces;

@@ -10,7 +10,7 @@
 
 namespace breccia::films {
 
-/// An edge of a cell of a tessellation, and what lies beyond it.
+/// An edge of a cell of a tessellation, and its neighbour.
 struct CellEdge {
   std::optional<std::size_t> neighbour;             ///< the site beyond; none beyond a wall
   Eigen::Vector2i image = Eigen::Vector2i::Zero();  ///< sides of the box by which that site is displaced
@@ -19,8 +19,8 @@ struct CellEdge {
 };
 
 /// A grain: a cell of a tessellation without its share of the films. Walls cut cells and films like a window in a
-/// larger body, so that no film runs along them. Lengths are in units of the side of the box, places are seen from its
-/// origin. A periodic grain may reach beyond the sides.
+/// larger body, so that no film runs along them. Lengths are in units of the side of the box, positions are relative to
+/// its origin. A periodic grain may reach beyond the sides.
 struct GrainPolygon {
   std::vector<Eigen::Vector2d> corners;  ///< counter-clockwise; the face of the same number begins there
   std::vector<CellEdge> edges;           ///< of the cell, counter-clockwise; the faces of the grain are in this order

@@ -12,22 +12,22 @@
 
 namespace breccia::films {
 
-/// Numbers nodes by their places, so that elements that meet share theirs. In a periodic box a node and its images are
-/// one. Lengths are in sides of the box; places closer than 1e-10 are the same.
+/// Numbers nodes by their positions, so that elements that meet share nodes. In a periodic box a node and its images
+/// are one. Lengths are in sides of the box; positions closer than 1e-10 are the same.
 class NodeMerger {
  public:
   explicit NodeMerger(Walls walls) : is_periodic_(walls == Walls::periodic) {}
 
-  /// The number of the node at a place.
-  [[nodiscard]] std::size_t number(const Eigen::Vector2d& place);
-  /// The places of the nodes, as they were first given.
-  [[nodiscard]] const std::vector<Eigen::Vector2d>& places() const noexcept { return places_; }
+  /// The number of the node at a position.
+  [[nodiscard]] std::size_t number(const Eigen::Vector2d& position);
+  /// The positions of the nodes, each as it was first given.
+  [[nodiscard]] const std::vector<Eigen::Vector2d>& positions() const noexcept { return positions_; }
 
  private:
   using Square = std::pair<std::int64_t, std::int64_t>;
 
   bool is_periodic_;
-  std::vector<Eigen::Vector2d> places_, in_box_;
+  std::vector<Eigen::Vector2d> positions_, in_box_;
   std::map<Square, std::vector<std::size_t>> in_square_;  ///< the nodes in each square of a fine grid
 };
 

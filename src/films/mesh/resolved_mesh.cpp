@@ -17,7 +17,7 @@ namespace {
 
 /// A part of the binder between a base and, on its left, a top, which may be a single point.
 struct Patch {
-  std::array<Eigen::Vector2d, 2> base, top;  ///< begin and end; both run in the same direction
+  std::array<Eigen::Vector2d, 2> base, top;  ///< start and end; both run in the same direction
 };
 
 /// Fills patches with rows of elements. Patches share the nodes of a common side if they divide it at the same shares.
@@ -32,7 +32,8 @@ class MeshBuilder {
     }
   }
 
-  /// `along` and `across` are the shares, from 0 to 1, at which the rows of elements begin and end.
+  /// Adds the elements of a patch. `along` and `across` are the shares, from 0 to 1, at which the rows of elements
+  /// start and end.
   void add_patch(const Patch& patch, std::span<const double> along, std::span<const double> across) {
     const auto at = [&](std::size_t column, std::size_t row) -> Eigen::Vector2d {
       const auto on = [&](const auto& line) -> Eigen::Vector2d {
@@ -54,17 +55,17 @@ class MeshBuilder {
   }
 
   [[nodiscard]] ResolvedMesh finish() {
-    mesh_.nodes = nodes_.places();
+    mesh_.nodes = nodes_.positions();
     return std::move(mesh_);
   }
 
  private:
   template <std::size_t corners, std::size_t count>
   void number_edges(MeshElement<corners, count>& element) {
-    const auto& places = element.places;
+    const auto& positions = element.positions;
     for (std::size_t c = 0; c < corners; ++c) {
-      element.nodes[c] = nodes_.number(places[c]);
-      element.nodes[corners + c] = nodes_.number(0.5 * (places[c] + places[(c + 1) % corners]));
+      element.nodes[c] = nodes_.number(positions[c]);
+      element.nodes[corners + c] = nodes_.number(0.5 * (positions[c] + positions[(c + 1) % corners]));
     }
   }
 
@@ -85,7 +86,7 @@ class MeshBuilder {
   ResolvedMesh mesh_;
 };
 
-/// Shares at which layers begin and end, from one face to the other.
+/// Shares at which layers start and end, from one face to the other.
 std::vector<double> layers_across(int layers) {
   std::vector<double> shares;
   for (int k = 0; k <= layers; ++k) shares.push_back(graded(1.0 * k / layers));
@@ -100,14 +101,14 @@ std::vector<double> layers_inward(int layers) {
 }
 
 double length_of(const FilmNetwork& network, const FilmSide& side) {
-  return (network.place(side.end) - network.place(side.begin)).norm();
+  return (network.position(side.end) - network.position(side.begin)).norm();
 }
 
 /// Fills the binder around a junction with a fan from its centre.
 void add_junction(MeshBuilder& mesh, const FilmNetwork& network, const Junction& junction, int layers) {
   if (junction.corners.size() < 3) return;
   std::vector<Eigen::Vector2d> corners;
-  for (const auto& corner : junction.corners) corners.push_back(network.place(corner));
+  for (const auto& corner : junction.corners) corners.push_back(network.position(corner));
   const Eigen::Vector2d centre = centroid(corners);
   for (std::size_t c = 0; c < corners.size(); ++c) {
     const Eigen::Vector2d &begin = corners[c], &end = corners[(c + 1) % corners.size()];
@@ -148,8 +149,8 @@ ResolvedMesh resolved_mesh(const FilmProblem& problem) {
     for (const auto& side : film.sides) {
       if (side.face) divisions[side.begin.grain][*side.face] = along;
     }
-    mesh.add_patch({.base = {network.place(one.end), network.place(one.begin)},
-                    .top = {network.place(other.end), network.place(other.begin)}},
+    mesh.add_patch({.base = {network.position(one.end), network.position(one.begin)},
+                    .top = {network.position(other.end), network.position(other.begin)}},
                    along, across);
   }
   for (const auto& junction : network.junctions) add_junction(mesh, network, junction, layers);

@@ -10,12 +10,12 @@
 
 namespace breccia::films {
 
-/// An element with straight edges: its corners counter-clockwise, then the middles of the edges that begin at them and,
-/// of a quadrilateral, its centre. Places are those of the image of the box in which the element is.
+/// An element with straight edges: its corners counter-clockwise, then the middles of the edges that start at them and,
+/// for a quadrilateral, its centre. Positions are in the image of the box in which the element is.
 template <std::size_t corners, std::size_t count>
 struct MeshElement {
   std::array<std::size_t, count> nodes;
-  std::array<Eigen::Vector2d, corners> places;  ///< of the corners
+  std::array<Eigen::Vector2d, corners> positions;  ///< positions of the corners
 };
 using MeshTriangle = MeshElement<3, 6>;
 using MeshQuadrilateral = MeshElement<4, 9>;
@@ -24,14 +24,14 @@ using MeshQuadrilateral = MeshElement<4, 9>;
 struct ResolvedMesh {
   std::vector<Eigen::Vector2d> nodes;  ///< of elements of quadratic displacements
   std::vector<MeshTriangle> grains;
-  /// Of the binder: the films, and the junctions around their centres.
+  /// The elements of the binder: the films, and the junctions around their centres.
   std::vector<MeshQuadrilateral> quadrilaterals;
   std::vector<MeshTriangle> triangles;
 };
 
 /// The mesh of a problem with layers. Across a film elements are thinner at its faces, and along it shorter at its
-/// ends, where corners of grains concentrate the shear (theory, section 17). Throws InputError when a film leaves
-/// nothing of a grain or a junction has a shape that no mesh fits.
+/// ends, where corners of grains concentrate the shear (theory, section 17). Throws InputError when a grain vanishes in
+/// its films or a junction has a shape that cannot be meshed.
 [[nodiscard]] ResolvedMesh resolved_mesh(const FilmProblem& problem);
 
 }  // namespace breccia::films

@@ -31,10 +31,10 @@ void for_each_pair(const Sparse& lower_triangle, const Visit& visit) {
   }
 }
 
-/// The vertices of the graph: the unknowns from each of these to the next.
+/// The first unknown of each vertex of the graph; a vertex is the unknowns from its first to the next one.
 std::vector<int> first_unknowns(const Sparse& lower_triangle) {
   const auto count = static_cast<std::size_t>(lower_triangle.rows());
-  // Equal sums stand for the same neighbours, the unknown itself among them.
+  // Unknowns with equal sums have the same neighbours, among which each counts itself.
   std::vector<std::uint64_t> neighbours(count);
   for (std::size_t i = 0; i < count; ++i) neighbours[i] = spread(i + 1);  // spread(0) would count for nothing
   for_each_pair(lower_triangle, [&](int row, int column) {
@@ -120,27 +120,27 @@ std::vector<int> elimination_order(const Sparse& lower_triangle) {
   const auto first = first_unknowns(lower_triangle);
   auto graph = graph_of(lower_triangle, first);
   auto vertices = static_cast<idx_t>(graph.sizes.size());
-  std::vector<idx_t> vertex_at(graph.sizes.size()), place(graph.sizes.size());
+  std::vector<idx_t> vertex_at(graph.sizes.size()), position(graph.sizes.size());
   std::array<idx_t, METIS_NOPTIONS> options{};
   METIS_SetDefaultOptions(options.data());
   options[METIS_OPTION_COMPRESS] = 0;
   const int result = [&] {
     const OwnSignals signals;
     return METIS_NodeND(&vertices, graph.first_neighbour.data(), graph.neighbours.data(), graph.sizes.data(),
-                        options.data(), vertex_at.data(), place.data());
+                        options.data(), vertex_at.data(), position.data());
   }();
   if (result == METIS_ERROR_MEMORY) {
     throw NumericalError("films: memory has run out while the unknowns were ordered; fewer grains take less");
   }
   if (result != METIS_OK)
     throw NumericalError(fmt::format("films: the unknowns cannot be ordered (METIS: {})", result));
-  std::vector<int> places(static_cast<std::size_t>(first.back()));
+  std::vector<int> positions(static_cast<std::size_t>(first.back()));
   int next = 0;
   for (const auto vertex : vertex_at) {
     const auto v = static_cast<std::size_t>(vertex);
-    for (int i = first[v]; i < first[v + 1]; ++i) places[static_cast<std::size_t>(i)] = next++;
+    for (int i = first[v]; i < first[v + 1]; ++i) positions[static_cast<std::size_t>(i)] = next++;
   }
-  return places;
+  return positions;
 }
 
 }  // namespace breccia::films

@@ -5,8 +5,8 @@
 
 namespace breccia::films {
 
-/// A new directory, for the files of factors, in that for temporary files. It is removed, with all that is in it, at
-/// the end: also when a signal has asked the calculation to stop.
+/// A new directory for the files of factors within the directory for temporary files. It is removed with its content at
+/// the end, also when a signal has stopped the calculation.
 class FactorDirectory {
  public:
   /// Throws InputError where the environment variable TMPDIR names no directory in which one can be made, or one whose
@@ -20,7 +20,7 @@ class FactorDirectory {
 
   [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
 
-  /// So many characters may the name have.
+  /// Largest number of characters of the name.
   static constexpr std::size_t longest_name = 255;
 
  private:

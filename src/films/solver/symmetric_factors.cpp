@@ -20,7 +20,7 @@
 namespace breccia::films {
 namespace {
 
-// The numbers by which MUMPS knows its jobs and its parameters ("Users' guide", 5.5.1), the latter from 1.
+// The numbers of the jobs and the parameters of MUMPS ("Users' guide", 5.5.1), the latter from 1.
 enum Job { begin = -1, end = -2, analysis = 1, factorisation = 2, solution = 3 };
 enum Control {
   errors = 1,
@@ -32,7 +32,7 @@ enum Control {
   use_files = 22
 };
 enum Information { status = 1, detail = 2, megabytes_of_a_process = 16 };
-// What the status may be.
+// Values of the status.
 constexpr int too_few_integers = -8, too_few_reals = -9, singular = -10, too_small_to_send = -17,
               too_small_to_receive = -20, no_files = -90;
 
@@ -75,7 +75,8 @@ void run(DMUMPS_STRUC_C& mumps, Job job) {
   require_success(mumps);
 }
 
-/// Factorises. Pivots that come later than foreseen may take more room than the analysis said, which is given then.
+/// Factorises. Pivots that are delayed may take more memory than the analysis estimated; then it is increased until it
+/// suffices.
 void factorise_with_room(DMUMPS_STRUC_C& mumps) {
   constexpr int most_per_cent = 2000;
   for (;;) {
@@ -123,10 +124,10 @@ void SymmetricFactors::analyse() {
   mumps.nnz = matrix_.nonZeros();
   mumps.irn = rows_.data();
   mumps.jcn = columns_.data();
-  std::vector<int> places;
-  if (has_matrix()) places = elimination_order(matrix_);
-  for (int& place : places) ++place;
-  mumps.perm_in = places.data();
+  std::vector<int> positions;
+  if (has_matrix()) positions = elimination_order(matrix_);
+  for (int& position : positions) ++position;
+  mumps.perm_in = positions.data();
   run(mumps, analysis);
   mumps.perm_in = nullptr;
   if (1e6 * information(mumps, megabytes_of_a_process) > memory_) {
@@ -157,7 +158,7 @@ void SymmetricFactors::factorise(const std::function<Sparse()>& lower_triangle) 
   factorise_with_room(*mumps_);
 }
 
-/// On the process that has the matrix.
+/// Solves by the factors without refinement, with the right side and the solution on the process that has the matrix.
 Eigen::VectorXd SymmetricFactors::solve_once(const Eigen::VectorXd& right_side) const {
   Eigen::VectorXd solution = right_side;
   mumps_->rhs = solution.data();

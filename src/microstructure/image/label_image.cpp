@@ -22,13 +22,13 @@ int pixel_at(double coordinate, int count, Walls walls) {
 
 template <int dim>
 Label LabelImage<dim>::label_at(const Vector<dim>& point) const noexcept {
-  std::size_t place = 0;
+  std::size_t index = 0;
   for (std::size_t axis = dim; axis-- > 0;) {
     const auto count = pixels[axis];
-    place = place * static_cast<std::size_t>(count) +
+    index = index * static_cast<std::size_t>(count) +
             static_cast<std::size_t>(pixel_at(point[axis] / pixel_side, count, walls));
   }
-  return labels[place];
+  return labels[index];
 }
 
 template <int dim>

@@ -19,7 +19,7 @@ struct ValueCount {
   std::size_t pixels;
 };
 
-/// How many times each value stands in a list, the smallest value first.
+/// The number of times that each value occurs in a list, the smallest value first.
 std::vector<ValueCount> count_values(std::vector<std::int32_t> values) {
   std::ranges::sort(values);
   std::vector<ValueCount> counts;
@@ -69,7 +69,7 @@ std::vector<std::string> label_mistakes(std::span<const std::int32_t> values, st
         fmt::format("values without a label: {}", list_of_values(count_values(std::move(unlabelled)), values.size())));
   }
   for (const auto& entry : table) {
-    // A value that stands in the table twice is reported once.
+    // A value that is in the table twice is reported once.
     if (!std::exchange(occurs[entry.value], true)) {
       mistakes.push_back(fmt::format("no pixel has the value {}", entry.value));
     }

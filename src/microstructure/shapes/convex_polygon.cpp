@@ -25,7 +25,7 @@ double twice_signed_area(std::span<const Vector<2>> corners) noexcept {
   double sum = 0.0;
   for (std::size_t corner = 0; corner < corners.size(); ++corner) {
     // Seen from the first corner, for the sake of roundoff.
-    sum += cross(difference(corners[corner], corners[0]), difference(after(corners, corner), corners[0]));
+    sum += cross(corners[corner] - corners[0], after(corners, corner) - corners[0]);
   }
   return sum;
 }
@@ -35,8 +35,8 @@ std::vector<double> turns(std::span<const Vector<2>> corners) {
   std::vector<double> angles;
   for (std::size_t corner = 0; corner < corners.size(); ++corner) {
     const auto& before = corners[(corner + corners.size() - 1) % corners.size()];
-    const auto arriving = difference(corners[corner], before);
-    const auto leaving = difference(after(corners, corner), corners[corner]);
+    const auto arriving = corners[corner] - before;
+    const auto leaving = after(corners, corner) - corners[corner];
     angles.push_back(std::atan2(cross(arriving, leaving), dot(arriving, leaving)));
   }
   return angles;
@@ -74,9 +74,9 @@ std::vector<Vector<2>> centred(std::vector<Vector<2>> corners) {
   const auto centre = centroid(corners);
   // Corners that are centred already keep their bits.
   constexpr double roundoff = 1e-14;
-  const double size = norm(difference(corners[1], corners[0]));
+  const double size = norm(corners[1] - corners[0]);
   if (norm(centre) <= roundoff * size) return corners;
-  for (auto& corner : corners) corner = difference(corner, centre);
+  for (auto& corner : corners) corner -= centre;
   return corners;
 }
 
@@ -116,21 +116,21 @@ SupportPoint ConvexPolygon::support(const Vector<2>& direction) const noexcept {
   return {*farthest, 0.0};
 }
 
-double ConvexPolygon::height(const Vector<2>& place) const noexcept {
+double ConvexPolygon::height(const Vector<2>& point) const noexcept {
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t corner = 0; corner < corners_->size(); ++corner) {
-    const auto along = difference(after(*corners_, corner), (*corners_)[corner]);
-    smallest = std::min(smallest, cross(along, difference(place, (*corners_)[corner])) / norm(along));
+    const auto along = after(*corners_, corner) - (*corners_)[corner];
+    smallest = std::min(smallest, cross(along, point - (*corners_)[corner]) / norm(along));
   }
   return smallest;
 }
 
-bool ConvexPolygon::contains(const Vector<2>& place) const noexcept {
-  return height(place) >= 0.0;
+bool ConvexPolygon::contains(const Vector<2>& point) const noexcept {
+  return height(point) >= 0.0;
 }
 
-double ConvexPolygon::depth(const Vector<2>& place) const noexcept {
-  return std::max(0.0, height(place));
+double ConvexPolygon::depth(const Vector<2>& point) const noexcept {
+  return std::max(0.0, height(point));
 }
 
 Vector<2> centroid(std::span<const Vector<2>> corners) noexcept {
@@ -138,12 +138,13 @@ Vector<2> centroid(std::span<const Vector<2>> corners) noexcept {
   Vector<2> moment{};
   double twice_area = 0.0;
   for (std::size_t corner = 0; corner < corners.size(); ++corner) {
-    const auto here = difference(corners[corner], origin), next = difference(after(corners, corner), origin);
+    const auto here = corners[corner] - origin, next = after(corners, corner) - origin;
     const double triangle = cross(here, next);
     twice_area += triangle;
-    moment = displaced(displaced(moment, triangle, here), triangle, next);
+    moment += triangle * here;
+    moment += triangle * next;
   }
-  return displaced(origin, 1.0 / (3.0 * twice_area), moment);
+  return origin + 1.0 / (3.0 * twice_area) * moment;
 }
 
 double area(const ConvexPolygon& polygon) noexcept {
@@ -154,7 +155,7 @@ double perimeter(const ConvexPolygon& polygon) noexcept {
   const auto corners = polygon.corners();
   double sum = 0.0;
   for (std::size_t corner = 0; corner < corners.size(); ++corner) {
-    sum += norm(difference(after(corners, corner), corners[corner]));
+    sum += norm(after(corners, corner) - corners[corner]);
   }
   return sum;
 }

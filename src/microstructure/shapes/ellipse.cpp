@@ -7,9 +7,9 @@
 namespace breccia {
 namespace {
 
-/// Length of a place whose coordinates are counted in half axes; 1 on the outline.
-double length_in_half_axes(const Ellipse& ellipse, const Vector<2>& place) noexcept {
-  return std::hypot(2.0 * place[0] / ellipse.axes[0], 2.0 * place[1] / ellipse.axes[1]);
+/// Distance of a point from the centre with its coordinates divided by the half axes; 1 on the outline.
+double length_in_half_axes(const Ellipse& ellipse, const Vector<2>& point) noexcept {
+  return std::hypot(2.0 * point[0] / ellipse.axes[0], 2.0 * point[1] / ellipse.axes[1]);
 }
 
 }  // namespace
@@ -20,13 +20,13 @@ SupportPoint Ellipse::support(const Vector<2>& direction) const noexcept {
   return {{a * a * direction[0] / height, b * b * direction[1] / height}, a * a * b * b / (height * height * height)};
 }
 
-bool Ellipse::contains(const Vector<2>& place) const noexcept {
-  return length_in_half_axes(*this, place) <= 1.0;
+bool Ellipse::contains(const Vector<2>& point) const noexcept {
+  return length_in_half_axes(*this, point) <= 1.0;
 }
 
-double Ellipse::depth(const Vector<2>& place) const noexcept {
+double Ellipse::depth(const Vector<2>& point) const noexcept {
   // The length in half axes changes by at most 1 / (smaller half axis) per length.
-  return std::max(0.0, 0.5 * std::min(axes[0], axes[1]) * (1.0 - length_in_half_axes(*this, place)));
+  return std::max(0.0, 0.5 * std::min(axes[0], axes[1]) * (1.0 - length_in_half_axes(*this, point)));
 }
 
 double area(const Ellipse& ellipse) noexcept {

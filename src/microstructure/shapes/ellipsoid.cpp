@@ -26,21 +26,19 @@ Eigen::Matrix3d squared_half_axes(const Ellipsoid& ellipsoid) {
   return sum;
 }
 
-/// A place as seen along the axes of an ellipsoid from its centre [m].
-Vector<3> seen_along_axes(const Ellipsoid& ellipsoid, const Vector<3>& place) {
-  const auto apart = difference(place, ellipsoid.centre);
+/// The coordinates of a point along the axes of an ellipsoid, relative to its centre [m].
+Vector<3> seen_along_axes(const Ellipsoid& ellipsoid, const Vector<3>& point) {
+  const auto apart = point - ellipsoid.centre;
   return {dot(ellipsoid.directions[0], apart), dot(ellipsoid.directions[1], apart),
           dot(ellipsoid.directions[2], apart)};
 }
 
-/// Two ellipsoids whose centres are `apart` from each other. Along each direction n there is the gap
-/// s(n) = n . apart - h_one(n) - h_other(n) between their planes of support (theory, Eq. 52).
+/// The separation of two ellipsoids with the vector `apart` between their centres: the maximum over all directions n of
+/// the gap s(n) = n . apart - h_one(n) - h_other(n) between their planes of support (theory, Eq. 52).
 class EllipsoidSeparation {
  public:
   EllipsoidSeparation(const Ellipsoid& one, const Ellipsoid& other)
-      : apart_(eigen(difference(other.centre, one.centre))),
-        one_(squared_half_axes(one)),
-        other_(squared_half_axes(other)) {}
+      : apart_(eigen(other.centre - one.centre)), one_(squared_half_axes(one)), other_(squared_half_axes(other)) {}
 
   [[nodiscard]] double distance() const {
     if (apart_.squaredNorm() == 0.0) return -std::sqrt(one_(0, 0)) - std::sqrt(other_(0, 0));
@@ -70,8 +68,8 @@ class EllipsoidSeparation {
            std::sqrt(direction.dot(other_ * direction));
   }
 
-  /// The normal in the place where the ellipsoids touch when both are made larger or smaller by the same factor
-  /// (Perram and Wertheim, Journal of Computational Physics 58 (1985) 409). Along it s has the sign of the distance.
+  /// The normal at the point where the ellipsoids touch when both are scaled by the same factor (Perram and Wertheim,
+  /// Journal of Computational Physics 58 (1985) 409). Along it s has the sign of the distance.
   [[nodiscard]] Eigen::Vector3d normal_of_contact() const {
     constexpr int halvings = 50;
     double low = 0.0, high = 1.0;
@@ -107,7 +105,7 @@ class EllipsoidSeparation {
   Eigen::Matrix3d one_, other_;
 };
 
-/// The place of an ellipsoid with half axes a that is nearest to y is a^2 y / (s + a^2 - c^2), where c is the shortest
+/// The point of an ellipsoid with half axes a that is nearest to y is a^2 y / (s + a^2 - c^2), where c is the shortest
 /// half axis. Returns s, the root of sum of (a y / (s + a^2 - c^2))^2 = 1; 0 where there is none above 0. No coordinate
 /// of y is negative.
 double nearest_parameter(const Vector<3>& half_axes, const Vector<3>& y) {
@@ -161,13 +159,13 @@ AxisDirections turned(const Turn& turn) {
 Turn turn_of(const AxisDirections& directions) {
   const auto& [first, second, third] = directions;
   const double level = std::hypot(first[0], first[1]);
-  // Of a first axis along z any azimuth may be taken.
+  // For a first axis along z the azimuth is arbitrary; 0 is taken.
   if (level == 0.0) return {0.0, std::atan2(first[2], 0.0), std::atan2(-third[1], second[1])};
   return {std::atan2(first[1], first[0]), std::atan2(first[2], level), std::atan2(second[2], third[2])};
 }
 
-bool Ellipsoid::contains(const Vector<3>& place) const noexcept {
-  const auto y = seen_along_axes(*this, place);
+bool Ellipsoid::contains(const Vector<3>& point) const noexcept {
+  const auto y = seen_along_axes(*this, point);
   double square = 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis) square += 4.0 * y[axis] * y[axis] / (axes[axis] * axes[axis]);
   return square <= 1.0;
@@ -231,8 +229,8 @@ Vector<3> extent(const Ellipsoid& ellipsoid) noexcept {
   return reach;
 }
 
-double signed_distance(const Ellipsoid& ellipsoid, const Vector<3>& place) {
-  auto y = seen_along_axes(ellipsoid, place);
+double signed_distance(const Ellipsoid& ellipsoid, const Vector<3>& point) {
+  auto y = seen_along_axes(ellipsoid, point);
   Vector<3> half_axes{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     y[axis] = std::abs(y[axis]);
@@ -241,17 +239,17 @@ double signed_distance(const Ellipsoid& ellipsoid, const Vector<3>& place) {
   const double s = nearest_parameter(half_axes, y);
   const auto shortest = static_cast<std::size_t>(std::ranges::min_element(half_axes) - half_axes.begin());
   Vector<3> nearest{};
-  double rest = 1.0;  // of the sum of squares that makes a place one of the surface
+  double rest = 1.0;  // 1 - sum of (coordinate / half axis)^2, which is 0 on the surface
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (y[axis] == 0.0) continue;
     const double below = s + (half_axes[axis] - half_axes[shortest]) * (half_axes[axis] + half_axes[shortest]);
     nearest[axis] = half_axes[axis] * half_axes[axis] * y[axis] / below;
     rest -= nearest[axis] * nearest[axis] / (half_axes[axis] * half_axes[axis]);
   }
-  // Near the centre of the plane across the shortest axis the nearest places are on both sides of this plane.
+  // Near the centre of the plane across the shortest axis the nearest points are on both sides of this plane.
   if (s == 0.0) nearest[shortest] = half_axes[shortest] * std::sqrt(std::max(0.0, rest));
-  const double distance = norm(difference(nearest, y));
-  return ellipsoid.contains(place) ? -distance : distance;
+  const double distance = norm(nearest - y);
+  return ellipsoid.contains(point) ? -distance : distance;
 }
 
 double gap(const Ellipsoid& one, const Ellipsoid& other) {

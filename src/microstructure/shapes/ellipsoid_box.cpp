@@ -40,7 +40,7 @@ void visit_ellipsoid_pairs(const EllipsoidBox& box, double reach, Visit&& visit)
   visit_near_pairs<3>(box.side, box.walls, centres, radii, reach,
                       [&](std::uint32_t number, std::uint32_t behind, const Vector<3>& seen) {
                         const double coatings = box.coating_of(number) + box.coating_of(behind);
-                        if (norm(difference(seen, centres[number])) - radii[number] - radii[behind] >= reach) return;
+                        if (norm(seen - centres[number]) - radii[number] - radii[behind] >= reach) return;
                         const auto& one = box.particles[number];
                         const double width = gap(one, moved_to(box.particles[behind], seen)) - coatings;
                         if (width < reach) visit(number, behind, width);
@@ -89,7 +89,7 @@ std::string name(const EllipsoidBox& box, std::size_t number) {
                      number + 1, axes[0], axes[1], axes[2], centre[0], centre[1], centre[2]);
 }
 
-/// What is wrong with a particle by itself; empty if nothing is.
+/// The mistake of a particle by itself; empty if there is none.
 std::string mistake_of(const EllipsoidBox& box, std::size_t number) {
   const auto& [centre, axes, directions] = box.particles[number];
   const auto is_length = [](double axis) { return axis > 0.0 && std::isfinite(axis); };

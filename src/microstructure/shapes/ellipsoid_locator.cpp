@@ -23,10 +23,11 @@ std::vector<double> coated_radii(const EllipsoidBox& box) {
   return radii;
 }
 
-/// A place is on the surface of the ellipsoid made larger by a factor q, whose planes of support are (q - 1) h(n)
-/// farther out than those of the ellipsoid itself: a lower bound of the distance that takes no search [m].
-double lower_bound_of_distance(const Ellipsoid& ellipsoid, const Vector<3>& place) {
-  const auto apart = difference(place, ellipsoid.centre);
+/// A lower bound of the distance of a point from an ellipsoid that takes no search [m]: the point is on the surface of
+/// the ellipsoid scaled by a factor q, whose planes of support are (q - 1) h(n) farther out than those of the ellipsoid
+/// itself.
+double lower_bound_of_distance(const Ellipsoid& ellipsoid, const Vector<3>& point) {
+  const auto apart = point - ellipsoid.centre;
   double square = 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double length = 2.0 * dot(ellipsoid.directions[axis], apart) / ellipsoid.axes[axis];
@@ -65,15 +66,15 @@ const EllipsoidBox& EllipsoidLocator::box() const noexcept {
   return search_->box;
 }
 
-ParticlePlace EllipsoidLocator::at(const Vector<3>& position) const {
+LocatedParticle EllipsoidLocator::at(const Vector<3>& position) const {
   const auto& search = *search_;
-  ParticlePlace nearest = {{}, search.reach};
+  LocatedParticle nearest = {{}, search.reach};
   double coated = search.reach;  // distance from the coating of the nearest
   search.grid.visit_near(position, search.reach, [&](std::uint32_t number, std::uint32_t image) {
     if (nearest.distance < 0.0) return;  // no other one is there
     auto particle = search.box.particles[number];
-    particle.centre = displaced(particle.centre, 1.0, search.images.shift(image));
-    if (norm(difference(position, particle.centre)) - search.radii[number] >= coated) return;
+    particle.centre += search.images.shift(image);
+    if (norm(position - particle.centre) - search.radii[number] >= coated) return;
     const double coating = search.box.coating_of(number);
     constexpr double rounding = 1e-12;
     if (lower_bound_of_distance(particle, position) - coating >= coated * (1.0 + rounding)) return;

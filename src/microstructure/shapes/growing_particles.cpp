@@ -14,7 +14,8 @@
 namespace breccia {
 namespace {
 
-// Particles keep apart by so much of the side of the box more than they must, so that roundoff takes nothing from it.
+// Particles keep this share of the side of the box more than the distance asked for, so that roundoff does not reduce
+// it.
 constexpr double margin = 1e-12;
 
 template <class Particle>
@@ -30,13 +31,6 @@ std::vector<std::uint32_t> largest_first(const std::vector<Particle>& particles)
   std::iota(order.begin(), order.end(), 0U);
   std::ranges::stable_sort(order, std::ranges::greater(), [&](std::uint32_t one) { return size_of(particles[one]); });
   return order;
-}
-
-template <std::size_t dim>
-std::array<double, dim> scaled(const std::array<double, dim>& vector, double factor) {
-  auto product = vector;
-  for (double& coordinate : product) coordinate *= factor;
-  return product;
 }
 
 }  // namespace
@@ -64,7 +58,7 @@ typename Request::Pose GrowingParticles<Request>::random_pose(std::uint32_t part
 
 template <class Request>
 typename Request::Pose GrowingParticles<Request>::random_move(std::uint32_t particle) {
-  // Some moves are small: those that part particles which are wedged in.
+  // Some moves are small, so that particles which are wedged in can come apart.
   const double share = random();
   const double step = step_ * share * share * share, length = step * scale_ * radii_[particle];
   auto centre = centre_of(poses_[particle]);
@@ -91,21 +85,32 @@ double GrowingParticles<Request>::overlap_with_walls(std::uint32_t particle, con
 }
 
 template <class Request>
+typename Request::Pose GrowingParticles<Request>::at_final_size(const Pose& pose, Image image) const {
+  return moved_to(pose, (1.0 / scale_) * (centre_of(pose) + images_.shift(image)));
+}
+
+template <class Request>
+template <class Visit>
+void GrowingParticles<Request>::visit_neighbours(std::uint32_t particle, const Pose& pose, Visit&& visit) const {
+  grid_.visit_near(centre_of(pose), scale_ * radii_[particle], [&](std::uint32_t other, Image image) {
+    if (other == particle && image == PeriodicImages<dim>::in_place) return;
+    visit(other, at_final_size(other == particle ? pose : poses_[other], image));
+  });
+}
+
+template <class Request>
 double GrowingParticles<Request>::overlap(std::uint32_t particle, const Pose& pose, double most) const {
   double largest = overlap_with_walls(particle, pose);
   if (largest > most) return largest;
-  const auto& own = request_.particles[particle];
-  const auto here = moved_to(pose, scaled(centre_of(pose), 1.0 / scale_));
-  grid_.visit_near(centre_of(pose), scale_ * radii_[particle], [&](std::uint32_t other, std::uint32_t image) {
-    if (largest > most || (other == particle && image == PeriodicImages<dim>::in_place)) return;
-    const auto& neighbour = other == particle ? pose : poses_[other];
-    const auto centre = scaled(displaced(centre_of(neighbour), 1.0, images_.shift(image)), 1.0 / scale_);
-    const double apart = norm(difference(centre, centre_of(here)));
-    if (apart >= radii_[particle] + radii_[other] + margin * request_.side) return;
-    const auto& behind = request_.particles[other];
-    const double wanted = own.shell + behind.shell + margin * request_.side;
-    const double width = gap_between(own, here, behind, moved_to(neighbour, centre), wanted);
-    largest = std::max(largest, wanted - width);
+  const auto& particles = request_.particles;
+  const double apart = margin * request_.side;
+  const auto here = at_final_size(pose, PeriodicImages<dim>::in_place);
+  visit_neighbours(particle, pose, [&](std::uint32_t other, const Pose& there) {
+    if (largest > most) return;
+    if (norm(centre_of(there) - centre_of(here)) >= radii_[particle] + radii_[other] + apart) return;
+    const double wanted = particles[particle].shell + particles[other].shell + apart;
+    const double gap = gap_between(particles[particle], here, particles[other], there, wanted);
+    largest = std::max(largest, wanted - gap);
   });
   return largest;
 }
@@ -159,7 +164,7 @@ std::size_t GrowingParticles<Request>::sweep() {
   return overlapping;
 }
 
-/// About two of five moves shall be possible.
+/// Adapts the length of the moves such that about two of five are accepted.
 template <class Request>
 void GrowingParticles<Request>::adapt_step(std::size_t accepted) {
   constexpr double wanted = 0.4, factor = 1.1, smallest = 1e-6, largest = 1.0;

@@ -12,13 +12,14 @@
 
 namespace breccia {
 
-/// The particles of a request for a sequential packing on their way to their final size. At a scale of s all lengths of
-/// the particles and their shells are s times the final ones; so they are as in a box that is 1/s times as large.
+/// The particles of a request for a sequential packing while they grow to their final size. At a scale of s all lengths
+/// of the particles and their shells are s times the final ones, as if the box were 1/s times as large.
 template <class Request>
 class GrowingParticles {
  public:
   static constexpr int dim = Request::dim;
   using Pose = typename Request::Pose;
+  using Image = typename PeriodicImages<dim>::Image;
 
   explicit GrowingParticles(Request request);
 
@@ -28,10 +29,10 @@ class GrowingParticles {
   [[nodiscard]] bool are_placed() const noexcept { return !poses_.empty(); }
   [[nodiscard]] const std::vector<Pose>& poses() const noexcept { return poses_; }
 
-  /// Places the particles at a scale, the largest first. False if one of them finds no room; then none is placed.
+  /// Places the particles at a scale, the largest first. Returns false, with none placed, if one of them does not fit.
   bool place(double scale);
-  /// Grows placed particles to a scale, and moves those apart that overlap then. False if some do not come apart within
-  /// the given number of sweeps; then everything is as before.
+  /// Grows placed particles to a scale, and moves apart those that then overlap. Returns false, with the scale and
+  /// poses as before, if some still overlap after the given number of sweeps.
   bool grow_to(double scale, int most_sweeps);
 
  private:
@@ -39,12 +40,18 @@ class GrowingParticles {
   [[nodiscard]] Pose random_pose(std::uint32_t particle);
   /// A pose near that of a particle.
   [[nodiscard]] Pose random_move(std::uint32_t particle);
-  /// How far a particle in this pose reaches into a shell or a wall [m], at the final size; 0 if it does not. Above
-  /// `most` the value is a lower bound.
+  /// The pose of a periodic image of a particle in the frame in which particles have their final size, so that the box
+  /// is 1 / scale times as large.
+  [[nodiscard]] Pose at_final_size(const Pose& pose, Image image) const;
+  /// Calls visit(other, pose) for the particles and images near a particle in a pose, with their poses at_final_size().
+  template <class Visit>
+  void visit_neighbours(std::uint32_t particle, const Pose& pose, Visit&& visit) const;
+  /// The largest depth to which a particle in this pose reaches into a shell or a wall [m], at the final size; 0 if it
+  /// reaches into none. Above `most` the value is a lower bound.
   [[nodiscard]] double overlap(std::uint32_t particle, const Pose& pose, double most) const;
   [[nodiscard]] double overlap_with_walls(std::uint32_t particle, const Pose& pose) const;
   void move_to(std::uint32_t particle, const Pose& pose);
-  /// Tries a move of each particle; returns how many still overlap.
+  /// Tries a move of each particle; returns the number of particles that still overlap.
   std::size_t sweep();
   void adapt_step(std::size_t accepted);
   void restore(const std::vector<Pose>& poses);

@@ -11,11 +11,11 @@
 namespace breccia {
 namespace {
 
-/// The place of a posed shape farthest along a direction, from its centre.
+/// The point of a posed shape farthest along a direction, from its centre.
 SupportPoint support(const Shape& shape, const Pose& pose, const Vector<2>& direction) {
   const auto seen = pose.to_shape(direction);
-  const auto [place, radius] = std::visit([&](const auto& one) { return one.support(seen); }, shape);
-  return {pose.from_shape(place), radius};
+  const auto [point, radius] = std::visit([&](const auto& one) { return one.support(seen); }, shape);
+  return {pose.from_shape(point), radius};
 }
 
 struct InWords {
@@ -27,14 +27,14 @@ struct InWords {
   }
 };
 
-/// The direction along which a place inside a convex body leaves it soonest, among a number of them.
+/// The direction along which a point inside a convex body is nearest to its outline, among a number of directions.
 template <class Support>
-ParticleGap shortest_way_out(const Vector<2>& place, const Support& support, ParticleGap best) {
+ParticleGap shortest_way_out(const Vector<2>& point, const Support& support, ParticleGap best) {
   constexpr int directions = 360;
   for (int step = 0; step < directions; ++step) {
     const double angle = 2.0 * std::numbers::pi * step / directions;
     const Vector<2> direction = {std::cos(angle), std::sin(angle)};
-    const double width = dot(direction, difference(place, support(direction).place));
+    const double width = dot(direction, point - support(direction).point);
     if (width > best.width) best = {width, direction};
   }
   return best;
@@ -72,13 +72,13 @@ std::string in_words(const Shape& shape) {
 }
 
 std::array<Vector<2>, 2> extent(const Shape& shape, const Pose& pose) {
-  const auto reach = [&](const Vector<2>& direction) { return dot(direction, support(shape, pose, direction).place); };
+  const auto reach = [&](const Vector<2>& direction) { return dot(direction, support(shape, pose, direction).point); };
   return {{{reach({-1.0, 0.0}), reach({1.0, 0.0})}, {reach({0.0, -1.0}), reach({0.0, 1.0})}}};
 }
 
-double signed_distance(const Particle& particle, const Vector<2>& place) {
+double signed_distance(const Particle& particle, const Vector<2>& point) {
   const auto& [shape, pose] = particle;
-  const auto seen = pose.to_shape(difference(place, pose.centre()));
+  const auto seen = pose.to_shape(point - pose.centre());
   const auto distance = [&](const auto& one) {
     if (one.contains(seen)) return -one.depth(seen);
     const auto support = [&one](const Vector<2>& direction) { return one.support(direction); };
@@ -90,11 +90,11 @@ double signed_distance(const Particle& particle, const Vector<2>& place) {
 ParticleGap gap(const Shape& one, const Pose& at_one, const Shape& other, const Pose& at_other, double enough) {
   // The first shape grown by the second one, turned around: the distance of the centre of the second one from it.
   const auto grown = [&](const Vector<2>& direction) -> SupportPoint {
-    const auto [place, radius] = support(one, at_one, direction);
+    const auto [point, radius] = support(one, at_one, direction);
     const auto [behind, radius_behind] = support(other, at_other, {-direction[0], -direction[1]});
-    return {difference(place, behind), radius + radius_behind};
+    return {point - behind, radius + radius_behind};
   };
-  const auto apart = difference(at_other.centre(), at_one.centre());
+  const auto apart = at_other.centre() - at_one.centre();
   const auto found = Separation(apart, grown).distance(enough);
   return found.width < 0.0 && std::isinf(enough) ? shortest_way_out(apart, grown, found) : found;
 }

@@ -45,14 +45,14 @@ int ParticleLocator::bucket_along_axis(double coordinate) const {
   return static_cast<int>(std::clamp(std::floor(coordinate / reach_), 0.0, buckets_ - 1.0));
 }
 
-ParticlePlace ParticleLocator::at(const Vector<2>& position) const {
+LocatedParticle ParticleLocator::at(const Vector<2>& position) const {
   const auto bucket =
       static_cast<std::size_t>(bucket_along_axis(position[1]) * buckets_ + bucket_along_axis(position[0]));
-  ParticlePlace nearest = {{}, reach_};
+  LocatedParticle nearest = {{}, reach_};
   double coated = reach_;  // distance from the coating of the nearest
   for (const auto index : candidates_of_[bucket]) {
     const auto& [number, particle, radius] = candidates_[index];
-    if (norm(difference(position, particle.pose.centre())) - radius >= coated) continue;
+    if (norm(position - particle.pose.centre()) - radius >= coated) continue;
     const double distance = signed_distance(particle, position);
     const double thickness = box_.coating_of(number);
     if (distance - thickness >= coated) continue;

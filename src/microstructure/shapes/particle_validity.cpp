@@ -38,7 +38,7 @@ double room(const ParticleBox& box, std::size_t number) {
   return smallest_wall_gap(alone) - box.coating_of(number);
 }
 
-/// What is wrong with a particle by itself.
+/// The mistakes of each particle by itself.
 std::vector<std::string> mistakes_of_particles(const ParticleBox& box) {
   const auto is_outside = [&](double x) { return !(x >= 0.0 && x <= box.side); };
   std::vector<std::string> mistakes;

@@ -72,11 +72,11 @@ bool has_finite_angle(const EllipsoidToPlace&) {
   return true;
 }
 
-std::string words_on(const ParticleToPlace& particle) {
+std::string description_of(const ParticleToPlace& particle) {
   return in_words(particle.shape);
 }
 
-std::string words_on(const EllipsoidToPlace& particle) {
+std::string description_of(const EllipsoidToPlace& particle) {
   return fmt::format("ellipsoid of {:.6g} m", fmt::join(particle.axes, " m x "));
 }
 

@@ -10,24 +10,24 @@
 
 namespace breccia {
 
-// What a sequential packing asks of its particles, for those of a plane and for ellipsoids. `random()` is uniform in
-// [0, 1).
+// The functions of particles that a sequential packing calls, for plane particles and for ellipsoids. `random()`
+// returns numbers uniform in [0, 1).
 
 [[nodiscard]] double size_of(const ParticleToPlace& particle);    ///< area [m^2]
 [[nodiscard]] double size_of(const EllipsoidToPlace& particle);   ///< volume [m^3]
 [[nodiscard]] double reach_of(const ParticleToPlace& particle);   ///< largest distance from the centre [m]
-[[nodiscard]] double reach_of(const EllipsoidToPlace& particle);  ///< the same
+[[nodiscard]] double reach_of(const EllipsoidToPlace& particle);  ///< largest distance from the centre [m]
 /// Area or volume with the shell around it [m^dim].
 [[nodiscard]] double size_with_shell(const ParticleToPlace& particle);
 [[nodiscard]] double size_with_shell(const EllipsoidToPlace& particle);
-/// The least width along the axes of the box that any of its orientations has [m]; that of a plane particle to two
-/// degrees.
+/// The least width along the axes of the box over all orientations [m]; over those in steps of two degrees for a plane
+/// particle.
 [[nodiscard]] double least_width(const ParticleToPlace& particle);
 [[nodiscard]] double least_width(const EllipsoidToPlace& particle);
 [[nodiscard]] bool has_finite_angle(const ParticleToPlace& particle);
 [[nodiscard]] bool has_finite_angle(const EllipsoidToPlace& particle);
-[[nodiscard]] std::string words_on(const ParticleToPlace& particle);
-[[nodiscard]] std::string words_on(const EllipsoidToPlace& particle);
+[[nodiscard]] std::string description_of(const ParticleToPlace& particle);
+[[nodiscard]] std::string description_of(const EllipsoidToPlace& particle);
 
 [[nodiscard]] inline const Vector<2>& centre_of(const Pose& pose) {
   return pose.centre();
@@ -35,7 +35,7 @@ namespace breccia {
 [[nodiscard]] inline const Vector<3>& centre_of(const EllipsoidPose& pose) {
   return pose.centre;
 }
-/// The same orientation somewhere else.
+/// The pose with this orientation and another centre [m].
 [[nodiscard]] inline Pose moved_to(const Pose& pose, const Vector<2>& centre) {
   return pose.at(centre);
 }
@@ -43,7 +43,7 @@ namespace breccia {
   return {centre, pose.quaternion};
 }
 
-/// How far a particle reaches from its centre down and up along each axis, all positive [m].
+/// The largest distances of a particle from its centre down and up along each axis, all positive [m].
 [[nodiscard]] std::array<Vector<2>, 2> reach_along_axes(const ParticleToPlace& particle, const Pose& pose);
 [[nodiscard]] std::array<Vector<2>, 3> reach_along_axes(const EllipsoidToPlace& particle, const EllipsoidPose& pose);
 
@@ -63,7 +63,7 @@ template <class Random>
   return {centre, particle.angle.value_or(angle)};
 }
 
-/// The same; the rotations are equally likely (Shoemake, Graphics Gems III, 1992, p. 124).
+/// A pose with a random rotation, all equally likely (Shoemake, Graphics Gems III, 1992, p. 124).
 template <class Random>
 [[nodiscard]] EllipsoidPose posed_at_random(const EllipsoidToPlace&, const Vector<3>& centre, Random&& random) {
   const double share = random(), first = 2.0 * std::numbers::pi * random(), second = 2.0 * std::numbers::pi * random();
@@ -71,7 +71,7 @@ template <class Random>
   return {centre, {other * std::cos(second), one * std::sin(first), one * std::cos(first), other * std::sin(second)}};
 }
 
-/// A pose elsewhere, turned by at most about `step` [rad].
+/// A pose with another centre, turned by at most about `step` [rad].
 template <class Random>
 [[nodiscard]] Pose turned_a_little(const ParticleToPlace& particle, const Pose& pose, const Vector<2>& centre,
                                    double step, Random&& random) {

@@ -14,12 +14,12 @@
 namespace breccia {
 namespace {
 
-// Particles that are placed at random one after the other reach about 55 % of a plane and 38 % of space; up to this
-// share each of them finds room soon.
+// Particles that are placed at random one after the other fill at most about 55 % of a plane and 38 % of space; up to
+// this fraction few trials are needed for each.
 constexpr double placed_fraction(int dim) {
   return dim == 3 ? 0.25 : 0.4;
 }
-// Growth in a step [-]; a step that fails is repeated with half of it.
+// Relative growth in a step [-]; a step that fails is repeated with half the growth.
 constexpr double first_growth = 0.02, largest_growth = 0.05, smallest_growth = 1e-4;
 constexpr int most_sweeps = 200;  // for a step of growth
 
@@ -42,7 +42,8 @@ void require_meaning(const Request& request) {
   }
 }
 
-/// In a periodic box a particle is no longer than the box, so that it never meets its own images.
+/// Whether a particle with its shell fits into the box. In a periodic box it must be shorter than the side, so that it
+/// never meets its own images.
 template <class Request, class Particle>
 bool fits(const Request& request, const Particle& particle) {
   if (request.walls == Walls::periodic) return 2.0 * (reach_of(particle) + particle.shell) < request.side;
@@ -50,13 +51,13 @@ bool fits(const Request& request, const Particle& particle) {
 }
 
 template <class Request>
-void require_room(const Request& request) {
+void require_fitting(const Request& request) {
   const auto unfit =
       std::ranges::find_if_not(request.particles, [&](const auto& particle) { return fits(request, particle); });
   if (unfit == request.particles.end()) return;
   throw PackingError(PackingObstacle::size, 0.0,
                      fmt::format("packing: a particle ({}) with its gap does not fit into a box of side {:.6g} m",
-                                 words_on(*unfit), request.side));
+                                 description_of(*unfit), request.side));
 }
 
 template <class Request>
@@ -72,7 +73,7 @@ double fraction(const Request& request) {
   return sum / box_of(request);
 }
 
-/// The same with their shells.
+/// Area or volume of the particles with their shells per that of the box at their final size.
 template <class Request>
 double fraction_with_shells(const Request& request) {
   double sum = 0.0;
@@ -80,21 +81,21 @@ double fraction_with_shells(const Request& request) {
   return sum / box_of(request);
 }
 
-/// What particles at a scale fill of what they fill at their size.
+/// Factor of areas (2D) or volumes (3D) where all lengths are multiplied by `scale`.
 template <int dim>
-double power(double scale) {
+double volume_factor(double scale) {
   return times_power<dim>(1.0, scale);
 }
 
-/// The scale at which they fill so much of it.
+/// Factor of the lengths by which areas or volumes are multiplied by `factor`.
 template <int dim>
-double root(double share) {
-  return dim == 3 ? std::cbrt(share) : std::sqrt(share);
+double scale_of(double factor) {
+  return dim == 3 ? std::cbrt(factor) : std::sqrt(factor);
 }
 
 }  // namespace
 
-/// Growing particles, with the growth of the next step.
+/// Growing particles, and the relative growth in the next step.
 template <class Request>
 struct SequentialRun<Request>::Growth {
   explicit Growth(Request request) : particles(std::move(request)) {}
@@ -106,7 +107,7 @@ struct SequentialRun<Request>::Growth {
 template <class Request>
 SequentialRun<Request>::SequentialRun(Request request) {
   require_meaning(request);
-  require_room(request);
+  require_fitting(request);
   growth_ = std::make_unique<Growth>(std::move(request));
 }
 
@@ -127,7 +128,7 @@ void SequentialRun<Request>::place() {
   auto& particles = growth_->particles;
   constexpr double smaller = 0.8;
   double scale =
-      std::min(1.0, root<Request::dim>(placed_fraction(Request::dim) / fraction_with_shells(particles.request())));
+      std::min(1.0, scale_of<Request::dim>(placed_fraction(Request::dim) / fraction_with_shells(particles.request())));
   while (!particles.place(scale)) scale *= smaller;
 }
 
@@ -144,7 +145,7 @@ void SequentialRun<Request>::advance() {
   }
   next *= 0.5;
   if (next >= smallest_growth) return;
-  const double reached = power<Request::dim>(particles.scale());
+  const double reached = volume_factor<Request::dim>(particles.scale());
   throw PackingError(
       PackingObstacle::jam, reached * fraction_with_shells(particles.request()),
       fmt::format("packing: {} particles jam at {:.2f} % of their size, at a fraction of {:.4g} instead of {:.4g}",

@@ -21,7 +21,7 @@ double base_weight(const std::vector<Site<dim>>& sites, double spacing) {
   return mean - spacing * spacing / std::numbers::pi;
 }
 
-/// Radii of balls around the sites [m] that stand for their weights: none is less than sqrt(weight - base).
+/// Radii of balls around the sites [m], none less than sqrt(weight - base), by which LevelGrid finds the sites.
 template <int dim>
 std::vector<double> radii_of_weights(const std::vector<Site<dim>>& sites, double base, double smallest) {
   std::vector<double> radii;
@@ -43,7 +43,7 @@ CellBuilder<dim>::CellBuilder(const LaguerreSites<dim>& sites)
   for (std::uint32_t site = 0; site < radii_.size(); ++site) grid_.insert(site, sites.sites[site].position);
 }
 
-/// The box, or the places that are nearer to the site than to the images of it.
+/// The first cell of a site: the box, or the set of points that are nearer to the site than to its own images.
 template <int dim>
 ConvexCell<dim> CellBuilder<dim>::largest_cell(std::uint32_t site) const {
   Vector<dim> lower, upper;
@@ -65,24 +65,24 @@ ConvexCell<dim> CellBuilder<dim>::largest_cell(std::uint32_t site) const {
   return {lower, upper, behind};
 }
 
-/// The places that are nearer to the site than to another, or to an image of it. Of two sites at the same place with
-/// equal weights the first has everything.
+/// The half-space of the points that are nearer to the site than to another site or an image of it. Of two sites at the
+/// same point with equal weights the first owns all points.
 template <int dim>
 HalfSpace<dim> CellBuilder<dim>::half_space(std::uint32_t site, std::uint32_t behind) const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const std::uint32_t other = Behind<dim>::site(behind);
   const auto& [position, weight] = sites_.sites[site];
   const auto& [other_position, other_weight] = sites_.sites[other];
-  const auto apart = difference(displaced(other_position, 1.0, images_.shift(Behind<dim>::image(behind))), position);
+  const auto apart = other_position + images_.shift(Behind<dim>::image(behind)) - position;
   const double distance = norm(apart);
   if (distance == 0.0) {
     const bool has_everything = weight > other_weight || (weight == other_weight && site < other);
     return {{1.0}, has_everything ? infinity : -infinity, behind};
   }
-  return {displaced({}, 1.0 / distance, apart), 0.5 * (distance + (weight - other_weight) / distance), behind};
+  return {(1.0 / distance) * apart, 0.5 * (distance + (weight - other_weight) / distance), behind};
 }
 
-/// How far to look for sites that may cut the cell. With corners up to R away, a site at distance D cuts nothing if its
+/// The reach within which sites may cut the cell. With corners up to R away, a site at distance D cuts nothing if its
 /// plane is beyond them, (D^2 + w - w') / (2 D) >= R, which holds for D >= R + sqrt(max(0, R^2 - w + w')). With the
 /// base w0 of the weights and w' <= w0 + r'^2 it holds for D >= R + sqrt(max(0, R^2 - w + w0)) + r'. Only sites with D
 /// less than reach + r' remain, and these are among the balls that LevelGrid finds.
@@ -92,17 +92,17 @@ double CellBuilder<dim>::search_reach(const ConvexCell<dim>& cell, std::uint32_t
   return reach + std::sqrt(std::max(0.0, reach * reach - sites_.sites[site].weight + base_weight_));
 }
 
-/// Cuts the cell by the sites that LevelGrid finds within this reach. Those whose planes are nearest come first: the
-/// others then hardly ever touch what is left.
+/// Cuts the cell by the sites that LevelGrid finds within this reach. The nearest planes come first, so that most of
+/// the others do not touch the remaining cell.
 template <int dim>
 void CellBuilder<dim>::cut_by_sites_within(double reach, ConvexCell<dim>& cell, std::uint32_t site) const {
   const auto& [position, weight] = sites_.sites[site];
   const double farthest = cell.reach();
-  // The offset (D^2 + w - w') / (2 D) of a plane is less than the farthest corner; no root is taken for the many sites
-  // of which that is wrong.
-  const auto may_cut = [&, place = position, own = weight](std::uint32_t other, Image image) {
+  // A plane can only cut if its offset (D^2 + w - w') / (2 D) is less than the distance of the farthest corner; no root
+  // is taken for the many sites whose plane cannot.
+  const auto may_cut = [&, point = position, own = weight](std::uint32_t other, Image image) {
     const auto& [other_position, other_weight] = sites_.sites[other];
-    const auto apart = difference(displaced(other_position, 1.0, images_.shift(image)), place);
+    const auto apart = other_position + images_.shift(image) - point;
     const double square = dot(apart, apart);
     const double numerator = square + own - other_weight;
     return numerator < 0.0 || numerator * numerator < 4.0 * farthest * farthest * square || square == 0.0;

@@ -14,7 +14,7 @@
 
 namespace breccia {
 
-/// What lies behind a face of a cell, as one number: an image of a site, or a wall.
+/// The neighbour behind a face of a cell, as one number: an image of a site, or a wall.
 template <int dim>
 struct Behind {
   static constexpr std::uint32_t wall = std::numeric_limits<std::uint32_t>::max();
@@ -34,8 +34,8 @@ class CellBuilder {
  public:
   explicit CellBuilder(const LaguerreSites<dim>& sites);
 
-  /// The cell of a site, seen from its position. `likely` are numbers (Behind) of sites that may be its neighbours:
-  /// with most of them the cell is found sooner. Others than the neighbours do no harm.
+  /// The cell of a site, relative to its position. `likely` are numbers (Behind) of sites that may be its neighbours:
+  /// the more neighbours are among them, the sooner the cell is found. Other sites do not change the result.
   [[nodiscard]] ConvexCell<dim> cell(std::uint32_t site, std::span<const std::uint32_t> likely = {}) const;
   /// All cells, by site.
   [[nodiscard]] std::vector<ConvexCell<dim>> cells() const;

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double cut_tolerance = 4e-15;  // of the diagonal of the box that a cell began with
 
-/// Volume of the simplex that a place spans with `dim` vectors [m^dim].
+/// Volume of the simplex spanned by `dim` vectors from a common corner [m^dim].
 double simplex_volume(const std::array<Vector<2>, 2>& edges) {
   return 0.5 * std::abs(edges[0][0] * edges[1][1] - edges[0][1] * edges[1][0]);
 }
@@ -35,7 +35,7 @@ double simplex_volume(const std::array<Vector<3>, 3>& edges) {
 }
 
 double triangle_area(const Vector<3>& a, const Vector<3>& b, const Vector<3>& c) {
-  return 0.5 * norm(cross(difference(b, a), difference(c, a)));
+  return 0.5 * norm(cross(b - a, c - a));
 }
 
 /// Calls visit(corner, across, slot) once for every edge: it joins two corners and leaves the plane `slot` of the
@@ -57,7 +57,7 @@ void visit_simplices(const ConvexCell<2>& cell, Visit&& visit) {
   visit_edges(cell, [&](std::size_t corner, std::size_t across, std::size_t slot) {
     const auto& begin = cell.corners()[corner];
     const auto& end = cell.corners()[across].position;
-    visit(begin.planes[1 - slot], norm(difference(end, begin.position)), std::array{begin.position, end});
+    visit(begin.planes[1 - slot], norm(end - begin.position), std::array{begin.position, end});
   });
 }
 
@@ -80,10 +80,10 @@ void visit_simplices(const ConvexCell<3>& cell, Visit&& visit) {
   });
 }
 
-/// From the first corner of a cell to the corners of a simplex.
+/// The vectors from the first corner of a cell to the corners of a simplex.
 template <std::size_t dim>
 std::array<Vector<dim>, dim> seen_from(const Vector<dim>& origin, std::array<Vector<dim>, dim> corners) {
-  for (auto& corner : corners) corner = difference(corner, origin);
+  for (auto& corner : corners) corner -= origin;
   return corners;
 }
 
@@ -91,7 +91,7 @@ std::array<Vector<dim>, dim> seen_from(const Vector<dim>& origin, std::array<Vec
 
 template <int dim>
 ConvexCell<dim>::ConvexCell(const Vector<dim>& lower, const Vector<dim>& upper, const BoxSides& behind)
-    : tolerance_(cut_tolerance * norm(difference(upper, lower))) {
+    : tolerance_(cut_tolerance * norm(upper - lower)) {
   for (std::uint32_t axis = 0; axis < dim; ++axis) {
     Vector<dim> normal{};
     normal[axis] = -1.0;
@@ -149,8 +149,8 @@ bool ConvexCell<dim>::cut(const HalfSpace<dim>& half_space) {
       const double below = half_space.height(corners_[across].position);
       Corner end = corners_[corner];
       end.planes[slot] = plane;
-      end.position = displaced(corners_[across].position, std::max(0.0, -below) / (above - below),
-                               difference(end.position, corners_[across].position));
+      const auto& start = corners_[across].position;
+      end.position = start + std::max(0.0, -below) / (above - below) * (end.position - start);
       corners_.push_back(end);
     }
   }
@@ -216,22 +216,22 @@ template <int dim>
 Moments<dim> moments(const ConvexCell<dim>& cell) {
   Moments<dim> result;
   if (cell.is_empty()) return result;
-  // Of a simplex with corners x_k, V = volume: int x = V sum x_k / (dim + 1),
+  // For a simplex with corners x_k and volume V: int x = V sum x_k / (dim + 1),
   // int x x' = V (sum x_k x_k' + sum x_k sum x_k') / ((dim + 1)(dim + 2)).
   const auto& origin = cell.corners().front().position;
   Vector<dim> first{};
   auto& second = result.covariance;
   visit_simplices(cell, [&](std::uint32_t, double, const auto& corners) {
-    const auto places = seen_from(origin, corners);
-    const double simplex = simplex_volume(places);
+    const auto points = seen_from(origin, corners);
+    const double simplex = simplex_volume(points);
     Vector<dim> sum{};
-    for (const auto& place : places) sum = displaced(sum, 1.0, place);
+    for (const auto& point : points) sum += point;
     result.volume += simplex;
-    first = displaced(first, simplex / (dim + 1), sum);
+    first += simplex / (dim + 1) * sum;
     for (std::size_t a = 0; a < dim; ++a) {
       const double share = simplex / ((dim + 1) * (dim + 2));
-      second[a] = displaced(second[a], share * sum[a], sum);
-      for (const auto& place : places) second[a] = displaced(second[a], share * place[a], place);
+      second[a] += share * sum[a] * sum;
+      for (const auto& point : points) second[a] += share * point[a] * point;
     }
   });
   if (!(result.volume > 0.0)) return Moments<dim>{0.0, origin, {}};
@@ -239,7 +239,7 @@ Moments<dim> moments(const ConvexCell<dim>& cell) {
   for (std::size_t a = 0; a < dim; ++a) {
     for (std::size_t b = 0; b < dim; ++b) second[a][b] = second[a][b] / result.volume - first[a] * first[b];
   }
-  result.centroid = displaced(origin, 1.0, first);
+  result.centroid = origin + first;
   return result;
 }
 

@@ -38,18 +38,19 @@ GrainLocator<dim>& GrainLocator<dim>::operator=(GrainLocator&&) noexcept = defau
 template <int dim>
 GrainLocator<dim>::~GrainLocator() = default;
 
-// The faces of the cell are enough. A ball around the place that reaches the nearest face is within the convex cell, so
+// Only the faces of the cell matter. A ball around the point that reaches the nearest face is within the convex cell,
+// so
 // it does not cross the plane of any other site: no such plane is nearer (theory, Eq. 49). In a film, at the distance
 // d < t/2 from its face, the cell's own grain is at least t/2 - d away. Another grain is at least half of the thinnest
 // film behind a face that is no nearer than the nearest of this cell.
 template <int dim>
-GrainPlace GrainLocator<dim>::at(const Vector<dim>& position) const {
-  const auto [site, place] = tree_->owner(position);
+LocatedGrain GrainLocator<dim>::at(const Vector<dim>& position) const {
+  const auto [site, point] = tree_->owner(position);
   constexpr double infinity = std::numeric_limits<double>::infinity();
   double nearest = infinity, depth = infinity;  // distances from the nearest face, and into the grain
   for (std::size_t k = first_face_[site]; k < first_face_[site + 1]; ++k) {
     const auto& face = faces_[k];
-    const double distance = std::max(0.0, face.offset - dot(face.normal, place));
+    const double distance = std::max(0.0, face.offset - dot(face.normal, point));
     nearest = std::min(nearest, distance);
     depth = std::min(depth, distance - face.half_film);
   }

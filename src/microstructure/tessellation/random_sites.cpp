@@ -30,7 +30,7 @@ namespace {
 template <int dim>
 constexpr double first_fraction = dim == 2 ? 0.4 : 0.25;
 constexpr int most_attempts = 10'000;     // to place a ball
-constexpr double ball_shrinkage = 0.9;    // of the diameters, if a ball finds no place
+constexpr double ball_shrinkage = 0.9;    // factor of the diameters, if a ball does not fit
 constexpr double rough_tolerance = 0.01;  // of volumes whose centroids are wanted
 
 void require_meaning(const RandomTessellationRequest& request) {
@@ -59,8 +59,8 @@ std::vector<double> ball_volumes(const std::vector<double>& diameters) {
   return volumes;
 }
 
-/// Balls at random places, the largest first, none of which touches another (random sequential addition). Their
-/// weights are the squares of their radii [m], so each ball lies in its own cell. Nothing if a ball finds no place.
+/// Balls at random positions, the largest first, none of which touches another (random sequential addition). Their
+/// weights are the squares of their radii [m], so each ball lies in its own cell. Nothing if a ball does not fit.
 template <int dim>
 std::optional<LaguerreSites<dim>> place_balls(double side, Walls walls, const std::vector<double>& radii,
                                               std::mt19937_64& engine) {
@@ -70,28 +70,28 @@ std::optional<LaguerreSites<dim>> place_balls(double side, Walls walls, const st
   std::vector<std::uint32_t> order(radii.size());
   std::iota(order.begin(), order.end(), 0U);
   std::ranges::stable_sort(order, std::ranges::greater(), [&](std::uint32_t ball) { return radii[ball]; });
-  const auto overlaps = [&](const Vector<dim>& place, double radius) {
+  const auto overlaps = [&](const Vector<dim>& point, double radius) {
     bool found = false;
-    grid.visit_near(place, radius, [&](std::uint32_t other, auto image) {
-      const auto seen = displaced(result.sites[other].position, 1.0, images.shift(image));
-      found = found || norm(difference(seen, place)) < radius + radii[other];
+    grid.visit_near(point, radius, [&](std::uint32_t other, auto image) {
+      const auto seen = result.sites[other].position + images.shift(image);
+      found = found || norm(seen - point) < radius + radii[other];
     });
     return found;
   };
   for (const std::uint32_t ball : order) {
-    auto& [place, weight] = result.sites[ball];
+    auto& [point, weight] = result.sites[ball];
     weight = radii[ball] * radii[ball];
     int attempts = 0;
     do {
       if (attempts++ == most_attempts) return std::nullopt;
-      for (double& x : place) x = side * uniform(engine);
-    } while (overlaps(place, radii[ball]));
-    grid.insert(ball, place);
+      for (double& x : point) x = side * uniform(engine);
+    } while (overlaps(point, radii[ball]));
+    grid.insert(ball, point);
   }
   return result;
 }
 
-/// Sites whose cells all have a volume, of about the size asked for.
+/// Sites whose cells all have a volume, of about the wanted size.
 template <int dim>
 LaguerreSites<dim> first_sites(const RandomTessellationRequest& request) {
   const auto volumes = ball_volumes<dim>(request.diameters);

@@ -50,7 +50,7 @@ std::vector<SiteMistake> empty_cells(const LaguerreSites<dim>& sites, const std:
   for (std::size_t number = 0; number < cells.size(); ++number) {
     if (!cells[number].is_empty()) continue;
     const auto& [position, weight] = sites.sites[number];
-    found.push_back({number, fmt::format("no place belongs to the site at ({:.6g} m) with the weight {:.6g} m^2: a "
+    found.push_back({number, fmt::format("no point belongs to the site at ({:.6g} m) with the weight {:.6g} m^2: a "
                                          "site near it has too large a weight, or the same position",
                                          fmt::join(position, " m, "), weight)});
   }

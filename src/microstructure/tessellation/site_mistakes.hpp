@@ -15,7 +15,7 @@ namespace breccia {
 template <int dim>
 [[nodiscard]] std::vector<SiteMistake> mistakes_of_numbers(const LaguerreSites<dim>& sites);
 
-/// Sites without a place that belongs to them.
+/// The sites to which no point belongs.
 template <int dim>
 [[nodiscard]] std::vector<SiteMistake> empty_cells(const LaguerreSites<dim>& sites,
                                                    const std::vector<ConvexCell<dim>>& cells);

@@ -11,10 +11,10 @@ namespace breccia {
 
 namespace {
 
-/// At most so many sites are left to compare at a place: twice those that meet at a corner.
+/// The largest number of sites left to compare at a point: twice the number that meet at a corner.
 template <int dim>
 constexpr std::size_t most_candidates = 2 * (dim + 1);
-constexpr int deepest = 32;  // reached only where more cells than that meet in one place
+constexpr int deepest = 32;  // reached only where more cells than that meet at one point
 
 }  // namespace
 
@@ -27,7 +27,7 @@ SiteTree<dim>::SiteTree(const LaguerreSites<dim>& sites) : side_(sites.side), wa
     const auto& [position, weight] = sites.sites[site];
     for (typename Images::Image image = 0; image < Images::count; ++image) {
       if (walls_ == Walls::hard && image != Images::in_place) continue;
-      all.push_back({displaced(position, 1.0, images.shift(image)), weight, site});
+      all.push_back({position + images.shift(image), weight, site});
     }
   }
   Part box{{}, 0.5 * side_, 0};
@@ -36,12 +36,12 @@ SiteTree<dim>::SiteTree(const LaguerreSites<dim>& sites) : side_(sites.side), wa
 }
 
 template <int dim>
-double SiteTree<dim>::power(const Candidate& candidate, const Vector<dim>& place) noexcept {
-  const auto seen = difference(place, candidate.position);
+double SiteTree<dim>::power(const Candidate& candidate, const Vector<dim>& point) noexcept {
+  const auto seen = point - candidate.position;
   return dot(seen, seen) - candidate.weight;
 }
 
-/// The candidates that may own a place in the part. The difference of the powers q of two sites is linear,
+/// The candidates that may own a point in this part of the box. The difference of the powers q of two sites is linear,
 /// q - q' = value at the centre + 2 (c' - c) . (x - centre), so at most value + 2 sum |c' - c| half_side in the part.
 /// Where that is negative with the owner of the centre as c, the other site owns nothing in the part.
 template <int dim>
@@ -53,7 +53,7 @@ auto SiteTree<dim>::possible_owners(const Part& part, const std::vector<Candidat
   std::vector<Candidate> possible;
   std::ranges::copy_if(candidates, std::back_inserter(possible), [&](const Candidate& other) {
     double steepness = 0.0;
-    for (const double x : difference(other.position, owner.position)) steepness += std::abs(x);
+    for (const double x : other.position - owner.position) steepness += std::abs(x);
     return power_of_owner - power_at_centre(other) + 2.0 * steepness * part.half_side >= 0.0;
   });
   return possible;
@@ -80,8 +80,8 @@ void SiteTree<dim>::build(std::size_t node, const Part& part, const std::vector<
 }
 
 template <int dim>
-auto SiteTree<dim>::owner(const Vector<dim>& place) const -> Owner {
-  Vector<dim> inside = place;
+auto SiteTree<dim>::owner(const Vector<dim>& point) const -> Owner {
+  Vector<dim> inside = point;
   for (double& x : inside) x = walls_ == Walls::periodic ? wrapped(x, side_) : std::clamp(x, 0.0, side_);
   Vector<dim> centre;
   centre.fill(0.5 * side_);
@@ -98,8 +98,8 @@ auto SiteTree<dim>::owner(const Vector<dim>& place) const -> Owner {
   const std::span<const Candidate> candidates(&candidates_[node->first], node->count);
   const Candidate& nearest =
       *std::ranges::min_element(candidates, {}, [&](const Candidate& candidate) { return power(candidate, inside); });
-  Owner owner{nearest.site, difference(inside, nearest.position)};
-  if (walls_ == Walls::hard) owner.place = difference(place, nearest.position);
+  Owner owner{nearest.site, inside - nearest.position};
+  if (walls_ == Walls::hard) owner.point = point - nearest.position;
   return owner;
 }
 

@@ -8,8 +8,8 @@
 
 namespace breccia {
 
-/// Finds the site to which a place belongs. The box is divided into halves along all axes, and the parts again, until
-/// few sites can own a place in a part.
+/// Finds the site to which a point belongs. The box is divided into halves along all axes, and so are the parts, until
+/// few sites can own a point in each part.
 template <int dim>
 class SiteTree {
  public:
@@ -17,10 +17,10 @@ class SiteTree {
 
   struct Owner {
     std::uint32_t site;
-    Vector<dim> place;  ///< seen from the nearest image of the site [m]
+    Vector<dim> point;  ///< seen from the nearest image of the site [m]
   };
-  /// The site to which a place belongs.
-  [[nodiscard]] Owner owner(const Vector<dim>& place) const;
+  /// The site to which a point belongs.
+  [[nodiscard]] Owner owner(const Vector<dim>& point) const;
 
  private:
   struct Candidate {  // a site or an image of it
@@ -39,14 +39,14 @@ class SiteTree {
   };
 
   void build(std::size_t node, const Part& part, const std::vector<Candidate>& candidates);
-  [[nodiscard]] static double power(const Candidate& candidate, const Vector<dim>& place) noexcept;
+  [[nodiscard]] static double power(const Candidate& candidate, const Vector<dim>& point) noexcept;
   [[nodiscard]] static std::vector<Candidate> possible_owners(const Part& part,
                                                               const std::vector<Candidate>& candidates);
 
   double side_;
   Walls walls_;
   std::vector<Node> nodes_;
-  std::vector<Candidate> candidates_;  // of the leaves, one after the other
+  std::vector<Candidate> candidates_;  // candidates of the leaves, one leaf after the other
 };
 
 }  // namespace breccia

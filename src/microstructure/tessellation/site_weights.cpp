@@ -95,8 +95,8 @@ class Cells {
         const std::uint32_t other = Behind<dim>::site(behind);
         if (other == site) continue;
         neighbours.push_back(behind);
-        const auto seen = displaced(sites_.sites[other].position, 1.0, images.shift(Behind<dim>::image(behind)));
-        const double distance = norm(difference(seen, sites_.sites[site].position));
+        const auto seen = sites_.sites[other].position + images.shift(Behind<dim>::image(behind));
+        const double distance = norm(seen - sites_.sites[site].position);
         rates_.push_back({static_cast<int>(site), static_cast<int>(other), 0.5 * faces[face] / distance});
       }
     }
@@ -104,11 +104,11 @@ class Cells {
 
   LaguerreSites<dim> sites_;
   Eigen::VectorXd volumes_;
-  std::vector<std::vector<std::uint32_t>> neighbours_;  // as numbers of Behind; they hardly change from step to step
+  std::vector<std::vector<std::uint32_t>> neighbours_;  // numbers of Behind, which change little from step to step
   std::vector<Rate> rates_;
 };
 
-/// The volumes asked for, in proportion, such that they fill the box.
+/// The wanted volumes, scaled such that they fill the box.
 template <int dim>
 Eigen::VectorXd filling_volumes(const LaguerreSites<dim>& sites, std::span<const double> volumes) {
   if (volumes.size() != sites.sites.size()) {
@@ -124,8 +124,9 @@ Eigen::VectorXd filling_volumes(const LaguerreSites<dim>& sites, std::span<const
   return asked / asked.sum() * times_power<dim>(1.0, sites.side);
 }
 
-/// What the cells lack of the volumes asked for. Both fill the box but for rounding, which grows with the number of
-/// cells and would else be missing from the first one, whose weight is held.
+/// The wanted volume of each cell less its volume. Both sums are the volume of the box but for rounding, which grows
+/// with the number of cells. It is taken off the first cell, whose weight is fixed, so that it is not counted as an
+/// error of this cell.
 Eigen::VectorXd missing_volumes(const Eigen::VectorXd& volumes, const Eigen::VectorXd& asked) {
   Eigen::VectorXd missing = asked - volumes;
   missing[0] -= missing.sum();
@@ -136,7 +137,7 @@ double largest_share(const Eigen::VectorXd& missing, const Eigen::VectorXd& aske
   return (missing.array() / asked.array()).abs().maxCoeff();
 }
 
-/// The Newton step; the weight of the first site stays. In 3D a complete factor takes a hundred times as long.
+/// The Newton step with the weight of the first site fixed. In 3D complete factors would take a hundred times as long.
 Eigen::VectorXd newton_step(const Eigen::SparseMatrix<double>& derivatives, Eigen::VectorXd missing) {
   using Matrix = Eigen::SparseMatrix<double>;
   missing[0] = 0.0;
@@ -148,7 +149,7 @@ Eigen::VectorXd newton_step(const Eigen::SparseMatrix<double>& derivatives, Eige
 }  // namespace
 
 // Damped Newton method of Kitagawa, Merigot and Thibert (2019), Algorithm 1. A step is halved until no cell is smaller
-// than half of the smallest at first and of the smallest asked for, and the volumes are nearer to those asked for.
+// than half of the smallest at first and of the smallest wanted, and the volumes are nearer to the wanted ones.
 template <int dim>
 SiteWeights weights_for_volumes(const LaguerreSites<dim>& sites, std::span<const double> volumes, double tolerance) {
   if (!(tolerance > 0.0)) {

@@ -16,13 +16,14 @@ namespace breccia {
 
 namespace {
 
-/// The fraction of the box that grains fill, and how it changes with the thickness of the film [1/m].
+/// The fraction of the box that the grains fill, and its derivative by the thickness of the film [1/m].
 struct Filling {
   double fraction = 0.0;
   double slope = 0.0;
 };
 
-/// Each face of a grain recedes by half of what its film grows.
+/// The filling by the grains at a thickness of the film [m]. For the slope each face of a grain recedes by half of the
+/// growth of its film.
 template <int dim>
 Filling filling(const Tessellation<dim>& tessellation, double film) {
   const double box = times_power<dim>(1.0, tessellation.side());
@@ -97,7 +98,7 @@ double film_thickness(const Tessellation<dim>& tessellation, double fraction) {
   // Newton steps from a film of zero, kept between the thicknesses that are known to be too small and too large.
   constexpr int most_steps = 200;
   double low = 0.0;
-  // No cell is so thick, and no film thinner than by the smallest share.
+  // An upper bound: no cell is wider than this, and no film has less than the smallest share of the thickness.
   const auto& shares = tessellation.sites().film_shares;
   double high = 2.0 * tessellation.side() / (shares.empty() ? 1.0 : std::ranges::min(shares));
   double film = 0.0;

@@ -28,7 +28,7 @@ GrainGeometry<dim> grain_geometry(const Tessellation<dim>& tessellation, std::si
     if (const auto neighbour = Tessellation<dim>::neighbour(face)) behind.push_back(*neighbour);
   }
   GrainGeometry<dim> result{};
-  result.centroid = displaced(tessellation.sites().sites[site].position, 1.0, of_cell.centroid);
+  result.centroid = tessellation.sites().sites[site].position + of_cell.centroid;
   result.cell_volume = of_cell.volume;
   result.grain_volume = volume(grain);
   result.grain_surface = std::accumulate(faces.begin(), faces.end(), 0.0);

@@ -1,12 +1,12 @@
-/// The result of a study in sentences: the modulus of a stage at its first, middle and last time, and beside its binder
-/// and what was measured.
+/// The result of a study in sentences: the modulus of a stage at its first, middle and last time, compared with its
+/// binder and a measurement.
 
 import {display, displayRange, shortNumber} from "./numbers.js";
 import {listed} from "./names.js";
 import {valueAt} from "./sampling.js";
 
 /// The first time of curves, a whole power of ten in the middle of the decades, and the last time [s]. Every curve is
-/// known at all three. Where the curves have no stretch of time in common: the first time of the last one.
+/// known at all three. Where the curves have no times in common, the first time of the last curve.
 export function threeTimes(curves) {
   const first = Math.max(...curves.map((curve) => curve.x[0]));
   const last = Math.min(...curves.map((curve) => curve.x.at(-1)));
@@ -26,15 +26,15 @@ function ratioText([least, most]) {
   return from === to ? from : `${from} to ${to}`;
 }
 
-/// What the values of the curves are, in words: "lower to upper bound", or the one boundary.
-function wordsOnBounds(curves) {
+/// A description of the values of the curves: "lower to upper bound", or the name of the one boundary.
+function textOnBounds(curves) {
   const boundaries = curves.map((curve) => curve.boundary);
   if (boundaries.includes("displacement") && boundaries.includes("traction")) return "lower to upper bound";
   const words = {displacement: "upper bound", traction: "lower bound", periodic: "periodic boundary"};
   return listed([...new Set(boundaries)].map((boundary) => words[boundary]));
 }
 
-/// Is the lower bound above the upper one at one of these times, by more than rounding?
+/// Whether the lower bound is above the upper one at one of these times, by more than rounding.
 function areCrossed(curves, times) {
   const at = (boundary, time) => {
     const curve = curves.find((one) => one.boundary === boundary);
@@ -43,7 +43,7 @@ function areCrossed(curves, times) {
   return times.some((time) => at("traction", time) > at("displacement", time) * (1 + 1e-9));
 }
 
-/// Below this share of its unrelaxed modulus a binder has flowed away, and nothing is told over it.
+/// Below this share of its unrelaxed modulus a binder has flowed away, and no ratio to it is shown.
 const relaxedAway = 1e-6;
 
 /// Has this binder {at} flowed away at a time [s]?
@@ -51,12 +51,12 @@ export function hasFlowedAway(binder, time) {
   return !(binder.at(time) > relaxedAway * binder.at(0));
 }
 
-/// The sentences. `symbol` is that of the modulus, `curves` are those of the stage, one for each boundary; `error` tells
-/// that of the grid in words; `binder` {at} and `measured` {name, x, y} may be undefined.
+/// The sentences. `symbol` is that of the modulus, `curves` are those of the stage, one for each boundary; `error` is a
+/// text on the error of the grid; `binder` {at} and `measured` {name, x, y} may be undefined.
 export function answerSentences({stage, symbol, curves, error, binder, measured}) {
   const times = threeTimes(curves);
   const moduli = times.map((time) => `${displayRange(...rangeAt(curves, time), "Pa")} at ${display(time, "s")}`);
-  const bounds = areCrossed(curves, times) ? "the bounds cross: do not use them" : wordsOnBounds(curves);
+  const bounds = areCrossed(curves, times) ? "the bounds cross: do not use them" : textOnBounds(curves);
   const sentences = [`${symbol} of ${stage} is ${listed(moduli)} (${[bounds, error].filter(Boolean).join("; ")}).`];
   if (binder !== undefined) {
     const ratios = [times[0], times.at(-1)].filter((time) => !hasFlowedAway(binder, time))
@@ -86,8 +86,8 @@ function sentenceOnMeasurement(curves, measured) {
     ...sentenceOnPlace(curves, measured)];
 }
 
-/// Where the measurement lies beside both bounds: stretches of times in which it is below, between or above them. None
-/// without both, and for bounds that cross.
+/// A sentence on the measurement relative to both bounds: the windows of time in which it is below, between or above
+/// them. No sentence without both bounds, and for bounds that cross.
 function sentenceOnPlace(curves, measured) {
   const bounds = ["traction", "displacement"].map((name) => curves.find(({boundary}) => boundary === name));
   if (bounds.includes(undefined) || areCrossed(curves, measured.x)) return [];

@@ -8,7 +8,7 @@ import {boundNames, gridName, methodNames, quantities} from "./names.js";
 import {distinct, own} from "./records.js";
 import {lawOf} from "./temperature_axis.js";
 
-/// The choice of the quantity, of what it is shown against, and of the curve that it is compared with.
+/// The choice of the quantity, of the abscissa, and of the curve that it is compared with.
 export function quantityChoices(curves, shown, draw) {
   const axis = axisChoice(curves, shown, draw);
   const reference = element("select", {id: "reference", ariaLabel: "compared with", onchange: () => {
@@ -73,7 +73,7 @@ function axisChoice(curves, shown, draw) {
   return {elements: [select, field], offer};
 }
 
-/// The choice of stages, bounds, methods, loads and grids, and of what else is drawn.
+/// The choice of stages, bounds, methods, loads and grids, and of other curves to draw.
 export function testChoices(curves, shown, draw) {
   const tests = study.stages.flatMap((stage) => stage.tests);
   const rows = [];

@@ -1,4 +1,4 @@
-/// How the curves of a study are drawn.
+/// The style of the curves of a study.
 
 import {currentInks, isDark} from "./colours.js";
 import {bestGrid} from "./curves.js";

@@ -19,7 +19,7 @@ function labelOf(stage, curve) {
   return parts.join(", ");
 }
 
-/// What tells a load from the shear that every study has: [] or ["xx-yy"].
+/// The name of a load, unless it is the shear that every study has: [] or ["xx-yy"].
 function nameOfLoad(load) {
   return load === "shear" || load === "bulk" ? [] : [load.replace("shear-", "")];
 }

@@ -1,4 +1,4 @@
-/// The figure with the curves of the study: at first the bounds of what was asked for, and the measurement.
+/// The figure with the curves of the study: at first the bounds of the results, and the measurement.
 
 import {colourBetween, colourOf, isOfBestGrid, lineOf} from "./curve_style.js";
 import {quantityChoices, testChoices} from "./curve_choices.js";
@@ -37,7 +37,8 @@ function inHertz(curves) {
   return curves.map((curve) => ({...curve, x: curve.x.map((omega) => omega / (2 * Math.PI))}));
 }
 
-/// The curves over the temperature at the time or frequency of the reader; those of which it is not known are left out.
+/// The curves over the temperature at the time or frequency that the reader has chosen; curves without a temperature
+/// shift are left out.
 function onTemperatureAxis(curves, shown) {
   const at = shown.abscissa[shown.quantity.xUnit];
   return curves.flatMap((curve) => {
@@ -68,7 +69,7 @@ function areasBetween(curves, quantity) {
   });
 }
 
-/// The name of a curve at its end: without what all shown curves share.
+/// The name of a curve at its end, without the properties that all shown curves have.
 function endLabel(curve, seen) {
   const stages = new Set(seen.filter(({role}) => role === "stage").map(({stage}) => stage));
   if (curve.role === "matrix") return `${curve.label.split(", G")[0]} alone${curve.label.slice(curve.stage.length)}`;
@@ -130,7 +131,7 @@ export function curvesFigure(curves) {
   return draw;
 }
 
-/// What the lines and areas mean, and where the curves are from.
+/// The meaning of the lines and areas, and the sources of the curves.
 function noteOn(curves, quantity, shown) {
   const notes = [];
   if (areasBetween(curves, quantity).length > 0) notes.push("Filled: between the bounds of the box.");

@@ -1,4 +1,4 @@
-/// Names of curves at their ends, in place of a legend.
+/// Names of curves at their ends, instead of a legend.
 
 import {currentInks} from "./colours.js";
 import {isNarrow, plotText} from "./figure.js";
@@ -34,7 +34,7 @@ export function parted(labels, room) {
 }
 
 /// Adds to a layout the names of curves, [{text, color, x, y}] with the coordinates of their ends, to the right of
-/// them, and takes the legend away. `height` is that of the plot [pixels].
+/// them, and removes the legend. `height` is that of the plot [pixels].
 export function addEndLabels(layout, labels, height) {
   const narrow = isNarrow();
   const size = narrow ? 10 : 12;

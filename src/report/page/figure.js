@@ -1,5 +1,5 @@
-/// What all figures share: axes, traces, drawing, printing. The global `Plotly` is the plotting library, which stands
-/// in the page before these modules.
+/// The functions that all figures use: axes, traces, drawing, printing. The global `Plotly` is the plotting library,
+/// which is in the page before these modules.
 
 import {currentInks, isPrinting, setPrinting} from "./colours.js";
 import {fileName, save} from "./files.js";

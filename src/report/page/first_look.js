@@ -1,10 +1,10 @@
-/// The first screen of a study: what came out, what to doubt, and the moduli at whole decades.
+/// The first screen of a study: the results, the warnings, and the moduli at whole decades.
 
 import {answerSentences, hasFlowedAway} from "./answer.js";
 import {bestGrid} from "./curves.js";
 import {data, study} from "./data.js";
 import {element} from "./elements.js";
-import {boundNames, symbolOf, wordsOnStage} from "./names.js";
+import {boundNames, symbolOf, textOnStage} from "./names.js";
 import {display, percent, shortNumber, withMicroSign} from "./numbers.js";
 import {own} from "./records.js";
 import {decades, valueAt} from "./sampling.js";
@@ -16,8 +16,8 @@ import {sentenceOnWholeFiller} from "./whole_filler.js";
 
 const orderOfBounds = ["traction", "periodic", "displacement"];
 
-/// The relaxation moduli of a stage that tell most: of the best grid or, where the run has not come to it, of the last
-/// one that it has; in shear or, where that was not tested, in bulk.
+/// The relaxation moduli of a stage to be shown first: those of the best grid or, where the run has not reached it, of
+/// the last one that it has; in shear or, where that was not tested, in bulk.
 function testedCurves(curves, stage) {
   const ofStage = curves.filter((curve) => curve.role === "stage" && curve.stage === stage);
   const tested = ["shear", "bulk"].map((quantity) => ofStage.filter((curve) => curve.quantity === quantity))
@@ -26,8 +26,8 @@ function testedCurves(curves, stage) {
   return best.length > 0 ? best : tested.filter((curve) => curve.cells === tested.at(-1).cells);
 }
 
-/// The curves of the last stage that tell most, the lower bound first: of the quasi-static method if there is one, of the
-/// first load.
+/// The curves of the last stage to be shown first, beginning with the lower bound: those of the quasi-static method if
+/// there are any, under the first load.
 function curvesOfResult(curves) {
   const stage = stagesOfInterest(study).at(-1);
   const tested = stage === undefined ? [] : testedCurves(curves, stage.name);
@@ -48,14 +48,14 @@ function binderBeside(stage) {
   return binder && {name: binder.name, at: (time) => relaxationModulus(binder.shear, time)};
 }
 
-/// What the run did where it has no relaxation modulus.
-function wordsWithoutResult() {
+/// A sentence on a run that has no relaxation modulus.
+function textWithoutResult() {
   if (study.stages.length === 0) return "No stage is finished.";
   return study.stages.some(({tests}) => tests.length > 0) ? "No relaxation modulus was tested." : "Packed, not tested.";
 }
 
-/// The error of the grid of curves in words; none for grains and films, which have no grid.
-function wordsOnError(result, stage) {
+/// A text on the error of the grid of curves; none for grains and films, which have no grid.
+function textOnError(result, stage) {
   const shares = result.filter(({band}) => band !== undefined).flatMap(({y, band}) => band.map((half, i) => half / y[i]))
     .filter(Number.isFinite);
   if (shares.length > 0) return `± ${percent(Math.max(...shares))} by the grid`;
@@ -69,8 +69,8 @@ function groupsOfStudy() {
   return groupsOfWarnings(warnings, study.stages.map(({name}) => name));
 }
 
-/// That there are warnings, for readers of a small screen, who see them below the figure.
-function wordsOnWarnings() {
+/// A text that there are warnings, for readers of a small screen, who see them below the figure.
+function textOnWarnings() {
   const count = groupsOfStudy().length;
   return count === 0 ? "" : count === 1 ? "see the warning" : `see the ${count} warnings`;
 }
@@ -79,7 +79,7 @@ function gridsOf(stage) {
   return study.stages.find(({name}) => name === stage).cells;
 }
 
-/// A stage with the words that tell it from the end of a chain that the run has not reached.
+/// The name of a stage, with a remark if the run has not reached the end of its chain.
 function nameOfResult(stage) {
   const last = (study.stage_names ?? []).at(-1);
   return last === undefined || study.complete || last === stage ? stage : `${stage}, a stage on the way to ${last},`;
@@ -90,17 +90,18 @@ export function showAnswer(curves) {
   document.getElementById("title").textContent = study.title;
   const result = curvesOfResult(curves);
   const place = document.getElementById("summary");
-  if (result.length === 0) return place.append(element("p", {}, wordsWithoutResult()));
+  if (result.length === 0) return place.append(element("p", {}, textWithoutResult()));
   const [{stage, load}] = result;
   const isShear = load !== "bulk";
   const sentences = answerSentences({stage: nameOfResult(stage), symbol: symbolOf(load), curves: result,
-    error: [wordsOnError(result, stage), wordsOnWarnings()].filter(Boolean).join("; "), binder: isShear ? binderBeside(stage) : undefined,
+    error: [textOnError(result, stage), textOnWarnings()].filter(Boolean).join("; "), binder: isShear ? binderBeside(stage) : undefined,
     measured: isShear ? measuredBeside(curves, stage) : undefined});
   const [first, ...others] = sentences;
   place.append(element("p", {id: "answer"}, element("strong", {}, first), ` ${others.join(" ")}`));
 }
 
-/// Shows what the reader should know before using the results, one line for each kind, beside the first figure.
+/// Shows the warnings that the reader should see before using the results, a line for each kind, beside the first
+/// figure.
 export function showWarnings() {
   const groups = groupsOfStudy();
   const list = document.getElementById("warnings");
@@ -126,7 +127,7 @@ export function showResultPicture() {
   place.hidden = svg === undefined;
   if (svg === undefined) return;
   const apposition = matrixStageOf(study, stage) === undefined ? "" : ", the composite of the stage before";
-  const words = [`${stage.name}: ${wordsOnStage(stage)}${apposition}.`, sentenceOnWholeFiller(stage)]
+  const words = [`${stage.name}: ${textOnStage(stage)}${apposition}.`, sentenceOnWholeFiller(stage)]
     .filter(Boolean).join(" ");
   place.append(element("a", {href: "#microstructures"}, element("img", {alt: words,
     src: `data:image/svg+xml,${encodeURIComponent(svg)}`})), element("figcaption", {}, words));

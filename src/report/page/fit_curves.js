@@ -1,4 +1,4 @@
-/// What the page of a fit shows, from the measured sweeps and the fitted series. Sweeps are {temperature_K,
+/// The curves of the page of a fit, from the measured sweeps and the fitted series. Sweeps are {temperature_K,
 /// angular_frequency_rad_per_s, storage_Pa, loss_Pa, log10_shift_factor}, of dynamic data at one temperature.
 
 import {decadesOfShift, lossModulus, storageModulus} from "./viscoelasticity.js";

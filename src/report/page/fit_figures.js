@@ -1,4 +1,4 @@
-/// The figures of a fit. Each function returns the one that draws its figure, or nothing where the data have none.
+/// The figures of a fit. Each function returns the function that draws its figure, or nothing without the data for it.
 
 import {currentInks, isDark} from "./colours.js";
 import {data} from "./data.js";
@@ -75,7 +75,7 @@ function drawMasterCurve(plot, shown) {
     layout);
 }
 
-/// What was measured over the time, and the fit; of a Prony series the modulus alone.
+/// The measurement over the time, and the fit; the modulus alone if the data are a Prony series.
 function drawSamples(plot) {
   const isCreep = fit.measured === "creep";
   const name = isCreep ? `Creep compliance ${fit.compliance_symbol}(t)` : `Relaxation modulus ${fit.symbol}(t)`;

@@ -21,7 +21,7 @@ function fittedAt(time) {
   return terms.reduce((sum, term) => sum + term.modulus_Pa * Math.exp(-time / term.relaxation_time_s), equilibrium);
 }
 
-/// What came out, in sentences.
+/// Shows the result of the fit in sentences.
 function showAnswer() {
   document.getElementById("title").textContent = fit.source;
   const {terms} = fit.series;

@@ -26,7 +26,7 @@ export function keyFigure(curves, choice) {
     const layout = layoutOf({...quantity, xUnit: shown.key.unit, x: shown.key.label}, lines);
     const text = (curve, i) => {
       const value = valueText(curve.y[i], quantity);
-      return curve.isLevel ? value : `${shown.key.label} ${shown.key.values[curve.places[i]]}: ${value}`;
+      return curve.isLevel ? value : `${shown.key.label} ${shown.key.values[curve.indices[i]]}: ${value}`;
     };
     const spread = Math.max(...shown.key.numbers) / Math.min(...shown.key.numbers);
     const {textOf, ...xaxis} = layout.xaxis;
@@ -82,7 +82,7 @@ function measuredLevels(key, time, measured) {
       line: {color: currentInks().ink, dash: "dot"}}));
 }
 
-/// A line through all shown curves that differ in the key alone; `places` are the indices of the values of the key.
+/// A line through all shown curves that differ in the key alone; `indices` are those of the values of the key.
 function linesAgainst(key, time, seen, choice) {
   const others = choice.dimensions.filter(({name}) => name !== key.path);
   const groups = new Map();
@@ -93,14 +93,14 @@ function linesAgainst(key, time, seen, choice) {
     if (!Number.isFinite(y)) continue;
     const name = others.map((one) => one.of(curve)).join("|");
     if (!groups.has(name)) groups.set(name, {curve, points: []});
-    const place = key.values.indexOf(curve.values[key.path]);
-    groups.get(name).points.push([key.numbers[place], y, place]);
+    const index = key.values.indexOf(curve.values[key.path]);
+    groups.get(name).points.push([key.numbers[index], y, index]);
   }
   return [...groups.values()].map(({curve, points}) => {
     points.sort(([a], [b]) => a - b);
     const label = labelOfSweepCurve(curve, others, choice.values);
     const coloured = choice.coloured?.name === key.path ? {color: undefined} : {};
-    return {label, x: points.map(([x]) => x), y: points.map(([, y]) => y), places: points.map(([, , place]) => place),
+    return {label, x: points.map(([x]) => x), y: points.map(([, y]) => y), indices: points.map(([, , index]) => index),
       line: {...lineOfSweepCurve(curve, choice), ...coloured}};
   });
 }

@@ -29,7 +29,7 @@ export function dot(a, b) {
   return sum;
 }
 
-/// Reflects a vector at the plane whose normal is a given unit vector; both count from the entry `begin` on.
+/// Reflects a vector at the plane whose normal is a given unit vector; both start at the entry `begin`.
 function reflect(normal, vector, begin) {
   let product = 0;
   for (let i = begin; i < vector.length; ++i) product += normal[i] * vector[i];
@@ -39,7 +39,7 @@ function reflect(normal, vector, begin) {
 /// The least-squares solution of A x = right by Householder reflections, for a matrix A that gains and loses columns.
 class LeastSquares {
   #right;
-  #steps = [];  // of each column: the reflection, and what all reflections make of the column and of the right side
+  #steps = [];  // for each column the reflection, the reflected column and the reflected right side
 
   constructor(right) {
     this.#right = Float64Array.from(right);

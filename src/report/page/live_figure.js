@@ -98,7 +98,7 @@ function curvesOfResults(results) {
   });
 }
 
-/// How to get an answer beyond the moduli that the run has sampled.
+/// A text on the way to results beyond the moduli that the run has sampled.
 function remedyForRefusals() {
   const ranges = study.stages.flatMap((stage) => stage.tests.map((test) => test.range));
   return ranges.includes("times") ? 'run the study with tests.quasistatic.range = "matrix", the default'

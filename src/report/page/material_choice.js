@@ -23,12 +23,12 @@ export function liveChoices(candidates, state, compute) {
   return [select, temperature];
 }
 
-/// Whether a range of moduli [Pa] is wider than what a single sampled modulus covers (sampledRange in response.js).
+/// Whether a range of moduli [Pa] is wider than that of a single sampled modulus (sampledRange in response.js).
 function isWide([least, most]) {
   return most > 1.3 * least;
 }
 
-/// Whether the material is elastic, and its boxes are known for other moduli of it.
+/// Whether the material is elastic, and the responses of its boxes have been sampled for other moduli of it.
 function hasModuliToMove({ranges, shear, bulk}) {
   return ranges !== undefined && shear.terms.length === 0 && bulk.terms.length === 0 &&
     (isWide(ranges.shear) || isWide(ranges.bulk));
@@ -85,7 +85,7 @@ function isComplete(law) {
     ([law.c1, law.c2_K, law.reference_K].every(Number.isFinite) && law.c1 > 0 && law.c2_K > 0);
 }
 
-/// Shifts the material to the temperature of the slider, and returns a text that says what that does.
+/// Shifts the material to the temperature of the slider, and returns a text on the effect.
 function shiftTo(slider, law, state) {
   const celsius = Number(slider.value);
   // The values of the slider are round, the ends of a table need not be.
@@ -100,7 +100,7 @@ function setRange(slider, law) {
   const below = 40, above = 60;
   const ofRun = Number((law.temperature_K - zeroCelsius).toFixed(2));
   const [coldest, hottest] = temperaturesOfLaw(law).map((temperature) => temperature - zeroCelsius);
-  // In steps of whole degrees from the temperature of the run.
+  // The steps are whole degrees from the temperature of the run.
   slider.min = ofRun - Math.max(0, Math.min(below, Math.floor(ofRun - coldest)));
   slider.max = ofRun + Math.max(0, Math.min(above, Math.floor(hottest - ofRun)));
   slider.value = ofRun;

@@ -1,4 +1,4 @@
-/// The words that the pages use for what stands in the results.
+/// The names that the pages use for the entries of the results.
 
 import {display, percentOfWhole} from "./numbers.js";
 
@@ -18,7 +18,7 @@ export const quantities = [
   {name: "young-loss-factor", title: "Loss factor tan δ = E″/E′", x: "angular frequency", xUnit: "rad/s", unit: ""},
 ];
 
-/// What a quantity over time or over frequency can be shown against.
+/// The abscissas against which a quantity over time or over frequency can be shown.
 export const axes = {
   time: {x: "time", xUnit: "s"},
   frequency: {x: "frequency", xUnit: "Hz"},
@@ -38,8 +38,8 @@ export function nameOfTest(stage, test) {
   return [stage.name, test.load, boundNames[test.boundary], methodNames[test.method]];
 }
 
-/// The microstructure of a stage in words.
-export function wordsOnStage(stage) {
+/// A description of the microstructure of a stage.
+export function textOnStage(stage) {
   const box = `a box of ${display(stage.box_m, "m")}`;
   if (stage.filler === null) return `${box} of ${stage.matrix} alone`;
   const {particles, pixels, fraction, film_m: film} = stage.microstructure;

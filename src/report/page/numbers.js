@@ -1,6 +1,6 @@
 /// Numbers as text for readers.
 
-/// The SI prefixes with what they stand for, from the largest to the smallest.
+/// The SI prefixes with their factors, from the largest to the smallest.
 export const prefixes = [[1e12, "T"], [1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "µ"],
   [1e-9, "n"], [1e-12, "p"], [1e-15, "f"]];
 

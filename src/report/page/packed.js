@@ -1,4 +1,4 @@
-/// What the page holds as compressed bytes (docs/results.md).
+/// Decompression of the data that the page has as compressed bytes (docs/results.md).
 
 /// The bytes of a text: base64 of a stream of zlib.
 export async function unpackedBytes(text) {

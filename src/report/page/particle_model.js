@@ -32,7 +32,8 @@ const vertexShader = `
     gl_Position = projectionMatrix * viewMatrix * vec4(place, 1.0);
   }`;
 
-// The ray of a pixel runs along t from its place on the square; \`enter\` and \`leave\` are where it does so.
+// The ray of a pixel runs along t from its point on the square; \`enter\` and \`leave\` are the t where it enters and
+// leaves.
 const fragmentShader = `
   uniform vec3 planes;
   uniform mat4 projectionMatrix;
@@ -97,14 +98,14 @@ const fragmentShader = `
     gl_FragColor = vec4(min(shade, 1.0), 1.0);
   }`;
 
-/// The places of a particle and of its periodic images that reach into the cube.
+/// The positions of a particle and of its periodic images that reach into the cube.
 function imagesOf(centre, radius) {
   const shifts = centre.map((place) => [0, ...(place - radius < 0 ? [1] : []), ...(place + radius > 1 ? [-1] : [])]);
   return shifts[0].flatMap((x) => shifts[1].flatMap((y) => shifts[2].map((z) =>
     [centre[0] + x, centre[1] + y, centre[2] + z])));
 }
 
-/// How an ellipsoid is turned (docs/decks.md): by its roll about x, its elevation and its azimuth.
+/// The rotation of an ellipsoid (docs/decks.md) by its roll about x, its elevation and its azimuth.
 function turnOf(azimuth, elevation, roll) {
   const about = (x, y, z, degrees) =>
     new THREE.Quaternion().setFromAxisAngle(new THREE.Vector3(x, y, z), degrees * Math.PI / 180);

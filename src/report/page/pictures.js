@@ -3,7 +3,7 @@
 import {data, study} from "./data.js";
 import {element} from "./elements.js";
 import {fileName, save} from "./files.js";
-import {boundNames, methodNames, wordsOnStage} from "./names.js";
+import {boundNames, methodNames, textOnStage} from "./names.js";
 import {display, percentOfWhole} from "./numbers.js";
 import {colourOf, phasesOf} from "./phase_colours.js";
 import {own} from "./records.js";
@@ -14,7 +14,7 @@ export function showPictures() {
   for (const stage of study.stages) {
     const svg = own(data.pictures, stage.name);
     if (svg === undefined) continue;
-    place.append(zoomableFigure(svg, `${stage.name} microstructure`, `${stage.name}: ${wordsOnStage(stage)}`,
+    place.append(zoomableFigure(svg, `${stage.name} microstructure`, `${stage.name}: ${textOnStage(stage)}`,
       ...legendOf(stage)));
   }
   document.getElementById("microstructures").hidden = place.childElementCount === 0;
@@ -60,7 +60,7 @@ export function showFields() {
     if (shown.length === 0) continue;
     const maps = element("div", {className: "pictures"});
     const show = (field) => {
-      const words = wordsOnField(field);
+      const words = textOnField(field);
       const quantities = ["stress", "strain", "work"].filter((quantity) => field[`${quantity}_picture`] !== undefined);
       maps.replaceChildren(...quantities.map((quantity) => zoomableFigure(
         pictures[field[`${quantity}_picture`]], `${stage.name} ${quantity}`,
@@ -68,7 +68,7 @@ export function showFields() {
     };
     const choice = element("select", {ariaLabel: `Test and time of ${stage.name}`, className: "field-choice",
       onchange: () => show(shown[choice.selectedIndex])},
-    ...shown.map((field) => element("option", {}, wordsOnField(field))));
+    ...shown.map((field) => element("option", {}, textOnField(field))));
     place.append(element("h3", {}, stage.name), choice, maps);
     choice.selectedIndex = Math.max(0, shown.findIndex((field) => field.file === "fields.vtkhdf"));
     show(shown[choice.selectedIndex]);
@@ -76,11 +76,11 @@ export function showFields() {
   document.getElementById("fields").hidden = place.childElementCount === 0;
 }
 
-export function wordsOnField({test, time_s}) {
+export function textOnField({test, time_s}) {
   return `${boundNames[test.boundary]}, ${methodNames[test.method]}, ${display(time_s, "s")}`;
 }
 
-/// A picture that the reader can zoom, move and save; `below` stands below its caption.
+/// A picture that the reader can zoom, move and save; `below` are the elements below its caption.
 function zoomableFigure(svg, name, caption, ...below) {
   const image = element("img", {alt: caption, draggable: false,
     src: `data:image/svg+xml,${encodeURIComponent(svg)}`});
@@ -95,7 +95,7 @@ function zoomableFigure(svg, name, caption, ...below) {
       element("button", {onclick: () => save(fileName(name, "svg"), svg, "image/svg+xml")}, "SVG")));
 }
 
-/// Lets the reader zoom and move the image in its frame; returns what the buttons do.
+/// Lets the reader zoom and move the image in its frame; returns the actions of the buttons.
 function makeZoomable(frame, image) {
   const most = 30;
   let view = {scale: 1, x: 0, y: 0};

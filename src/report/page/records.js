@@ -6,7 +6,7 @@ export function own(object, name) {
   return Object.hasOwn(object, name) ? object[name] : undefined;
 }
 
-/// The number that an entry of a table stands for. JSON has no infinity; tables write it as the text "inf".
+/// The number in an entry of a table. JSON has no infinity; tables write it as the text "inf".
 export function numberOf(value) {
   return value === "inf" ? Infinity : Number(value);
 }

@@ -1,5 +1,5 @@
-/// Predicts the composites of a run with other materials, from the stored reduced responses: the same prediction as
-/// that of `breccia respond`. At a real Laplace variable s the composite is elastic and its phases have the Carson
+/// Predicts the composites of a run with other materials from the stored reduced responses, as `breccia respond` does.
+/// At a real Laplace variable s the composite is elastic and its phases have the Carson
 /// moduli s G~(s) and s K~(s) (correspondence principle); its compliance is e' K^-1 e with the stiffness K = K_0 + sum
 /// of p_i K_i (docs/theory.md, Eq. 18a), where the p_i are the shear and bulk moduli of the phases that vary: the
 /// matrix, then those in `phases`. The command goes back to time by the exact poles of this function, the page by a fit
@@ -47,13 +47,13 @@ export function errorEstimate(response, moduli) {
 }
 
 /// The moduli of a phase [Pa] for which a response can be used, {shear: [least, most], bulk: [least, most]}: those of
-/// its snapshots and a little beyond. The same limits as in src/quasistatic/reduced/sampled_moduli.cpp.
+/// its snapshots and a little beyond, with the limits of src/quasistatic/reduced/sampled_moduli.cpp.
 export function sampledRange(response, phase = 0) {
   const {snapshots} = phasesOf(response)[phase];
   const shear = snapshots.map((snapshot) => snapshot.shear_Pa);
   const bulk = snapshots.map((snapshot) => snapshot.bulk_Pa);
   const offShear = 0.05, offBulk = 0.1;
-  // With a phase that is so soft in shear, the composite answers as with any softer one but for a factor.
+  // With a phase so soft in shear, the response of the composite is that with any softer phase but for a factor.
   const incompressible = 1e-7, spacing = 1.4;
   const softest = snapshots.reduce((least, one) => (one.shear_Pa < least.shear_Pa ? one : least));
   const holdsForSofter = softest.shear_Pa / spacing < incompressible * softest.bulk_Pa;
@@ -63,7 +63,7 @@ export function sampledRange(response, phase = 0) {
   };
 }
 
-/// The moduli of the phases at the place of a Laplace variable, [{shear, bulk}].
+/// The moduli of the phases at the Laplace variable with an index, [{shear, bulk}].
 function moduliAt(phases, j) {
   return phases.map(({moduli}) => ({shear: moduli.shear[j], bulk: moduli.bulk[j]}));
 }
@@ -77,7 +77,7 @@ function moduliOnGrids(responses, load, variables, phases) {
 
 /// The part of a time window in which the phases stay within the sampled moduli of all responses, and the first modulus
 /// outside of them: {window, refusal: {material, name, value, range}}; `refusal` is undefined if there is none. The
-/// moduli at the Laplace variables s count at the time 1/s.
+/// moduli at a Laplace variable s are taken to be those at the time 1/s.
 function timesInRange(responses, variables, phases, window) {
   const refusals = [];
   let [begin, end] = window;
@@ -151,7 +151,7 @@ export function respond(study, responses, materials) {
   return results;
 }
 
-/// The answer of one stage under one boundary: {composite, result}. `composite` is the stage as the matrix of another
+/// The response of one stage under one boundary: {composite, result}. `composite` is the stage as the matrix of another
 /// one, which takes both loads; `result` has G(t).
 function respondOfStage(responses, {variables, window: known}, phases, dimensions) {
   const {window: covered, refusal: ofOne} = timesInRange(responses, variables, phases, known);

@@ -1,5 +1,5 @@
-/// A view of a cube that the reader turns by mouse, touch or keys. The views copy what the renderer has drawn that they
-/// share. The global `THREE` is three.js.
+/// A view of a cube that the reader turns by mouse, touch or keys. All views use one renderer and copy its pictures.
+/// The global `THREE` is three.js.
 
 import {element} from "./elements.js";
 import {fileName} from "./files.js";
@@ -8,7 +8,7 @@ import {cuts, edgesOf} from "./solid_cut.js";
 import {isContextLost, renderer, watchContext} from "./view_renderer.js";
 import {turnAfterTap} from "./view_touch.js";
 
-/// Degrees between x and the direction from which a view is seen, and above the plane of x and y.
+/// Direction from which a view is seen at first: its azimuth from x and its elevation above the xy plane [degrees].
 const home = [35, 22];
 const directions = {x: [0, 0], y: [-90, 0], z: [-90, 90]};
 const turnOfKey = 7.5, zoomOfKey = 1.2;
@@ -28,7 +28,7 @@ export function roundLength(most) {
   return [5, 2, 1].find((factor) => factor * power <= most * (1 + 1e-9)) * power;
 }
 
-/// How many times coarser the pixels of a view are while it is dragged on a slow machine, so that it follows the hand.
+/// The factor by which the pixels of a view are coarser while it is dragged on a slow machine, so that it follows.
 function dragPace() {
   const slow = 60, coarsest = 4;
   let coarseness = 1, isDragged = false, last = 0;
@@ -50,7 +50,7 @@ function dragPace() {
   };
 }
 
-/// The camera, and what turns it. `begun` and `ended` are called when the reader begins and ends to drag.
+/// The camera, and the controls that turn it. `begun` and `ended` are called when the reader starts and stops dragging.
 function turnableCamera(canvas, {changed, begun, ended}) {
   const camera = new THREE.OrthographicCamera(-1, 1, halfHeight, -halfHeight, 0.1, 2 * distance);
   camera.up.set(0, 0, 1);
@@ -61,7 +61,7 @@ function turnableCamera(canvas, {changed, begun, ended}) {
   controls.addEventListener("start", begun);
   controls.addEventListener("end", ended);
   const lookFrom = ([azimuth, elevation]) => {
-    // Not quite from above, where no direction is upwards.
+    // The elevation stays just below 90 degrees, where no direction would be upwards.
     const [a, e] = [azimuth, Math.max(-89.99, Math.min(89.99, elevation))].map((degrees) => degrees * Math.PI / 180);
     camera.position.set(Math.cos(e) * Math.cos(a), Math.cos(e) * Math.sin(a), Math.sin(e))
       .multiplyScalar(distance).add(controls.target);
@@ -91,7 +91,7 @@ function turnableCamera(canvas, {changed, begun, ended}) {
   };
 }
 
-/// What the keys do, by their names.
+/// The actions of the keys, by the names of the keys.
 function actionsOfKeys(view) {
   return {
     ArrowLeft: () => view.turn(-turnOfKey, 0), ArrowRight: () => view.turn(turnOfKey, 0),
@@ -115,8 +115,8 @@ function listenToKeys(canvas, actions) {
   }, {capture: true});
 }
 
-/// The names of the axes at the ends of the edges that meet in the corner (0, 0, 0), and the scale bar. Their places are
-/// shares of the view, which may have another size on paper.
+/// The names of the axes at the ends of the edges that meet in the corner (0, 0, 0), and the scale bar. Their positions
+/// are shares of the view, which may have another size on paper.
 function labels(side) {
   const names = ["x", "y", "z"].map((name) => element("span", {className: "view-axis"}, name));
   const bar = element("span", {className: "view-scale"});
@@ -135,7 +135,7 @@ function labels(side) {
   return {elements: [...names, bar], place};
 }
 
-/// The choice of a cut, and a slider for its place.
+/// The choice of a cut, and a slider for its position.
 function cutControls(name, changed) {
   let [cut] = cuts;
   const slider = element("input", {type: "range", min: 0, max: 1, step: 0.005, value: 0.5,
@@ -151,8 +151,8 @@ function cutControls(name, changed) {
   return {elements: [choice, slider], planes: () => cut.planes(Number(slider.value))};
 }
 
-/// A figure with a view of a box of this side [m]. It is drawn when the reader gets there. `build` returns a promise of
-/// a model (volume_model.js, particle_model.js); `choices` are controls above the view, `below` stands under it.
+/// A figure with a view of a box of this side [m], drawn when the reader scrolls to it. `build` returns a promise of a
+/// model (volume_model.js, particle_model.js); `choices` are controls above the view, `below` are elements below it.
 /// Returns the figure, and `show`, which takes another `build`.
 export function rotatableView({name, caption, side, build, choices = [], below = []}) {
   const canvas = element("canvas", {tabIndex: 0, role: "img", className: "view-canvas",
@@ -237,7 +237,7 @@ export function rotatableView({name, caption, side, build, choices = [], below =
 
   view.reset();
   new ResizeObserver(drawSoon).observe(canvas);
-  // On a busy machine one call may tell that the figure was out of sight and then came near.
+  // On a busy machine one call may have entries of a figure out of sight that then came near.
   new IntersectionObserver((entries, observer) => {
     if (!entries.some(({isIntersecting}) => isIntersecting)) return;
     observer.disconnect();

@@ -62,7 +62,7 @@ export function runsFigure(curves) {
   return draw;
 }
 
-/// The runs of a test: their histories, and what study.json says about each.
+/// The runs of a test: their histories, and the entry of study.json for each.
 function runsOf(stage, test) {
   if (test.time_domains === undefined) return [];
   return (own(data.histories, stage.name) ?? [])

@@ -1,7 +1,7 @@
-/// The cube [0, 1]^3 without what a reader cuts off: all that is above three planes, one an axis, at once. A plane below 0
-/// is no condition, so that one plane alone cuts a slab off.
+/// The cube [0, 1]^3 without the part that a reader cuts off: the points above all of three planes, one across each
+/// axis. A plane below 0 is no condition, so that a single plane cuts off a slab.
 
-/// The ways to cut, with the planes for a place between 0 and 1.
+/// The kinds of cuts, with the planes for a position between 0 and 1.
 export const cuts = [
   {name: "a corner", planes: (at) => [at, at, at]},
   {name: "across x", planes: (at) => [at, -1, -1]},
@@ -13,7 +13,8 @@ export const cuts = [
 const axes = [0, 1, 2];
 const others = (axis) => [(axis + 1) % 3, (axis + 2) % 3];
 
-/// What a cut leaves: a box from the origin to `upper`, without that from `notch` to (1, 1, 1) if there is one.
+/// The body that a cut leaves: a box from the origin to `upper`, without the box from `notch` to (1, 1, 1) if there is
+/// a notch.
 function solidOf(planes) {
   const places = planes.map((plane) => Math.min(1, Math.max(0, plane)));
   if (places.some((place) => place === 1)) return {upper: [1, 1, 1]};
@@ -39,7 +40,7 @@ function rectangle(axis, along, from, to, faces) {
   return order.map((corner) => ({place: corners[corner], normal}));
 }
 
-/// The corners of triangles, and the outward normal at each, of the surface of what is left.
+/// The corners of the triangles of the surface of the body that is left, and the outward normal at each.
 export function surfaceOf(planes) {
   const {upper, notch} = solidOf(planes);
   return axes.flatMap((axis) => {
@@ -55,7 +56,7 @@ export function surfaceOf(planes) {
   });
 }
 
-/// The ends of the edges of what is left, two for each.
+/// The ends of the edges of the body that is left, two for each.
 export function edgesOf(planes) {
   const {upper, notch} = solidOf(planes);
   return axes.flatMap((axis) => {

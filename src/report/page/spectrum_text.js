@@ -4,7 +4,7 @@ import {numberOf} from "./records.js";
 
 /// Reads a spectrum, one term a line: relaxation time [s] and modulus [Pa], separated by a comma, a semicolon or
 /// spaces; the time "inf" marks the modulus at infinite time. The names of columns and lines that begin with # are
-/// skipped. Returns a Prony series; throws an Error that names the line and what was expected in it.
+/// skipped. Returns a Prony series; throws an Error with the line and the expected text.
 export function readSpectrum(text) {
   const terms = [];
   let equilibrium_Pa = 0;

@@ -1,6 +1,6 @@
-/// How the stages of a study hang together.
+/// The chains of the stages of a study.
 
-/// The stages that are no other's matrix: what the study was made for.
+/// The stages that are not the matrix of another one: the final results of the study.
 export function stagesOfInterest(study) {
   const isMatrix = (stage) => study.stages.some((other) => other.matrix === stage.name);
   return study.stages.filter((stage) => !isMatrix(stage));

@@ -1,5 +1,4 @@
-/// The result of a sweep in sentences: between which moduli the tasks lie, and which of them is nearest to what was
-/// measured.
+/// The result of a sweep in sentences: the range of the moduli of the tasks, and the task nearest to the measurement.
 
 import {threeTimes} from "./answer.js";
 import {listed} from "./names.js";
@@ -19,28 +18,28 @@ export function curvesOfAnswer(curves) {
 }
 
 /// The sentences. `curves` are those of one test, one for each task, `symbol` is that of the modulus, `bound` the name
-/// of the boundary in words, `tasks` the number of tasks that are done, `wordsOnTask` gives what is special in the task
-/// of a curve; `measured` {name, x, y} may be undefined.
-export function sweepSentences({curves, symbol, bound, tasks, wordsOnTask, measured}) {
+/// of the boundary, `tasks` the number of tasks that are done; `textOnTask` returns a text on the swept values of the
+/// task of a curve; `measured` {name, x, y} may be undefined.
+export function sweepSentences({curves, symbol, bound, tasks, textOnTask, measured}) {
   const times = threeTimes(curves);
-  const ranges = [times[0], times.at(-1)].map((time) => rangeAt(curves, time, wordsOnTask));
+  const ranges = [times[0], times.at(-1)].map((time) => rangeAt(curves, time, textOnTask));
   const part = curves.length < tasks ? `, in ${curves.length} of ${tasks} tasks` : "";
   const sentences = [`${symbol} of ${curves[0].stage}, ${bound}${part}: ${listed([...new Set(ranges)])}.`];
-  return measured === undefined ? sentences : [...sentences, ...nearestTo(measured, curves, bound, wordsOnTask)];
+  return measured === undefined ? sentences : [...sentences, ...nearestTo(measured, curves, bound, textOnTask)];
 }
 
 /// "1 MPa (gap 10 um) to 3 MPa (gap 1 um) at 1 ms".
-function rangeAt(curves, time, wordsOnTask) {
+function rangeAt(curves, time, textOnTask) {
   const values = curves.map((curve) => ({curve, value: valueAt(curve.x, curve.y, time)}))
     .filter(({value}) => Number.isFinite(value)).sort((one, other) => one.value - other.value);
-  const words = ({curve, value}) => `${display(value, "Pa")} (${wordsOnTask(curve)})`;
+  const words = ({curve, value}) => `${display(value, "Pa")} (${textOnTask(curve)})`;
   const [least, most] = [values[0], values.at(-1)];
   const range = least === most ? words(least) : `${words(least)} to ${words(most)}`;
   return `${range} at ${display(time, "s")}`;
 }
 
 /// The task whose largest deviation from the measurement, as a factor, is the smallest, at the times of all tasks.
-function nearestTo({name, x, y}, curves, bound, wordsOnTask) {
+function nearestTo({name, x, y}, curves, bound, textOnTask) {
   const isCommon = (time) => curves.every((curve) => Number.isFinite(valueAt(curve.x, curve.y, time)));
   const places = [...x.keys()].filter((i) => isCommon(x[i]));
   const isPart = places.length < x.filter((time) => curves.some((one) => Number.isFinite(valueAt(one.x, one.y, time)))).length;
@@ -52,6 +51,6 @@ function nearestTo({name, x, y}, curves, bound, wordsOnTask) {
   const {curve, range} = known.reduce((best, one) => (factor(one.range) < factor(best.range) ? one : best));
   const [least, most] = range.map((ratio) => shortNumber(ratio, 2));
   const ratios = least === most ? least : `${least} to ${most}`;
-  return [`Nearest to what was measured (${name}) comes ${wordsOnTask(curve)}, with a modulus (${bound}) of ` +
+  return [`Nearest to what was measured (${name}) comes ${textOnTask(curve)}, with a modulus (${bound}) of ` +
     `${ratios} times the measured one${isPart ? ", at the times that all tasks have" : ""}.`];
 }

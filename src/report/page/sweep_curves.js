@@ -1,5 +1,5 @@
 /// The curves of the tasks of a sweep, each {quantity, task, stage, load, boundary, method, values, x, y}; `values` are
-/// those of the swept keys, by the path of the key. Of several grids only the best one is kept.
+/// those of the swept keys, by the path of the key. Where there are several grids only the best one is kept.
 
 import {data, sweep} from "./data.js";
 import {boundNames, methodNames} from "./names.js";
@@ -17,7 +17,7 @@ export function labelOfKey(path) {
   return sweep.keys.filter((other) => last(other) === last(path)).length === 1 ? last(path) : path;
 }
 
-/// The values of a key as numbers, {numbers, unit}, or {} if they are none. The numbers of quantities stand in
+/// The values of a key as numbers, {numbers, unit}, or {} if they are no numbers. The numbers of quantities are in
 /// sweep.json, in the unit of the first one.
 function numbersOf(path, values) {
   const quantity = own(sweep.quantities ?? {}, path);
@@ -40,9 +40,9 @@ export function sweepCurves() {
     grids.reduce((best, one) => (isBetterGrid(one.cells, best.cells) ? one : best)));
 }
 
-/// What the curves differ in, tests and swept keys: [{name, label, values, textOf, of}], `of` giving the value of a
-/// curve and `textOf` its text. A property of the test counts only if a task has several values of it; otherwise it is
-/// a swept key that changes it.
+/// The dimensions in which the curves differ, properties of tests and swept keys: [{name, label, values, textOf, of}],
+/// where `of` returns the value of a curve and `textOf` its text. A property of the test is a dimension only if a task
+/// has several values of it; otherwise a swept key changes it.
 export function dimensionsOf(curves) {
   const names = {boundary: boundNames, method: methodNames};
   const tasks = groupsOf(curves, ["task"]);

@@ -1,4 +1,4 @@
-/// The figure with the curves of all tasks. Its choice holds for the figure against a key (key_figure.js) too.
+/// The figure with the curves of all tasks. Its choice is also that of the figure against a key (key_figure.js).
 
 import {currentInks, isDark} from "./colours.js";
 import {sweep} from "./data.js";
@@ -11,11 +11,11 @@ import {distinct} from "./records.js";
 import {dimensionsOf, partnerOf, sweptKeys} from "./sweep_curves.js";
 import {measuredCurves} from "./sweep_measurements.js";
 
-/// Colours that are easy to tell apart, for values without an order.
+/// Colours that are easily distinguished, for values without an order.
 const palette = ["#4477aa", "#cc6677", "#228833", "#aa8800", "#7755bb", "#009999", "#bb5500", "#777777"];
 
-/// The choice of what is shown: the dimensions, the `values` shown of each, the dimension that the colours stand for,
-/// the `reference` that the curves are compared with, and the quantity.
+/// The choice of the shown curves: the dimensions, the shown `values` of each, the dimension that the colours
+/// represent, the `reference` with which the curves are compared, and the quantity.
 export function sweepChoice(curves) {
   const dimensions = dimensionsOf(curves);
   const coloured = dimensions.findLast(({name}) => sweep.keys.includes(name)) ?? dimensions.at(-1);
@@ -46,7 +46,7 @@ export function sweepContents(curves, choice) {
   return [compared, deviationOf(quantity, nameOfValue(dimension, value))];
 }
 
-/// The measurements of what is shown; none beside deviations.
+/// The measurements of the shown quantity; none where deviations are shown.
 export function shownMeasurements(seen, {quantity, reference}) {
   const stages = distinct(seen, "stage");
   return reference !== undefined ? [] : measuredCurves().filter((curve) => curve.quantity === quantity.name &&

@@ -11,7 +11,7 @@ import {labelOfKey, sweptKeys} from "./sweep_curves.js";
 import {measuredCurves, ratioColumns} from "./sweep_measurements.js";
 import {table} from "./table.js";
 
-/// Shows the title, what was swept, and what failed.
+/// Shows the title, the swept keys, and the failed tasks.
 export function showSweepSummary(curves) {
   document.getElementById("title").textContent = sweep.title;
   if (curves.length > 0) showAnswer(curvesOfAnswer(curves));
@@ -34,12 +34,12 @@ function showAnswer(curves) {
   const measured = load === "shear" ? measuredCurves().find((one) => one.stage === stage) : undefined;
   const [first, ...others] = sweepSentences({curves, symbol: symbolOf(load), bound: boundNames[boundary], measured,
     tasks: sweep.tasks.filter(({state}) => state === "done").length,
-    wordsOnTask: ({values}) => moving.map(({path, label}) => `${label} ${values[path]}`).join(", ") || "the one task"});
+    textOnTask: ({values}) => moving.map(({path, label}) => `${label} ${values[path]}`).join(", ") || "the one task"});
   document.getElementById("summary").append(
     element("p", {id: "answer"}, element("strong", {}, first), ` ${others.join(" ")}`));
 }
 
-/// Shows the tasks, with links to their reports, and the ratio of their curves to what was measured.
+/// Shows the tasks, with links to their reports, and the ratio of their curves to the measurement.
 export function showTasks(curves) {
   const ratios = ratioColumns(curves);
   const rows = sweep.tasks.map((task, i) => {
@@ -76,7 +76,7 @@ export function showSpread() {
   }
 }
 
-/// Shows what made the results, and from what.
+/// Shows the program that made the results, and its input.
 export function showSweepProvenance() {
   document.getElementById("deck-text").append(element("p", {className: "note"},
     `${sweep.program} ${sweep.version}, ${sweep.deck}`));

@@ -2,7 +2,7 @@
 
 import {readTable, study} from "./data.js";
 import {element} from "./elements.js";
-import {boundNames, listed, methodNames, nameOfTest, wordsOnStage} from "./names.js";
+import {boundNames, listed, methodNames, nameOfTest, textOnStage} from "./names.js";
 import {display, duration, percent, percentOfWhole, withMicroSign} from "./numbers.js";
 import {distinct, groupsOf} from "./records.js";
 import {decades, valueAt} from "./sampling.js";
@@ -15,12 +15,12 @@ function hasFilms(stage) {
   return stage.cells[0] === "films";
 }
 
-/// Shows what was computed of which stages.
+/// Shows the stages and the tests computed of each.
 export function showStages() {
   const sentences = study.stages.map((stage) => {
     const earlier = matrixStageOf(study, stage) !== undefined;
     const cells = hasFilms(stage) ? "computed as grains and films" : `${listed(stage.cells.map(String))} cells a side`;
-    return `${stage.name}: ${wordsOnStage(stage)}${earlier ? ", the composite of the stage before" : ""}; ${cells}.`;
+    return `${stage.name}: ${textOnStage(stage)}${earlier ? ", the composite of the stage before" : ""}; ${cells}.`;
   });
   const [begin, end] = study.times_s.map((time) => display(time, "s"));
   const tests = study.stages.flatMap((stage) => stage.tests);
@@ -113,7 +113,7 @@ function extrapolationRows() {
   });
 }
 
-/// Shows what made the results, from what, and how long it took.
+/// Shows the program that made the results, its input, and the time that it took.
 export function showProvenance() {
   const place = document.getElementById("provenance-tables");
   const seconds = study.wall_time_s;

@@ -6,7 +6,7 @@ import {binderOf} from "./stages.js";
 import {decadesOfShift, temperatureOfShift} from "./viscoelasticity.js";
 
 const zeroCelsius = 273.15;
-const hottest = 200;  // [K] above the temperature of the study; further on the law says nothing of a real binder
+const hottest = 200;  // [K] above the temperature of the study; beyond it the law does not describe a real binder
 
 function isElastic({bulk, shear}) {
   return bulk.terms.length === 0 && shear.terms.length === 0;
@@ -37,7 +37,7 @@ export function overTemperature(curve, law, xUnit, at) {
 }
 
 /// A time [s] or angular frequency [rad/s] for which the temperature of the study is among those of the curve: a whole
-/// power of ten in the unit that readers know, seconds or Hz.
+/// power of ten in the displayed unit, seconds or Hz.
 export function usualAbscissa(times, xUnit) {
   const middle = Math.sqrt(times[0] * times[1]);
   if (xUnit === "s") return 10 ** Math.round(Math.log10(middle));

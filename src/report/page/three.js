@@ -1,4 +1,4 @@
-/// What the views take of three.js. The library stands in the page before their modules as the global `THREE`.
+/// The exports of three.js that the views use. The library is in the page before their modules, as the global `THREE`.
 
 export {
   BufferGeometry, ColorManagement, Data3DTexture, DataTexture, Float32BufferAttribute,

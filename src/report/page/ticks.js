@@ -1,6 +1,6 @@
 /// Units and ticks of axes. Each tick can be read by itself: "1 ms" and "10 ms" on a time axis, 0.40 and 0.42 on one of
-/// fractions; on an axis of moduli all numbers have the unit that stands in the title. (The plotting library would
-/// write 1m, 400m and 10M.)
+/// fractions; on an axis of moduli all numbers have the unit in the title. (The plotting library would write 1m, 400m
+/// and 10M.)
 
 import {display, minus, prefixes, shortNumber} from "./numbers.js";
 import {extent} from "./sampling.js";
@@ -10,7 +10,7 @@ import {extent} from "./sampling.js";
 export function unitFor(unit, values) {
   const sizes = values.map(Math.abs).filter((value) => value > 0 && Number.isFinite(value));
   const [least, most] = extent(sizes.map(Math.log10));
-  // On an axis of many decades the unit suits the upper ones.
+  // On an axis of many decades the unit is chosen for the upper ones.
   const typical = 10 ** Math.max((least + most) / 2, most - 4);
   const fitting = (size) => prefixes.find(([scale]) => scale <= size * (1 + 1e-9)) ?? prefixes.at(-1);
   if (sizes.length === 0 || !["Pa", "1/Pa", "s"].includes(unit)) return {unit, scale: 1};
@@ -43,8 +43,8 @@ export function evenTicks(first, last, count) {
   return ticks;
 }
 
-/// Ticks of a logarithmic axis from 10^first to 10^last, [{at, text}]. `count` is the number of texts that have room;
-/// the other ticks have an empty one.
+/// Ticks of a logarithmic axis from 10^first to 10^last, [{at, text}]. `count` is the number of texts that fit; the
+/// other ticks have an empty text.
 export function logarithmicTicks(first, last, count, textOf) {
   const decades = last - first;
   if (decades < 0.5) return evenTicks(10 ** first, 10 ** last, count).map(({at}) => ({at, text: textOf(at)}));

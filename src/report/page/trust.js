@@ -1,4 +1,4 @@
-/// How far the results can be trusted, with what the run itself knows of it, and what the words of the page mean.
+/// The reliability of the results, from the error estimates of the run, and the meaning of the terms on the page.
 
 import {study} from "./data.js";
 import {element} from "./elements.js";

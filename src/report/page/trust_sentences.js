@@ -1,4 +1,4 @@
-/// How far the results of a stage can be trusted, in sentences with what the run itself knows of it.
+/// The reliability of the results of a stage in sentences, from the error estimates of the run.
 
 import {listed} from "./names.js";
 import {display, percent, shortNumber} from "./numbers.js";
@@ -10,8 +10,9 @@ export function sentencesOnTrust(record, stage) {
     .filter((sentence) => sentence !== "");
 }
 
-/// What is bonded to the matrix of a stage: the grains of an image or of a tessellation, or particles of some shapes.
-function wordsOnParticles({fillers = [], microstructure: made}) {
+/// A text on the bodies bonded to the matrix of a stage: the grains of an image or of a tessellation, or particles of
+/// some shapes.
+function textOnParticles({fillers = [], microstructure: made}) {
   if (made.pixels !== undefined) return "the grains of an image";
   if (Number.isFinite(made.film_m)) return "polygonal grains";
   const shapes = [...new Set(fillers.map(({shape}) => shape ?? "discs"))];
@@ -20,7 +21,7 @@ function wordsOnParticles({fillers = [], microstructure: made}) {
 
 function onModel(stage) {
   return stage.dimensions === 3 ? "The model: a cube with its particles bonded to their matrix."
-    : `The model: a flat box in plane strain, with ${wordsOnParticles(stage)} bonded to their ` +
+    : `The model: a flat box in plane strain, with ${textOnParticles(stage)} bonded to their ` +
       "matrix. Real particles are not endless cylinders; three dimensions are computed with dimensions = 3.";
 }
 
@@ -71,7 +72,8 @@ function onPacking({microstructure: made}) {
     "other moduli; by how much, breccia run --seeds 3 shows.";
 }
 
-/// A stage takes the one before as a uniform material, which asks for far larger particles.
+/// A sentence on the separation of scales: a stage takes the one before as a uniform material, which is valid for far
+/// larger particles only.
 function onSeparation(record, stage) {
   const matrix = matrixStageOf(record, stage);
   const ratio = stage.microstructure.smallest_diameter_m / matrix?.microstructure.largest_diameter_m;

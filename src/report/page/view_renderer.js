@@ -14,7 +14,7 @@ export function renderer() {
   sharedRenderer = new THREE.WebGLRenderer({canvas, context});
   sharedRenderer.outputColorSpace = THREE.LinearSRGBColorSpace;
   sharedRenderer.setClearColor(0xffffff);
-  // After those of the renderer, which asks for a new context and fills it.
+  // These listeners are added after those of the renderer, which requests a new context and fills it.
   for (const event of ["webglcontextlost", "webglcontextrestored"]) {
     canvas.addEventListener(event, () => watchers.forEach((watcher) => watcher(event === "webglcontextlost")));
   }

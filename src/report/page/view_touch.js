@@ -3,7 +3,7 @@
 
 import {element} from "./elements.js";
 
-/// Makes a canvas in its frame so. To be called after the controls that turn the view have been made.
+/// Adds this behaviour to a canvas in its frame. Call it after the controls that turn the view have been made.
 export function turnAfterTap(canvas, frame) {
   const hint = element("span", {className: "view-hint"}, "tap to turn");
   frame.append(hint);

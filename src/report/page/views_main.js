@@ -2,11 +2,11 @@
 
 import {data, study} from "./data.js";
 import {element} from "./elements.js";
-import {wordsOnStage} from "./names.js";
+import {textOnStage} from "./names.js";
 import {shortNumber} from "./numbers.js";
 import {particleModel} from "./particle_model.js";
 import {channelsOf, colourOf, coloursOfPhases, phasesOf} from "./phase_colours.js";
-import {legendOf, wordsOnField} from "./pictures.js";
+import {legendOf, textOnField} from "./pictures.js";
 import {own} from "./records.js";
 import {rotatableView} from "./rotatable_view.js";
 import {evenTicks, logarithmicTicks} from "./ticks.js";
@@ -36,7 +36,7 @@ function showMicrostructure(stage, {microstructure}) {
   const note = isPart ? `, the ${particles.count} largest of them shown` : "";
   document.getElementById("microstructure-views").append(rotatableView({
     name: `${stage.name} microstructure view`,
-    caption: `${stage.name}: ${wordsOnStage(stage)}${note}`,
+    caption: `${stage.name}: ${textOnStage(stage)}${note}`,
     side: stage.box_m,
     build: () => particles === undefined ? phaseModel(stage, phases)
       : particleModel(particles, stage.box_m, drawnFillers(stage)),
@@ -44,7 +44,7 @@ function showMicrostructure(stage, {microstructure}) {
   }).figure);
 }
 
-/// The colours of a quantity with the values that they stand for.
+/// The colour bar of a quantity with its values.
 function colourBar({words, unit_size: unit, scale, from, to}) {
   const [first, last] = [from / unit, to / unit];
   const ticks = scale === "logarithmic"
@@ -70,10 +70,10 @@ function showFields(stage, views) {
   const bar = element("div", {});
   const choose = (label, className, texts) => element("select", {ariaLabel: label, className, onchange: () => show()},
     ...texts.map((text) => element("option", {}, text)));
-  const field = choose(`Test and time of the view of ${stage.name}`, "view-field", fields.map(wordsOnField));
+  const field = choose(`Test and time of the view of ${stage.name}`, "view-field", fields.map(textOnField));
   const quantity = choose(`Quantity of the view of ${stage.name}`, "view-quantity", Object.values(quantities));
   field.selectedIndex = Math.max(0, fields.findIndex(({file}) => file === "fields.vtkhdf"));
-  const captionOf = () => `${stage.name}, ${quantity.value}: ${wordsOnField(fields[field.selectedIndex])}`;
+  const captionOf = () => `${stage.name}, ${quantity.value}: ${textOnField(fields[field.selectedIndex])}`;
   const build = () => {
     const one = views.fields[fields[field.selectedIndex].file];
     const name = Object.keys(quantities)[quantity.selectedIndex];

@@ -11,8 +11,8 @@ export function relaxationModulus(series, time) {
   return modulus;
 }
 
-/// The Carson modulus s M~(s) [Pa] at a real Laplace variable s [1/s]. By the correspondence principle it takes the
-/// place of the elastic modulus.
+/// The Carson modulus s M~(s) [Pa] at a real Laplace variable s [1/s]. By the correspondence principle it replaces the
+/// elastic modulus.
 export function carsonModulus(series, s) {
   let modulus = series.equilibrium_Pa;
   for (const {relaxation_time_s: tau, modulus_Pa} of series.terms) modulus += (modulus_Pa * s * tau) / (1 + s * tau);
@@ -80,8 +80,8 @@ function onPolygon(xs, ys, x) {
 }
 
 /// The bulk modulus K of a solid with the shear modulus G from its modulus of equal strains along all axes of the box,
-/// K + G/3 in two dimensions (plane strain) and K in three, all in [Pa]. It holds for elastic moduli, and so for Carson
-/// moduli at one Laplace variable.
+/// K + G/3 in two dimensions (plane strain) and K in three, all in [Pa]. It is valid for elastic moduli, and so for
+/// Carson moduli at one Laplace variable.
 export function bulkModulus(tested, shear, dimensions) {
   return dimensions === 3 ? tested : tested - shear / 3;
 }
@@ -103,7 +103,8 @@ export function seriesOfRelaxationModuli(times, moduli) {
 /// Fits a series with relaxation times in a range [s] to moduli at the given abscissas; `shape` is the value of a term
 /// of modulus 1 at an abscissa.
 function fittedSeries([shortest, longest], abscissas, moduli, shape) {
-  // Thirty relaxation times a decade: the two nearest stand for one between them with an error of M(t) of some 1e-4.
+  // With thirty relaxation times a decade the two nearest represent one between them with an error of M(t) of some
+  // 1e-4.
   const times = logarithmic(shortest, longest, 30);
   const columns = [abscissas.map((_, j) => 1 / moduli[j]),
     ...times.map((tau) => abscissas.map((x, j) => shape(x, tau) / moduli[j]))];

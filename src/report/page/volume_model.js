@@ -1,4 +1,4 @@
-/// A cube of coloured cells, as the surface of what a cut leaves of it. The global `THREE` is three.js.
+/// A cube of coloured cells, drawn as the surface of the body that a cut leaves. The global `THREE` is three.js.
 
 import {unpackedBytes} from "./packed.js";
 import {surfaceOf} from "./solid_cut.js";
@@ -7,7 +7,7 @@ const vertexShader = `
   attribute vec3 outward;
   varying vec3 place;
   void main() {
-    // The cell under the surface, not the one that has been cut away.
+    // The point is moved into the cell under the surface, out of the one that has been cut away.
     place = position - 1e-4 * outward;
     gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
   }`;
@@ -22,7 +22,7 @@ const fragmentShader = `
     gl_FragColor = vec4(texelFetch(colours, ivec2(colour, 0), 0).rgb, 1.0);
   }`;
 
-/// The colours as a texture of 256, the last of them repeated.
+/// The colours as a texture of 256 colours, filled up with the last one.
 function colourTexture(colours) {
   const data = new Uint8Array(4 * 256);
   for (let i = 0; i < 256; ++i) data.set([...colours[Math.min(i, colours.length - 1)], 255], 4 * i);

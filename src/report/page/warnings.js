@@ -1,8 +1,8 @@
-/// Warnings of a study: those that say the same of several stages stand together.
+/// Warnings of a study. Equal warnings of several stages are grouped.
 
 import {listed} from "./names.js";
 
-/// What is the same in warnings of one kind: the text without numbers, their units and the name of the stage.
+/// The text that all warnings of one kind have: without numbers, their units and the name of the stage.
 function kindOf(text) {
   return text.replace(/[−-]?\d[\d.,]*(e[+-]?\d+)?( ?([fpnumkMGT]|µ)?(m|s|Pa)\b)?/g, "#").replace(/\bcells\b/g, "cell");
 }
@@ -23,8 +23,8 @@ export function groupsOfWarnings(warnings, stageNames) {
   return [...groups.values()];
 }
 
-/// What the first warning of a group says and what that does to the result, its first two clauses without what stands
-/// in brackets, with the stage and the other stages that have one of the same kind.
+/// A line on a group of warnings: the first two clauses of the first warning without text in brackets (the finding and
+/// its effect on the result), with its stage and the other stages that have a warning of this kind.
 export function lineOnGroup({stages, texts}) {
   const [stage, ...others] = [...new Set(stages)];
   const whole = stage === undefined ? texts[0] : texts[0].slice(stage.length + 2);

@@ -1,4 +1,4 @@
-/// The fraction of all particles of a chain of stages, in words.
+/// A text on the fraction of all particles of a chain of stages.
 
 import {listed} from "./names.js";
 import {percentOfWhole} from "./numbers.js";

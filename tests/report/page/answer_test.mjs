@@ -1,4 +1,4 @@
-/// What the first screen of a study says.
+/// Tests of the sentences on the first screen of a study.
 
 import assert from "node:assert/strict";
 import {test} from "node:test";
@@ -66,14 +66,14 @@ test("a sweep: its range, and the task that is nearest to the measurement", () =
   const task = (gap, atBegin) => ({...falling("displacement", atBegin), stage: "mix", load: "shear", method: "quasistatic",
     values: {gap}});
   const curves = [task(10, 1e6), task(1, 3e6), task(3, 2e6)];
-  const words = {curves, symbol: "G(t)", bound: "upper bound", wordsOnTask: ({values}) => `gap ${values.gap}`};
+  const words = {curves, symbol: "G(t)", bound: "upper bound", textOnTask: ({values}) => `gap ${values.gap}`};
   assert.deepEqual(sweepSentences(words), ["G(t) of mix, upper bound: 1 MPa (gap 10) to 3 MPa (gap 1) at 1 ms and " +
     "10 kPa (gap 10) to 30 kPa (gap 1) at 10 s."]);
   // 2e6 sqrt(0.1) / 8e5 = 0.79 and 2e6 / 10 / 2e5 = 1; the others are off by a factor of 2 and 1.5.
   const measured = {name: "Bennett", x: [1e-2, 1e-1], y: [8e5, 2e5]};
   assert.equal(sweepSentences({...words, measured})[1],
     "Nearest to what was measured (Bennett) comes gap 3, with a modulus (upper bound) of 0.79 to 1 times the measured one.");
-  // A task of fewer times is compared with the others at its own.
+  // A task with fewer times is compared with the others at its own times.
   const short = {...task(5, 1.9e6), x: curves[0].x.slice(0, 4), y: task(5, 1.9e6).y.slice(0, 4)};
   const late = {name: "Bennett", x: [1e-2, 1e-1], y: [6e5, 6e5]};
   assert.ok(sweepSentences({...words, curves: [...curves, short], measured: late})[1].includes("comes gap 5, with a " +

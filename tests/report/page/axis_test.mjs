@@ -18,7 +18,7 @@ test("the temperature of a shift factor", () => {
 });
 
 test("a curve over the temperature", () => {
-  // By hand: at 10 degrees above the reference log10 a_T = -6.5 * 10 / 130 = -0.5, at 1 above -6.5 / 121.
+  // Computed by hand: log10 a_T = -6.5 * 10 / 130 = -0.5 at 10 degrees above the reference, -6.5 / 121 at 1 degree.
   const shift = -0.5 + 6.5 / 121;
   const frequency = 2 * Math.PI;
   const dynamic = overTemperature({x: [1e-3, frequency * 10 ** shift, 1e12], y: [1, 2, 3], band: [0.1, 0.2, 0.3]}, law,
@@ -29,7 +29,7 @@ test("a curve over the temperature", () => {
   assert.deepEqual(dynamic.x, [...dynamic.x].sort((a, b) => a - b));
   const inTime = overTemperature({x: [1 / 10 ** shift], y: [5]}, law, "s", 1);
   assertClose(inTime.x[0], 29, 1e-9, "temperature of the time");
-  // At the temperature of the study nothing is shifted.
+  // There is no shift at the temperature of the study.
   assertClose(overTemperature({x: [3], y: [1]}, law, "s", 3).x[0], 20, 1e-9, "temperature of the study");
 });
 

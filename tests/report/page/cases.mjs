@@ -1,4 +1,4 @@
 import {readFileSync} from "node:fs";
 
-/// What page_cases.cpp has written; the environment variable PAGE_CASES names its file.
+/// The cases that page_cases.cpp has written to the file that the environment variable PAGE_CASES names.
 export const cases = JSON.parse(readFileSync(process.env.PAGE_CASES, "utf8"));

@@ -17,7 +17,7 @@ test("the law with another reference gives the same ratios of shift factors", ()
 });
 
 test("sweeps over the reduced frequency", () => {
-  // At 10 K above the reference log10 a_T = -6.5 * 10 / 130 = -0.5.
+  // The shift at 10 K above the reference is log10 a_T = -6.5 * 10 / 130 = -0.5.
   const sweep = {temperature_K: 302.15, angular_frequency_rad_per_s: [10, 100], log10_shift_factor: -0.5};
   const [atReference] = reducedSweeps([sweep], 0);
   assertClose(atReference.x[1], 100 / Math.sqrt(10), 1e-12, "reduced frequency");
@@ -27,7 +27,7 @@ test("sweeps over the reduced frequency", () => {
 });
 
 test("deviations and the Black diagram of one Maxwell element", () => {
-  // At omega tau = 1 both moduli are half of the spring's.
+  // Both moduli are half of the spring's at omega tau = 1.
   const series = {equilibrium_Pa: 0, terms: [{relaxation_time_s: 0.1, modulus_Pa: 4e6}]};
   const {storage, loss} = deviationsOf(series, {x: [10], storage_Pa: [2e6], loss_Pa: [1e6]});
   assert.ok(Math.abs(storage[0]) < 1e-9);

@@ -1,5 +1,5 @@
-// Writes to the standard output, as JSON, numbers by which the tests of the page's scripts judge them: what the library
-// makes of some Prony series, temperature shifts, ramps, grids, reduced responses and quantities for display.
+// Writes results of the library as JSON to the standard output, with which the tests of the page's scripts compare: for
+// some Prony series, temperature shifts, ramps, grids, reduced responses and quantities for display.
 
 #include <array>
 #include <cmath>
@@ -31,7 +31,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// As in study.json.
+/// The series as in study.json.
 Json json_of(const PronySeries& series) {
   Json terms = Json::array();
   for (const auto& [time, modulus] : series.terms()) {
@@ -232,7 +232,7 @@ void add_part(ReducedResponse& response, PhaseModulus parameter, Eigen::MatrixXd
   part.stiffness = std::move(stiffness);
 }
 
-/// The same composite with an interphase whose moduli vary too.
+/// The response of the composite with an interphase whose moduli vary, too.
 ReducedResponse coated_response() {
   auto response = response_down_to(1e5);
   const auto size = response.constant.rows();

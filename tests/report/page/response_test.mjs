@@ -18,7 +18,7 @@ test("modulus with an elastic matrix", () => {
 });
 
 test("moduli for which a response can be used", () => {
-  // The same products of two numbers.
+  // Both compute the same products of two numbers.
   for (const {response, sampled} of cases.responses) {
     const range = sampledRange(response);
     for (const name of ["shear", "bulk"]) {
@@ -52,7 +52,7 @@ test("a composite in which the moduli of an interphase vary too", () => {
   for (const name of ["shear", "bulk"]) {
     sampledRange(response, 1)[name].forEach((value, i) => assertClose(value, sampled[name][i], 1e-15, `${name} ${i}`));
   }
-  // Whatever its error estimate says, which is made up here.
+  // The error estimate of the response is artificial and therefore left out.
   const exact = {...response, residual_scale: 0};
   const study = {times_s, stages: [{name: "A", matrix: "binder"}]};
   const [{modulus, refusal}] = respond(study, {A: [exact]}, materials);

@@ -32,7 +32,7 @@ test("files that the reader keeps", () => {
   const curve = {label: 'Bennett, "1998"', x: [1, 2], y: [3e6, 4e-7]};
   assert.equal(csvOf([curve], {xUnit: "s", unit: "Pa"}),
     'curve,time_s,value_Pa\n"Bennett, ""1998""",1,3000000\n"Bennett, ""1998""",2,4e-7\n');
-  // As `breccia fit` reads it.
+  // The text has the form that `breccia fit` reads.
   assert.equal(csvOf([{label: "A", x: [1], y: [2]}], {xUnit: "rad/s", unit: "Pa"}),
     "curve,angular_frequency_rad_per_s,value_Pa\nA,1,2\n");
   assert.equal(csvOf([{label: "A", x: [1], y: [2]}], {xUnit: "Hz", unit: ""}), "curve,frequency_Hz,value\nA,1,2\n");

@@ -1,4 +1,4 @@
-/// What the views of three dimensions are made of, where it needs no browser.
+/// Tests of the parts of the views of three dimensions that need no browser.
 
 import assert from "node:assert/strict";
 import {test} from "node:test";

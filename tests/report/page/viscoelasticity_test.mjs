@@ -9,8 +9,9 @@ import {bulkModulus, carsonModulus, decadesOfShift, lossModulus, relaxationModul
 import {cases} from "./cases.mjs";
 import {assertClose} from "./close.mjs";
 
-/// Both sides evaluate the same closed formula, so only rounding parts them: the sums have up to 23 terms of one sign,
-/// each with a few roundings of 1e-16; an exponential magnifies that of t/tau by t/tau, at most 40 where it matters.
+/// Both sides evaluate the same closed formula, so they differ by rounding only: the sums have up to 23 terms of one
+/// sign, each with a few roundings of 1e-16; an exponential magnifies the rounding of t/tau by t/tau, at most 40 where
+/// it matters.
 const rounding = 1e-14;
 
 test("relaxation, complex and Carson moduli of Prony series", () => {
@@ -26,8 +27,8 @@ test("relaxation, complex and Carson moduli of Prony series", () => {
   }
 });
 
-/// The page fits relaxation times that stand 30 to a decade, the library has the true ones. The two nearest times stand
-/// for one between them with an error of up to h^2/8 max |x (x - 1) exp(-x)| = 2.3e-4 of the modulus of its term, where
+/// The page fits 30 relaxation times a decade, the library has the true ones. The two nearest times represent one
+/// between them with an error of up to h^2/8 max |x (x - 1) exp(-x)| = 2.3e-4 of the modulus of its term, where
 /// h = ln(10) / 30 and x = t / tau. In these cases the modulus of a term that relaxes at t is up to six times M(t).
 const errorOfFit = 6 * 2.3e-4;
 
@@ -63,7 +64,7 @@ test("temperature shift by the law of Williams, Landel and Ferry", () => {
 });
 
 test("load over the ramp of a dynamic run", () => {
-  // The same formula; at the beginning of the ramp its parts, of order 1, cancel, so the tolerance is absolute.
+  // Both evaluate one formula; at the start of the ramp its parts, of order 1, cancel, so the tolerance is absolute.
   for (const {ramp, time, share} of cases.ramps) {
     assertClose(1 + shareOfLoad(time, ramp), 1 + share, 5e-16, `share of the load at ${time} s of ${ramp} s`);
   }
