@@ -1,5 +1,5 @@
 // Example 6: a chain of three stages. Discs of three sizes are in a binder; each stage has those of one size in the
-// mixture of the binder with all smaller ones (the "dirty binder").
+// mixture of the binder with all smaller ones (the paper's "dirty binder").
 //
 //   ex06_chain ex06_chain.toml
 //
