@@ -12,9 +12,9 @@
 
 #include "breccia/error.hpp"
 
-#include "both_scales.hpp"
 #include "least_squares.hpp"
 #include "non_negative_least_squares.hpp"
+#include "temperature_text.hpp"
 
 namespace breccia {
 namespace {
@@ -223,24 +223,24 @@ void require_sweeps(const std::vector<FrequencySweep>& sweeps) {
       throw InputError(fmt::format("master curve: expected a positive temperature, got {} K", temperature));
     }
     if (i > 0 && temperature == sweeps[i - 1].temperature) {
-      throw InputError(fmt::format("master curve: two sweeps at {}", in_both_scales(temperature)));
+      throw InputError(fmt::format("master curve: two sweeps at {}", in_kelvin_and_celsius(temperature)));
     }
     constexpr std::size_t fewest = 2;
     if (frequencies.size() < fewest || storage.size() != frequencies.size() || loss.size() != frequencies.size()) {
       throw InputError(
           fmt::format("master curve: the sweep at {} has {} frequencies, {} storage and {} loss "
                       "moduli; expected at least {} and as many of each",
-                      in_both_scales(temperature), frequencies.size(), storage.size(), loss.size(), fewest));
+                      in_kelvin_and_celsius(temperature), frequencies.size(), storage.size(), loss.size(), fewest));
     }
     const auto is_positive = [](double x) { return x > 0.0 && std::isfinite(x); };
     if (!std::ranges::all_of(frequencies, is_positive) || !std::ranges::all_of(storage, is_positive) ||
         !std::ranges::all_of(loss, is_positive)) {
       throw InputError(fmt::format("master curve: the sweep at {}: expected positive frequencies and moduli",
-                                   in_both_scales(temperature)));
+                                   in_kelvin_and_celsius(temperature)));
     }
     if (!std::ranges::is_sorted(frequencies, std::ranges::less_equal{})) {
-      throw InputError(
-          fmt::format("master curve: the sweep at {}: expected rising frequencies", in_both_scales(temperature)));
+      throw InputError(fmt::format("master curve: the sweep at {}: expected rising frequencies",
+                                   in_kelvin_and_celsius(temperature)));
     }
   }
 }
@@ -253,9 +253,9 @@ std::size_t reference_sweep(const std::vector<FrequencySweep>& sweeps, double re
   if (found != sweeps.end()) return static_cast<std::size_t>(found - sweeps.begin());
   std::vector<std::string> temperatures;
   temperatures.reserve(sweeps.size());
-  for (const auto& sweep : sweeps) temperatures.push_back(in_both_scales(sweep.temperature));
+  for (const auto& sweep : sweeps) temperatures.push_back(in_kelvin_and_celsius(sweep.temperature));
   throw InputError(fmt::format("master curve: no sweep at the reference temperature {}; there are {}",
-                               in_both_scales(reference_temperature), fmt::join(temperatures, ", ")));
+                               in_kelvin_and_celsius(reference_temperature), fmt::join(temperatures, ", ")));
 }
 
 /// log10 a_T of all sweeps but the reference, and their standard errors.

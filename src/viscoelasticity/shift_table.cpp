@@ -13,7 +13,7 @@
 
 #include "breccia/error.hpp"
 
-#include "both_scales.hpp"
+#include "temperature_text.hpp"
 
 namespace breccia {
 namespace {
@@ -45,7 +45,7 @@ ShiftTable::ShiftTable(std::vector<double> temperatures, std::vector<double> log
   const auto out_of_order = std::ranges::adjacent_find(temperatures_, std::greater_equal{});
   if (out_of_order != temperatures_.end()) {
     mistakes.push_back(fmt::format("a table of shift factors: expected rising temperatures, got {} after {}",
-                                   in_both_scales(out_of_order[1]), in_both_scales(out_of_order[0])));
+                                   in_kelvin_and_celsius(out_of_order[1]), in_kelvin_and_celsius(out_of_order[0])));
   }
   const auto rising = std::ranges::adjacent_find(log10_factors_, std::less_equal{});
   if (rising != log10_factors_.end()) {
@@ -53,7 +53,7 @@ ShiftTable::ShiftTable(std::vector<double> temperatures, std::vector<double> log
     mistakes.push_back(
         fmt::format("a table of shift factors: expected factors that fall as the temperature rises, got "
                     "log10 a_T = {} after {} at {}",
-                    rising[1], rising[0], in_both_scales(temperatures_[at])));
+                    rising[1], rising[0], in_kelvin_and_celsius(temperatures_[at])));
   }
   if (!mistakes.empty()) throw InputError(fmt::format("{}", fmt::join(mistakes, "\n")));
   const double at_reference = log10_factor(reference_temperature_);
@@ -69,8 +69,8 @@ double ShiftTable::log10_factor(double temperature) const {
   }
   if (!(temperature >= temperatures_.front() && temperature <= temperatures_.back())) {
     throw InputError(fmt::format("the table of shift factors reaches from {} to {}, got {}",
-                                 in_both_scales(temperatures_.front()), in_both_scales(temperatures_.back()),
-                                 in_both_scales(temperature)));
+                                 in_kelvin_and_celsius(temperatures_.front()),
+                                 in_kelvin_and_celsius(temperatures_.back()), in_kelvin_and_celsius(temperature)));
   }
   const auto above = std::upper_bound(temperatures_.begin() + 1, temperatures_.end() - 1, temperature);
   return on_section(temperatures_, log10_factors_, static_cast<std::size_t>(above - temperatures_.begin()) - 1,

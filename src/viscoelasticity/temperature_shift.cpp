@@ -8,7 +8,7 @@
 
 #include "breccia/error.hpp"
 
-#include "both_scales.hpp"
+#include "temperature_text.hpp"
 
 namespace breccia {
 
@@ -16,13 +16,14 @@ double WilliamsLandelFerry::shift_factor(double temperature) const {
   const double excess = temperature - reference_temperature;
   if (!(c2 + excess > 0.0)) {
     throw InputError(fmt::format("the shift law has no meaning at or below {} (reference temperature - c2), got {}",
-                                 in_both_scales(reference_temperature - c2), in_both_scales(temperature)));
+                                 in_kelvin_and_celsius(reference_temperature - c2),
+                                 in_kelvin_and_celsius(temperature)));
   }
   const double decades = -c1 * excess / (c2 + excess);
   constexpr double most_decades = 100.0;
   if (!(std::abs(decades) <= most_decades)) {
     throw InputError(fmt::format("the shift law shifts by 10^{:.3g} at {}, which is outside its range of use", decades,
-                                 in_both_scales(temperature)));
+                                 in_kelvin_and_celsius(temperature)));
   }
   return std::pow(10.0, decades);
 }

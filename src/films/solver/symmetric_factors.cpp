@@ -91,7 +91,7 @@ void factorise_with_room(DMUMPS_STRUC_C& mumps) {
 
 }  // namespace
 
-void SymmetricFactors::End::operator()(DMUMPS_STRUC_C* instance) const {
+void SymmetricFactors::InstanceDeleter::operator()(DMUMPS_STRUC_C* instance) const {
   instance->job = end;
   dmumps_c(instance);
   delete instance;
@@ -106,7 +106,7 @@ void SymmetricFactors::analyse() {
   mumps.par = works_too;
   mumps.sym = symmetric;
   run(mumps, begin);
-  std::unique_ptr<DMUMPS_STRUC_C, End> begun(blank.release());
+  std::unique_ptr<DMUMPS_STRUC_C, InstanceDeleter> begun(blank.release());
   for (const auto unit : {errors, diagnostics, statistics}) control(mumps, unit) = no_unit;
   control(mumps, verbosity) = silent;
   control(mumps, ordering) = given;

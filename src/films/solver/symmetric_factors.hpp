@@ -37,7 +37,7 @@ class SymmetricFactors {
 
  private:
   /// Ends an instance of MUMPS.
-  struct End {
+  struct InstanceDeleter {
     void operator()(DMUMPS_STRUC_C* instance) const;
   };
 
@@ -50,7 +50,7 @@ class SymmetricFactors {
   Sparse matrix_;                             ///< on the first process, as are the lists of its entries
   std::optional<FactorDirectory> directory_;  ///< of the files, which MUMPS closes before it is removed
   std::vector<int> rows_, columns_;           ///< of the entries, from 1
-  std::unique_ptr<DMUMPS_STRUC_C, End> mumps_;
+  std::unique_ptr<DMUMPS_STRUC_C, InstanceDeleter> mumps_;
   double residual_ = 0.0;
 };
 

@@ -22,7 +22,7 @@ function fittedAt(time) {
 }
 
 /// Shows the result of the fit in sentences.
-function showAnswer() {
+function showResult() {
   document.getElementById("title").textContent = fit.source;
   const {terms} = fit.series;
   const at = fit.reference_K === undefined ? "" : ` at ${celsius(fit.reference_K)}`;
@@ -88,7 +88,7 @@ function seriesAsCsv() {
     .join("\n");
 }
 
-showAnswer();
+showResult();
 showTables();
 const master = masterFigure(shown);
 const figures = [master.draw, deviationFigure(shown), shiftFigure(shown), blackFigure(), rawFigure(shown),

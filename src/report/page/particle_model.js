@@ -1,7 +1,7 @@
 /// Spheres and ellipsoids in a cube. Each is a square towards the reader, whose pixels find the surface by a ray: a
 /// hundred thousand take no more than as many squares, and a cut shows their sections. The global `THREE` is three.js.
 
-import {unpackedNumbers} from "./packed.js";
+import {unpackedNumbers} from "./compressed_bytes.js";
 import {channelsOf} from "./phase_colours.js";
 
 const vertexShader = `

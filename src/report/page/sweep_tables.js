@@ -6,7 +6,7 @@ import {boundNames, gridName, listed, methodNames, symbolOf} from "./names.js";
 import {display, duration, percent} from "./numbers.js";
 import {groupsOf} from "./records.js";
 import {decades, valueAt} from "./sampling.js";
-import {curvesOfAnswer, sweepSentences} from "./sweep_answer.js";
+import {curvesOfSentences, sweepSentences} from "./sweep_sentences.js";
 import {labelOfKey, sweptKeys} from "./sweep_curves.js";
 import {measuredCurves, ratioColumns} from "./sweep_measurements.js";
 import {table} from "./table.js";
@@ -14,7 +14,7 @@ import {table} from "./table.js";
 /// Shows the title, the swept keys, and the failed tasks.
 export function showSweepSummary(curves) {
   document.getElementById("title").textContent = sweep.title;
-  if (curves.length > 0) showAnswer(curvesOfAnswer(curves));
+  if (curves.length > 0) showResult(curvesOfSentences(curves));
   const what = sweptKeys.map(({path, values}) => `${path}: ${listed(values.map(String))}`);
   document.getElementById("summary").append(
     element("p", {}, `One deck, ${sweep.tasks.length} times, with all combinations of`),
@@ -28,7 +28,7 @@ export function showSweepSummary(curves) {
   list.hidden = warnings.length === 0;
 }
 
-function showAnswer(curves) {
+function showResult(curves) {
   const [{load, boundary, stage}] = curves;
   const moving = sweptKeys.filter(({values}) => values.length > 1);
   const measured = load === "shear" ? measuredCurves().find((one) => one.stage === stage) : undefined;

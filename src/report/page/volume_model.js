@@ -1,6 +1,6 @@
 /// A cube of coloured cells, drawn as the surface of the body that a cut leaves. The global `THREE` is three.js.
 
-import {unpackedBytes} from "./packed.js";
+import {unpackedBytes} from "./compressed_bytes.js";
 import {surfaceOf} from "./solid_cut.js";
 
 const vertexShader = `
@@ -31,7 +31,7 @@ function colourTexture(colours) {
   return texture;
 }
 
-/// The model of a volume: `cells` along x, y and z, `values` with the colour of each (packed.js), and the colours, each
+/// The model of a volume: `cells` along x, y and z, `values` with the colour of each (compressed_bytes.js), and the colours, each
 /// with red, green and blue from 0 to 255.
 export async function volumeModel({cells, values}, colours) {
   const texture = new THREE.Data3DTexture(await unpackedBytes(values), ...cells);

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import {test} from "node:test";
 import {deflateSync} from "node:zlib";
 
-import {unpackedBytes, unpackedNumbers} from "../../../src/report/page/packed.js";
+import {unpackedBytes, unpackedNumbers} from "../../../src/report/page/compressed_bytes.js";
 import {channelsOf, coloursOfPhases} from "../../../src/report/page/phase_colours.js";
 import {roundLength} from "../../../src/report/page/rotatable_view.js";
 import {cuts, edgesOf, surfaceOf} from "../../../src/report/page/solid_cut.js";

@@ -5,7 +5,7 @@ import {display, percent, shortNumber} from "./numbers.js";
 import {matrixStageOf} from "./stages.js";
 
 /// The sentences on a stage of a study (study.json).
-export function sentencesOnTrust(record, stage) {
+export function sentencesOnReliability(record, stage) {
   return [onModel(stage), onBounds(stage), onGaps(stage), onGrids(stage), onPacking(stage), onSeparation(record, stage)]
     .filter((sentence) => sentence !== "");
 }

@@ -1,6 +1,6 @@
 /// The first screen of a study: the results, the warnings, and the moduli at whole decades.
 
-import {answerSentences, hasFlowedAway} from "./answer.js";
+import {resultSentences, hasFlowedAway} from "./result_sentences.js";
 import {bestGrid} from "./curves.js";
 import {data, study} from "./data.js";
 import {element} from "./elements.js";
@@ -86,14 +86,14 @@ function nameOfResult(stage) {
 }
 
 /// Shows the title, the result, and how it was found.
-export function showAnswer(curves) {
+export function showResult(curves) {
   document.getElementById("title").textContent = study.title;
   const result = curvesOfResult(curves);
   const place = document.getElementById("summary");
   if (result.length === 0) return place.append(element("p", {}, textWithoutResult()));
   const [{stage, load}] = result;
   const isShear = load !== "bulk";
-  const sentences = answerSentences({stage: nameOfResult(stage), symbol: symbolOf(load), curves: result,
+  const sentences = resultSentences({stage: nameOfResult(stage), symbol: symbolOf(load), curves: result,
     error: [textOnError(result, stage), textOnWarnings()].filter(Boolean).join("; "), binder: isShear ? binderBeside(stage) : undefined,
     measured: isShear ? measuredBeside(curves, stage) : undefined});
   const [first, ...others] = sentences;

@@ -53,7 +53,7 @@ export function hasFlowedAway(binder, time) {
 
 /// The sentences. `symbol` is that of the modulus, `curves` are those of the stage, one for each boundary; `error` is a
 /// text on the error of the grid; `binder` {at} and `measured` {name, x, y} may be undefined.
-export function answerSentences({stage, symbol, curves, error, binder, measured}) {
+export function resultSentences({stage, symbol, curves, error, binder, measured}) {
   const times = threeTimes(curves);
   const moduli = times.map((time) => `${displayRange(...rangeAt(curves, time), "Pa")} at ${display(time, "s")}`);
   const bounds = areCrossed(curves, times) ? "the bounds cross: do not use them" : textOnBounds(curves);

@@ -3,11 +3,11 @@
 import assert from "node:assert/strict";
 import {test} from "node:test";
 
-import {answerSentences, threeTimes} from "../../../src/report/page/answer.js";
+import {resultSentences, threeTimes} from "../../../src/report/page/result_sentences.js";
 import {displayRange, percent, shortNumber, withMicroSign} from "../../../src/report/page/numbers.js";
 import {binderOf, stagesOfInterest} from "../../../src/report/page/stages.js";
-import {curvesOfAnswer, sweepSentences} from "../../../src/report/page/sweep_answer.js";
-import {sentencesOnTrust} from "../../../src/report/page/trust_sentences.js";
+import {curvesOfSentences, sweepSentences} from "../../../src/report/page/sweep_sentences.js";
+import {sentencesOnReliability} from "../../../src/report/page/reliability_sentences.js";
 import {groupsOfWarnings, lineOnGroup} from "../../../src/report/page/warnings.js";
 
 /// A modulus that falls as t^-1/2 from a value at 1 ms, to 10 s.
@@ -20,15 +20,15 @@ const bounds = [falling("traction", 1e9), falling("displacement", 2e9)];
 
 test("the modulus at the first, the middle and the last time", () => {
   assert.deepEqual(threeTimes(bounds).map((time) => Number(time.toPrecision(6))), [1e-3, 0.1, 10]);
-  assert.deepEqual(answerSentences({stage: "mix", symbol: "G(t)", curves: bounds}),
+  assert.deepEqual(resultSentences({stage: "mix", symbol: "G(t)", curves: bounds}),
     ["G(t) of mix is 1 to 2 GPa at 1 ms, 100 to 200 MPa at 100 ms and 10 to 20 MPa at 10 s (lower to upper bound)."]);
-  const [alone] = answerSentences({stage: "cell", symbol: "G(t)", curves: [falling("periodic", 1e6)]});
+  const [alone] = resultSentences({stage: "cell", symbol: "G(t)", curves: [falling("periodic", 1e6)]});
   assert.equal(alone, "G(t) of cell is 1 MPa at 1 ms, 100 kPa at 100 ms and 10 kPa at 10 s (periodic boundary).");
 });
 
 test("beside the binder and the measurement", () => {
   const measured = {name: "Bennett", x: [1e-2, 1e-1], y: [4e8, 1e8]};
-  const [, binder, ratio, place] = answerSentences({stage: "mix", symbol: "G(t)", curves: bounds,
+  const [, binder, ratio, place] = resultSentences({stage: "mix", symbol: "G(t)", curves: bounds,
     binder: {at: () => 1e6}, measured});
   assert.equal(binder, "That is 1000 to 2000 times its binder at 1 ms and 10 to 20 times its binder at 10 s.");
   // 1e9 sqrt(0.1) / 4e8 = 0.79 and 1e9 / 10 / 1e8 = 1.
@@ -36,28 +36,28 @@ test("beside the binder and the measurement", () => {
     "what was measured (Bennett).");
   assert.equal(place, "The measurement lies between the bounds at all of these times.");
   const crossing = {name: "Bennett", x: [1e-3, 1e-2, 1e-1, 1], y: [1e8, 4e8, 1.5e8, 1e9]};
-  assert.equal(answerSentences({stage: "mix", symbol: "G(t)", curves: bounds, measured: crossing}).at(-1),
+  assert.equal(resultSentences({stage: "mix", symbol: "G(t)", curves: bounds, measured: crossing}).at(-1),
     "The measurement lies below both bounds up to 1 ms, between the bounds from 10 ms to 100 ms and above both bounds " +
     "from 1 s on.");
   const elsewhere = {name: "Bennett", x: [100, 1000], y: [1, 1]};
-  assert.equal(answerSentences({stage: "mix", symbol: "G(t)", curves: bounds, measured: elsewhere}).length, 1);
+  assert.equal(resultSentences({stage: "mix", symbol: "G(t)", curves: bounds, measured: elsewhere}).length, 1);
 });
 
 test("bounds that cross, and the error of the grid", () => {
   const crossed = [falling("traction", 3e6), falling("displacement", 2e6)];
-  const [text] = answerSentences({stage: "mix", symbol: "G(t)", curves: crossed, error: "± 3 % by the grid"});
+  const [text] = resultSentences({stage: "mix", symbol: "G(t)", curves: crossed, error: "± 3 % by the grid"});
   assert.ok(text.endsWith("(the bounds cross: do not use them; ± 3 % by the grid)."), text);
 });
 
 test("a binder that has flowed away, and curves of no time in common", () => {
   const flowing = {at: (time) => 1e6 * Math.exp(-time / 1e-2)};
-  const [, ratio] = answerSentences({stage: "mix", symbol: "G(t)", curves: bounds, binder: flowing});
+  const [, ratio] = resultSentences({stage: "mix", symbol: "G(t)", curves: bounds, binder: flowing});
   assert.equal(ratio, "That is 1100 to 2200 times its binder at 1 ms.");
   const apart = [{boundary: "traction", x: [1e-3, 1e-2], y: [2, 2]}, {boundary: "displacement", x: [1, 10], y: [3, 3]}];
-  assert.deepEqual(answerSentences({stage: "mix", symbol: "G(t)", curves: apart}),
+  assert.deepEqual(resultSentences({stage: "mix", symbol: "G(t)", curves: apart}),
     ["G(t) of mix is 3 Pa at 1 s (lower to upper bound)."]);
   const sample = [{boundary: "periodic", x: [1], y: [2e6]}];
-  assert.deepEqual(answerSentences({stage: "mix", symbol: "G(t)", curves: sample}),
+  assert.deepEqual(resultSentences({stage: "mix", symbol: "G(t)", curves: sample}),
     ["G(t) of mix is 2 MPa at 1 s (periodic boundary)."]);
   assert.deepEqual([shortNumber(Infinity), shortNumber(NaN), percent(NaN)], ["–", "–", "–"]);
 });
@@ -86,8 +86,8 @@ test("the test of a sweep that its sentence is about", () => {
   const curve = (stage, load, boundary) => ({stage, load, boundary, method: "quasistatic"});
   const curves = [curve("A", "shear", "displacement"), curve("B", "shear", "traction"), curve("B", "shear", "displacement"),
     curve("B", "bulk", "displacement")];
-  assert.deepEqual(curvesOfAnswer(curves), [curves[2]]);
-  assert.deepEqual(curvesOfAnswer(curves.slice(0, 2)), [curves[1]]);
+  assert.deepEqual(curvesOfSentences(curves), [curves[2]]);
+  assert.deepEqual(curvesOfSentences(curves.slice(0, 2)), [curves[1]]);
 });
 
 test("ranges with their units", () => {
@@ -115,23 +115,23 @@ test("the same warning of several stages stands in one line", () => {
   assert.deepEqual(groupsOfWarnings(same, ["A", "B"]).map(lineOnGroup), ["Stages A and B: few particles; take more"]);
 });
 
-test("how far to trust a stage, by what the run knows", () => {
+test("the reliability of a stage, from the error estimates of the run", () => {
   const stage = {name: "B", matrix: "A", dimensions: 2, fillers: [{}], cells: [50],
     tests: [{boundary: "displacement"}, {boundary: "traction"}],
     microstructure: {particles: 40, seed: 1, smallest_gap_m: 1e-6, smallest_diameter_m: 2e-5},
     quality: {narrowest_gap_cells: 0.5, grid_error: null, bounds: [{load: "shear",
       first: {time_s: 1e-3, relative_distance: 0.1}, last: {time_s: 1, relative_distance: 0.5}}]}};
   const study = {stages: [{name: "A", microstructure: {largest_diameter_m: 5e-6}}, stage]};
-  const text = sentencesOnTrust(study, stage).join("\n");
+  const text = sentencesOnReliability(study, stage).join("\n");
   for (const words of ["discs bonded", "apart by 10 % at 1 ms and 50 % at 1 s", "1 µm, 0.5 cells wide",
     "one, so its error is not known", "40 particles, placed at random once", "B is 4 times as large"]) {
     assert.ok(text.includes(words), `${words} in ${text}`);
   }
   const image = {...stage, fillers: [{}], microstructure: {...stage.microstructure, pixels: [10, 10]}};
-  assert.ok(sentencesOnTrust(study, image).join("\n").includes("the grains of an image bonded"));
+  assert.ok(sentencesOnReliability(study, image).join("\n").includes("the grains of an image bonded"));
   const periodic = {...stage, matrix: "b", dimensions: 3, cells: [32, 64], tests: [{boundary: "periodic"}],
     microstructure: {particles: 1}, quality: {grid_error: 0.02}};
-  const other = sentencesOnTrust({stages: [periodic]}, periodic).join("\n");
+  const other = sentencesOnReliability({stages: [periodic]}, periodic).join("\n");
   for (const words of ["a cube", "no bounds", "an error of 2 % at most"]) assert.ok(other.includes(words), other);
   assert.ok(!other.includes("seed") && !other.includes("stages"));
 });

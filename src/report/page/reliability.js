@@ -4,13 +4,13 @@ import {study} from "./data.js";
 import {element} from "./elements.js";
 import {distinct} from "./records.js";
 import {stagesOfInterest} from "./stages.js";
-import {sentencesOnTrust} from "./trust_sentences.js";
+import {sentencesOnReliability} from "./reliability_sentences.js";
 
 /// Shows the sentences on the last stage.
-export function showTrust() {
+export function showReliability() {
   const [stage] = stagesOfInterest(study).slice(-1);
   if (stage === undefined) return;
-  document.getElementById("trust").append(...sentencesOnTrust(study, stage).map((text) => element("li", {}, text)));
+  document.getElementById("trust").append(...sentencesOnReliability(study, stage).map((text) => element("li", {}, text)));
 }
 
 /// The words with their meaning and, where not every page has them, the method, solver or grid that brings them in.
