@@ -35,9 +35,9 @@ void refuse_repeated(const MeasuredTable& table, const MeasuredColumn& frequenci
   for (const auto& rows : sweeps) {
     for (std::size_t i = 1; i < rows.size(); ++i) {
       if (frequencies.values[rows[i]] > frequencies.values[rows[i - 1]]) continue;
-      mistakes.add(table.place(rows[i]),
+      mistakes.add(table.location(rows[i]),
                    fmt::format("{}: expected each frequency once at a temperature", frequencies.name),
-                   fmt::format("{}, as at {}", frequencies.written[rows[i]], table.place(rows[i - 1])));
+                   fmt::format("{}, as at {}", frequencies.written[rows[i]], table.location(rows[i - 1])));
     }
   }
   mistakes.refuse();

@@ -52,12 +52,12 @@ std::vector<Particle> read_ellipses(const MeasuredTable& table, double side, Fil
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const Vector<2> axes = {first.values[row], second.values[row]}, centre = {x[row], y[row]};
     if (!std::ranges::all_of(axes, is_length)) {
-      mistakes.add(table.place(row), "expected positive axes",
+      mistakes.add(table.location(row), "expected positive axes",
                    fmt::format("{} and {}", first.written[row], second.written[row]));
     } else if (!std::isfinite(angles.values[row])) {
-      mistakes.add(table.place(row), "expected a finite angle", fmt::format("{}", angles.written[row]));
+      mistakes.add(table.location(row), "expected a finite angle", fmt::format("{}", angles.written[row]));
     } else {
-      check_centre(centre, side, table.place(row), mistakes);
+      check_centre(centre, side, table.location(row), mistakes);
     }
     particles.push_back({Ellipse{axes}, Pose(centre, angles.values[row])});
   }
@@ -90,15 +90,15 @@ std::vector<Ellipsoid> read_ellipsoids(const MeasuredTable& table, double side, 
                             values(Quantity::axis_3, row)};
     const Turn turn = {values(Quantity::azimuth, row), values(Quantity::elevation, row), values(Quantity::roll, row)};
     if (!std::ranges::all_of(axes, is_length)) {
-      mistakes.add(table.place(row), "expected positive axes",
+      mistakes.add(table.location(row), "expected positive axes",
                    fmt::format("{}, {} and {}", written(Quantity::axis_1, row), written(Quantity::axis_2, row),
                                written(Quantity::axis_3, row)));
     } else if (!std::isfinite(turn.azimuth + turn.elevation + turn.roll)) {
-      mistakes.add(table.place(row), "expected finite angles",
+      mistakes.add(table.location(row), "expected finite angles",
                    fmt::format("{}, {} and {}", written(Quantity::azimuth, row), written(Quantity::elevation, row),
                                written(Quantity::roll, row)));
     } else {
-      check_centre(centre, side, table.place(row), mistakes);
+      check_centre(centre, side, table.location(row), mistakes);
     }
     ellipsoids.push_back({centre, axes, turned(turn)});
   }
@@ -118,9 +118,9 @@ ListedPolygons read_polygons(const std::filesystem::path& file, double side, std
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const bool goes_on = row > 0 && numbers[row] == numbers[row - 1];
     if (numbers[row] != std::floor(numbers[row])) {
-      mistakes.add(table.place(row), fmt::format("expected the whole number of a particle, got {}", numbers[row]));
+      mistakes.add(table.location(row), fmt::format("expected the whole number of a particle, got {}", numbers[row]));
     } else if (!goes_on && rows_of.contains(numbers[row])) {
-      mistakes.add(table.place(row), fmt::format("particle {}: expected its corners in one piece", numbers[row]));
+      mistakes.add(table.location(row), fmt::format("particle {}: expected its corners in one piece", numbers[row]));
     }
     rows_of[numbers[row]].push_back(row);
   }
@@ -130,20 +130,20 @@ ListedPolygons read_polygons(const std::filesystem::path& file, double side, std
     for (const auto row : rows) corners.push_back({x[row], y[row]});
     const auto of_corners = corner_mistakes(corners);
     for (const auto& [corner, text] : of_corners) {
-      mistakes.add(table.place(rows[corner]), fmt::format("particle {}: {}", number, text));
+      mistakes.add(table.location(rows[corner]), fmt::format("particle {}: {}", number, text));
     }
     if (!filler_of_row.empty()) {
       const auto filler = filler_of_row[rows.front()];
       const auto differs = [&](std::size_t row) { return filler_of_row[row] != filler; };
       const auto other = std::ranges::find_if(rows, differs);
       if (other != rows.end()) {
-        mistakes.add(table.place(*other), fmt::format("particle {}: expected one filler for all corners", number));
+        mistakes.add(table.location(*other), fmt::format("particle {}: expected one filler for all corners", number));
       }
       polygons.fillers.push_back(filler);
     }
     if (!of_corners.empty()) continue;
     const auto centre = centroid(corners);
-    check_centre(centre, side, table.place(rows.front()), mistakes);
+    check_centre(centre, side, table.location(rows.front()), mistakes);
     polygons.particles.push_back({ConvexPolygon(corners), Pose(centre, 0.0)});
   }
   if (rows_of.empty()) mistakes.add("", "expected at least one polygon");
@@ -162,7 +162,7 @@ std::vector<std::size_t> read_filler_numbers(const MeasuredTable& table, std::si
     const double number = column.values[row];
     const bool is_filler = number >= 0.0 && number < static_cast<double>(fillers) && number == std::floor(number);
     if (!is_filler) {
-      mistakes.add(table.place(row), fmt::format("expected the number of a filler, 0 to {}", fillers - 1),
+      mistakes.add(table.location(row), fmt::format("expected the number of a filler, 0 to {}", fillers - 1),
                    fmt::format("{}", column.written[row]));
     }
     numbers.push_back(is_filler ? static_cast<std::size_t>(number) : 0);

@@ -33,7 +33,7 @@ void require_positive(const MeasuredTable& table, const std::vector<const Measur
       const bool is_below =
           column->quantity == Quantity::phase_angle ? value < std::numbers::pi / 2 : std::isfinite(value);
       if (value > 0.0 && is_below) continue;
-      mistakes.add(table.place(row), fmt::format("{}: expected {}", column->name, expected_in(*column)),
+      mistakes.add(table.location(row), fmt::format("{}: expected {}", column->name, expected_in(*column)),
                    fmt::format("{}", column->written[row]));
     }
   }

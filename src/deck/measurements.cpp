@@ -39,9 +39,9 @@ Curve read_measured_curve(const std::filesystem::path& path) {
     const double time = times.values[row], modulus = moduli.values[row];
     const double earlier = curve.empty() ? 0.0 : curve.back().time;
     if (!(time > earlier) || !std::isfinite(time)) {
-      mistakes.add(table.place(row), "expected rising positive times", fmt::format("{}", times.written[row]));
+      mistakes.add(table.location(row), "expected rising positive times", fmt::format("{}", times.written[row]));
     } else if (!(modulus > 0.0) || !std::isfinite(modulus)) {
-      mistakes.add(table.place(row), "expected a positive modulus", fmt::format("{}", moduli.written[row]));
+      mistakes.add(table.location(row), "expected a positive modulus", fmt::format("{}", moduli.written[row]));
     } else {
       curve.push_back({time, modulus});
     }

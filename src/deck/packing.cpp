@@ -71,9 +71,9 @@ std::vector<Ball<dim>> read_balls(const MeasuredTable& table, double side, FileM
       written.push_back(columns[axis]->written[row]);
     }
     if (!(diameters.values[row] > 0.0) || !std::isfinite(diameters.values[row])) {
-      mistakes.add(table.place(row), "expected a positive diameter", fmt::format("{}", diameters.written[row]));
+      mistakes.add(table.location(row), "expected a positive diameter", fmt::format("{}", diameters.written[row]));
     } else if (std::ranges::any_of(centre, is_outside)) {
-      mistakes.add(table.place(row),
+      mistakes.add(table.location(row),
                    fmt::format("expected a centre in the box, 0 to {}", readable(side, Dimension::length)),
                    fmt::format("({})", fmt::join(written, ", ")));
     }
@@ -227,7 +227,7 @@ LaguerreSites<dim> read_sites(const std::filesystem::path& file, double side, Wa
   if (sites.empty()) mistakes.add("", "expected at least one site");
   // The side of the box may be unknown because of a mistake elsewhere.
   if (!sites.empty() && side > 0.0) {
-    for (const auto& [site, text] : breccia::mistakes(read)) mistakes.add(table.place(site), text);
+    for (const auto& [site, text] : breccia::mistakes(read)) mistakes.add(table.location(site), text);
   }
   mistakes.refuse();
   return read;

@@ -23,15 +23,15 @@ PronyFile read_prony_file(const std::filesystem::path& path, ModulusKind kind) {
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const double time = times.values[row], modulus = moduli.values[row];
     if (!(time > 0.0)) {
-      mistakes.add(table.place(row), "expected a positive relaxation time", fmt::format("{}", times.written[row]));
+      mistakes.add(table.location(row), "expected a positive relaxation time", fmt::format("{}", times.written[row]));
     } else if (!(modulus >= 0.0) || !std::isfinite(modulus)) {
-      mistakes.add(table.place(row), "expected a non-negative modulus", fmt::format("{}", moduli.written[row]));
+      mistakes.add(table.location(row), "expected a non-negative modulus", fmt::format("{}", moduli.written[row]));
     } else if (std::isfinite(time)) {
       file.terms.push_back({time, modulus});
     } else if (!file.equilibrium) {
       file.equilibrium = modulus;
     } else {
-      mistakes.add(table.place(row), "a second term with an infinite relaxation time");
+      mistakes.add(table.location(row), "a second term with an infinite relaxation time");
     }
   }
   mistakes.refuse();

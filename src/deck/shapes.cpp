@@ -47,7 +47,7 @@ PolygonalOutline read_polygon(const std::filesystem::path& file) {
   for (std::size_t row = 0; row < table.rows(); ++row) outline.corners.push_back({x[row], y[row]});
   FileMistakes mistakes(file);
   for (const auto& [corner, text] : corner_mistakes(outline.corners)) {
-    mistakes.add(corner < table.rows() ? table.place(corner) : "", text);
+    mistakes.add(corner < table.rows() ? table.location(corner) : "", text);
   }
   mistakes.refuse();
   for (const auto& mistake : mistakes_of_shape({outline, {}})) mistakes.add("", mistake);

@@ -18,7 +18,7 @@ TabulatedSizes read_size_table(const std::filesystem::path& path) {
   if (table.rows() < 2) throw InputError(fmt::format("{}: expected at least two rows", path.string()));
   FileMistakes mistakes(path);
   const auto add = [&](std::size_t row, const char* expected, const MeasuredColumn& column) {
-    mistakes.add(table.place(row), expected, fmt::format("{}", column.written[row]));
+    mistakes.add(table.location(row), expected, fmt::format("{}", column.written[row]));
   };
   double smaller = 0.0, least = 0.0;  // of the rows before that are right
   for (std::size_t row = 0; row < table.rows(); ++row) {

@@ -25,9 +25,9 @@ std::vector<SweptKey> swept_keys(const std::vector<KeyValues>& keys, std::vector
   for (const auto& key : keys) paths.push_back(key.path);
   const auto labels = labels_of_keys(paths);
   std::vector<SweptKey> swept;
-  for (const auto& [path, place, values] : keys) {
+  for (const auto& [path, location, values] : keys) {
     const auto steps = split_path(path);
-    if (steps && steps->front() == "sweep") mistakes.push_back({place, "a sweep cannot sweep itself"});
+    if (steps && steps->front() == "sweep") mistakes.push_back({location, "a sweep cannot sweep itself"});
     swept.push_back({path, labels[swept.size()], steps && steps->back() == "seed"});
   }
   return swept;
@@ -66,7 +66,7 @@ std::vector<std::string> paths_of(const KeyValues& key, const Deck& deck, std::v
     if (has_seed) paths.push_back(fmt::format("stages.{}.packing.seed", stages));
     ++stages;
   }
-  if (paths.empty()) mistakes.push_back({key.place, "no stage has a random packing, which alone takes a seed"});
+  if (paths.empty()) mistakes.push_back({key.location, "no stage has a random packing, which alone takes a seed"});
   return paths.size() == stages ? std::vector{key.path} : paths;
 }
 
@@ -77,10 +77,10 @@ std::vector<std::string> set_values(Deck& deck, const std::vector<KeyValues>& ke
   std::set<std::string> taken;
   std::vector<std::string> overrides;
   for (std::size_t i = 0; i < keys.size(); ++i) {
-    const auto& [path, place, values] = keys[i];
+    const auto& [path, location, values] = keys[i];
     for (const auto& meant : paths_of(keys[i], deck, mistakes)) {
-      for (const auto& replaced : deck.set({meant, place, values[choice[i]]})) {
-        if (!taken.insert(replaced).second) mistakes.push_back({place, fmt::format("{} is swept twice", replaced)});
+      for (const auto& replaced : deck.set({meant, location, values[choice[i]]})) {
+        if (!taken.insert(replaced).second) mistakes.push_back({location, fmt::format("{} is swept twice", replaced)});
       }
       overrides.push_back(fmt::format("{}={}", meant, toml_text(values[choice[i]].value)));
     }
@@ -152,9 +152,9 @@ Sweep read_sweep(const std::filesystem::path& deck, const std::vector<std::strin
     }
     task.name = fmt::format("{}", fmt::join(task.labels, "_"));
     if (task.name.size() > longest_name) {
-      mistakes.push_back({keys.front().place, fmt::format("the name of a task, {}, has {} letters; at most {} are "
-                                                          "possible, so sweep fewer keys or shorter values",
-                                                          task.name, task.name.size(), longest_name)});
+      mistakes.push_back({keys.front().location, fmt::format("the name of a task, {}, has {} letters; at most {} are "
+                                                             "possible, so sweep fewer keys or shorter values",
+                                                             task.name, task.name.size(), longest_name)});
     }
     const auto mistakes_of_task = task_deck.mistakes();
     mistakes.insert(mistakes.end(), mistakes_of_task.begin(), mistakes_of_task.end());

@@ -137,16 +137,16 @@ bool is_range(const Section& table) {
   return is_end("from") || is_end("to");
 }
 
-std::vector<PlacedScalar> read_range(const Section& range, const Place& place) {
-  std::vector<PlacedScalar> values;
+std::vector<LocatedScalar> read_range(const Section& range, const Location& location) {
+  std::vector<LocatedScalar> values;
   if (!range.has("count")) range.refuse({"spacing"}, "goes with count");
   for (auto& value : range.has("count") ? read_counted(range) : read_steps_of_one(range)) {
-    values.push_back({std::move(value), place});
+    values.push_back({std::move(value), location});
   }
   return values;
 }
 
-std::vector<PlacedScalar> read_list(const Section& section, const std::string& key) {
+std::vector<LocatedScalar> read_list(const Section& section, const std::string& key) {
   auto values = section.scalars(key);
   for (auto value = values.begin(); value != values.end(); ++value) {
     const bool is_repeated = std::any_of(values.begin(), value, [&](const auto& earlier) {
@@ -170,11 +170,11 @@ void read_table(const Section& section, const std::string& parent, std::vector<K
   for (const auto& key : section.keys()) {
     const auto path = parent.empty() ? key : fmt::format("{}.{}", parent, step_of(key));
     if (section.kind(key) == Kind::array) {
-      keys.push_back({path, section.place_of_key(key), read_list(section, key)});
+      keys.push_back({path, section.location_of_key(key), read_list(section, key)});
     } else if (section.kind(key) != Kind::table) {
       section.report(key, "expected an array such as [1, 2], or a range such as { from = 1, to = 5 }");
     } else if (const auto table = section.section(key); is_range(table)) {
-      keys.push_back({path, section.place_of_key(key), read_range(table, section.place_of_value(key))});
+      keys.push_back({path, section.location_of_key(key), read_range(table, section.location_of_value(key))});
     } else {
       read_table(table, path, keys);
     }

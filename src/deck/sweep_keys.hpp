@@ -10,8 +10,8 @@ namespace breccia {
 /// A key of `[sweep]` with its values.
 struct KeyValues {
   std::string path;
-  Place place;
-  std::vector<PlacedScalar> values;
+  Location location;
+  std::vector<LocatedScalar> values;
 };
 
 /// The keys of `[sweep]` in the order of the deck. Reports too many combinations, and returns no keys then.

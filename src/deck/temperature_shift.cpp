@@ -52,7 +52,7 @@ std::vector<double> log10_factors_of(const MeasuredTable& table) {
   FileMistakes mistakes(table.path());
   for (std::size_t row = 0; row < factors.size(); ++row) {
     if (!(factors[row] > 0.0)) {
-      mistakes.add(table.place(row), "expected a positive shift factor", fmt::format("{}", factors[row]));
+      mistakes.add(table.location(row), "expected a positive shift factor", fmt::format("{}", factors[row]));
     }
     factors[row] = std::log10(factors[row]);
   }
@@ -75,14 +75,15 @@ ShiftTable read_shift_file(const std::filesystem::path& path) {
     const double temperature = temperatures[row], factor = factors[row];
     const bool is_first = sorted_factors.empty();
     if (!(temperature > 0.0) || !std::isfinite(temperature)) {
-      mistakes.add(table.place(row), "expected a temperature above absolute zero", in_celsius(temperature));
+      mistakes.add(table.location(row), "expected a temperature above absolute zero", in_celsius(temperature));
     } else if (!(std::abs(factor) <= ShiftTable::most_decades)) {
-      mistakes.add(table.place(row), "expected a shift factor between 1e-100 and 1e100", fmt::format("10^{}", factor));
+      mistakes.add(table.location(row), "expected a shift factor between 1e-100 and 1e100",
+                   fmt::format("10^{}", factor));
     } else if (!is_first && temperature == sorted_temperatures.back()) {
-      mistakes.add(table.place(row), "expected each temperature once", in_celsius(temperature));
+      mistakes.add(table.location(row), "expected each temperature once", in_celsius(temperature));
     } else if (!is_first && factor >= sorted_factors.back()) {
       mistakes.add(
-          table.place(row), "expected factors that fall as the temperature rises",
+          table.location(row), "expected factors that fall as the temperature rises",
           fmt::format("log10 a_T = {:g} at {} after {:g}", factor, in_celsius(temperature), sorted_factors.back()));
     }
     sorted_temperatures.push_back(temperature);

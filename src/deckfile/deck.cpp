@@ -27,7 +27,7 @@ void add_unknown_keys(const DeckState& state, std::vector<Mistake>& mistakes) {
       if (use.asked.contains(entry.key)) continue;
       const auto where = use.path.empty() ? "" : use.path + ": ";
       mistakes.push_back(
-          {entry.key_place, fmt::format("{}unknown key \"{}\"{}", where, entry.key, suggestion(entry.key, known))});
+          {entry.key_location, fmt::format("{}unknown key \"{}\"{}", where, entry.key, suggestion(entry.key, known))});
     }
   }
 }
@@ -59,7 +59,7 @@ Deck Deck::from_text(const std::string& text, const std::string& name, const std
   state->text = text;
   detail::require_utf8(name, text);
   state->root = detail::parse_deck(name, text);
-  detail::set_place(state->root, {.option = name});
+  detail::set_location(state->root, {.option = name});
   for (const auto& entry : overrides) {
     detail::apply_override(state->root, origins.overrides, entry, state->mistakes);
   }

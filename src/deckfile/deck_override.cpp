@@ -14,15 +14,15 @@ namespace breccia::detail {
 namespace {
 
 /// The value of an override: TOML if it can be parsed as such, otherwise text.
-DeckValue parse_value(const std::string& text, const Place& place) {
-  DeckValue value{place, text};
+DeckValue parse_value(const std::string& text, const Location& location) {
+  DeckValue value{location, text};
   try {
     auto table = parse_deck("value", fmt::format("value = {}", text));
     if (table.entries.size() == 1 && table.entries[0].key == "value") value = std::move(table.entries[0].value);
   } catch (const InputError&) {
     value.content = text;
   }
-  set_place(value, place);
+  set_location(value, location);
   return value;
 }
 
@@ -31,9 +31,9 @@ class Assignment {
  public:
   using Steps = std::span<const std::string>;
 
-  /// `place` is the place of the path.
-  Assignment(const DeckValue& value, const Place& place, std::vector<Mistake>& mistakes)
-      : value_(value), place_(place), mistakes_(mistakes) {}
+  /// `location` is that of the path.
+  Assignment(const DeckValue& value, const Location& location, std::vector<Mistake>& mistakes)
+      : value_(value), location_(location), mistakes_(mistakes) {}
 
   /// Creates missing tables on the path.
   void apply(DeckTable& table, const std::string& path, Steps steps) {
@@ -45,7 +45,7 @@ class Assignment {
     }
     auto* value = find(table, step);
     if (value == nullptr) {
-      table.entries.push_back({step, place_, {place_, DeckTable{place_, {}}}});
+      table.entries.push_back({step, location_, {location_, DeckTable{location_, {}}}});
       value = &table.entries.back().value;
     }
     apply(*value, joined(path, step), steps.subspan(1));
@@ -88,10 +88,10 @@ class Assignment {
     if (entries == 0) report(fmt::format("{} has no entries for \"*\"", path));
   }
 
-  void report(std::string message) { mistakes_.push_back({place_, std::move(message)}); }
+  void report(std::string message) { mistakes_.push_back({location_, std::move(message)}); }
 
   const DeckValue& value_;
-  const Place& place_;
+  const Location& location_;
   std::vector<Mistake>& mistakes_;
   std::vector<std::string> replaced_;
 };
@@ -101,7 +101,7 @@ class Removal {
  public:
   using Steps = std::span<const std::string>;
 
-  explicit Removal(Place place) : place_(std::move(place)) {}
+  explicit Removal(Location location) : location_(std::move(location)) {}
 
   /// Adds a mistake if there is no such key.
   void apply(DeckTable& root, Steps steps, std::vector<Mistake>& mistakes) {
@@ -162,11 +162,11 @@ class Removal {
             const std::vector<std::string>& known) {
     removed_ += removed;
     if (removed > 0) return;
-    missing_.push_back({place_, fmt::format("nothing to remove: {} has no \"{}\"{}", path.empty() ? "the deck" : path,
-                                            step, suggestion(step, known))});
+    missing_.push_back({location_, fmt::format("nothing to remove: {} has no \"{}\"{}",
+                                               path.empty() ? "the deck" : path, step, suggestion(step, known))});
   }
 
-  Place place_;
+  Location location_;
   std::size_t removed_ = 0;
   std::vector<Mistake> missing_;
 };
@@ -187,49 +187,49 @@ std::optional<KeyAndValue> split_entry(std::string_view entry) {
 
 void apply_override(DeckTable& root, const std::string& origin, const std::string& override_text,
                     std::vector<Mistake>& mistakes) {
-  const Place place{fmt::format("{} {}", origin, override_text)};
+  const Location location{fmt::format("{} {}", origin, override_text)};
   const auto entry = split_entry(override_text);
   const auto steps = entry ? split_path(entry->key) : std::nullopt;
   if (!steps) {
-    mistakes.push_back({place, "expected key.path=value, such as \"stages.HB-1.cells=100\""});
+    mistakes.push_back({location, "expected key.path=value, such as \"stages.HB-1.cells=100\""});
     return;
   }
-  if (entry->value.empty()) return Removal(place).apply(root, *steps, mistakes);
-  Assignment(parse_value(entry->value, place), place, mistakes).apply(root, "", *steps);
+  if (entry->value.empty()) return Removal(location).apply(root, *steps, mistakes);
+  Assignment(parse_value(entry->value, location), location, mistakes).apply(root, "", *steps);
 }
 
 std::vector<std::string> apply_setting(DeckTable& root, const Setting& setting, std::vector<Mistake>& mistakes) {
   const auto steps = split_path(setting.path);
   if (!steps) {
     mistakes.push_back(
-        {setting.path_place, fmt::format(R"(expected a key such as "tests.volumetric", got "{}")", setting.path)});
+        {setting.path_location, fmt::format(R"(expected a key such as "tests.volumetric", got "{}")", setting.path)});
     return {};
   }
   const auto value = std::visit(
       [&](const auto& scalar) {
-        return DeckValue{setting.value.place, scalar};
+        return DeckValue{setting.value.location, scalar};
       },
       setting.value.value);
-  Assignment assignment(value, setting.path_place, mistakes);
+  Assignment assignment(value, setting.path_location, mistakes);
   assignment.apply(root, "", *steps);
   return assignment.replaced();
 }
 
-void add_entry(DeckTable& root, const std::string& table, const Place& place, std::string_view entry,
+void add_entry(DeckTable& root, const std::string& table, const Location& location, std::string_view entry,
                std::vector<Mistake>& mistakes) {
   const auto parts = split_entry(entry);
   if (!parts || parts->value.empty() || !split_path(parts->key)) {
-    mistakes.push_back({place, "expected key.path=[value, ...], such as \"stages.*.packing.seed=[1, 2]\""});
+    mistakes.push_back({location, "expected key.path=[value, ...], such as \"stages.*.packing.seed=[1, 2]\""});
     return;
   }
-  if (find(root, table) == nullptr) root.entries.push_back({table, place, {place, DeckTable{place, {}}}});
+  if (find(root, table) == nullptr) root.entries.push_back({table, location, {location, DeckTable{location, {}}}});
   auto* target = std::get_if<DeckTable>(&find(root, table)->content);
   if (target == nullptr) return;  // reported when the table is read
   if (find(*target, parts->key) != nullptr) {
-    mistakes.push_back({place, fmt::format("{} has \"{}\" already", table, parts->key)});
+    mistakes.push_back({location, fmt::format("{} has \"{}\" already", table, parts->key)});
     return;
   }
-  target->entries.push_back({parts->key, place, parse_value(parts->value, place)});
+  target->entries.push_back({parts->key, location, parse_value(parts->value, location)});
 }
 
 }  // namespace breccia::detail

@@ -17,7 +17,7 @@ void apply_override(DeckTable& root, const std::string& origin, const std::strin
 std::vector<std::string> apply_setting(DeckTable& root, const Setting& setting, std::vector<Mistake>& mistakes);
 
 /// Adds `key=value`, the key taken whole, to a table of the root, or adds a mistake.
-void add_entry(DeckTable& root, const std::string& table, const Place& place, std::string_view entry,
+void add_entry(DeckTable& root, const std::string& table, const Location& location, std::string_view entry,
                std::vector<Mistake>& mistakes);
 
 }  // namespace breccia::detail

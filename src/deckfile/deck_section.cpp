@@ -99,11 +99,11 @@ ParsedValue<std::string> read_string(const DeckValue& value) {
   return wrong<std::string>(expected_but_got("text in quotes", value));
 }
 
-ParsedValue<PlacedScalar> read_scalar(const DeckValue& value) {
+ParsedValue<LocatedScalar> read_scalar(const DeckValue& value) {
   const auto* text = std::get_if<std::string>(&value.content);
-  if (text != nullptr && !is_printable(*text)) return wrong<PlacedScalar>(expected_but_got(printable_text, value));
-  if (auto scalar = detail::scalar_of(value)) return {PlacedScalar{*std::move(scalar), value.place}, {}};
-  return wrong<PlacedScalar>(expected_but_got("a number, text, true or false", value));
+  if (text != nullptr && !is_printable(*text)) return wrong<LocatedScalar>(expected_but_got(printable_text, value));
+  if (auto scalar = detail::scalar_of(value)) return {LocatedScalar{*std::move(scalar), value.location}, {}};
+  return wrong<LocatedScalar>(expected_but_got("a number, text, true or false", value));
 }
 
 ParsedValue<std::size_t> read_choice(const DeckValue& value, const std::vector<std::string>& words) {
@@ -179,9 +179,9 @@ std::string Section::exactly_one(const std::vector<std::string>& keys) const {
 void Section::report(const std::string& key, const std::string& message) const {
   if (table_ == nullptr) return;
   const auto* value = key.empty() ? nullptr : find(key);
-  const auto& place = value != nullptr ? value->place : table_->place;
+  const auto& location = value != nullptr ? value->location : table_->location;
   const auto path = key.empty() ? path_ : path_of(key);
-  state_->mistakes.push_back({place, path.empty() ? message : fmt::format("{}: {}", path, message)});
+  state_->mistakes.push_back({location, path.empty() ? message : fmt::format("{}: {}", path, message)});
 }
 
 void Section::report_errors_of(const std::string& key, const std::function<void()>& action) const {
@@ -197,12 +197,12 @@ void Section::report_errors_of(const std::string& key, const std::function<void(
   }
 }
 
-Place Section::place_of_key(const std::string& key) const {
-  return std::ranges::find(table_->entries, key, &detail::DeckEntry::key)->key_place;
+Location Section::location_of_key(const std::string& key) const {
+  return std::ranges::find(table_->entries, key, &detail::DeckEntry::key)->key_location;
 }
 
-Place Section::place_of_value(const std::string& key) const {
-  return find(key)->place;
+Location Section::location_of_value(const std::string& key) const {
+  return find(key)->location;
 }
 
 void Section::refuse(const std::vector<std::string>& keys, const std::string& reason) const {
@@ -307,7 +307,7 @@ auto Section::elements(const std::string& key, const std::string& expected, cons
       all.push_back(std::move(*parsed.value));
       continue;
     }
-    state_->mistakes.push_back({element.place, fmt::format("{}: {}", path_of(key), parsed.mistake)});
+    state_->mistakes.push_back({element.location, fmt::format("{}: {}", path_of(key), parsed.mistake)});
     if constexpr (std::is_same_v<Element, double>) all.push_back(not_a_number);
   }
   return all;
@@ -331,7 +331,7 @@ std::vector<std::size_t> Section::choice_indices(const std::string& key, const s
                   [&](const DeckValue& value) { return read_choice(value, words); });
 }
 
-std::vector<PlacedScalar> Section::scalars(const std::string& key) const {
+std::vector<LocatedScalar> Section::scalars(const std::string& key) const {
   return elements(key, "an array such as [1, 2]", read_scalar);
 }
 
@@ -364,7 +364,7 @@ std::vector<Section> Section::sections(const std::string& key) const {
     const auto* table = std::get_if<DeckTable>(&element.content);
     const auto path = detail::joined(path_of(key), element_name(element, i));
     if (table == nullptr) {
-      state_->mistakes.push_back({element.place, fmt::format("{}: {}", path, expected_but_got("a table", element))});
+      state_->mistakes.push_back({element.location, fmt::format("{}: {}", path, expected_but_got("a table", element))});
     }
     all.push_back(Section(*state_, table, path));
   }

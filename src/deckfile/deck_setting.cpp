@@ -23,9 +23,9 @@ std::string escaped(char letter) {
 }
 
 std::string line_of(const std::filesystem::path& deck, const Mistake& mistake) {
-  const auto& place = mistake.place;
-  if (!place.option.empty()) return fmt::format("{}: {}", place.option, mistake.message);
-  return fmt::format("{}:{}:{}: {}", deck.string(), place.line, place.column, mistake.message);
+  const auto& location = mistake.location;
+  if (!location.option.empty()) return fmt::format("{}: {}", location.option, mistake.message);
+  return fmt::format("{}:{}:{}: {}", deck.string(), location.line, location.column, mistake.message);
 }
 
 std::string quoted(const std::string& text) {
@@ -53,8 +53,8 @@ struct TomlText {
 void refuse_mistakes(const std::filesystem::path& deck, std::vector<Mistake> mistakes) {
   if (mistakes.empty()) return;
   std::ranges::stable_sort(mistakes, {}, [](const Mistake& mistake) {
-    const auto& place = mistake.place;
-    return std::tuple(!place.option.empty(), place.line, place.column);
+    const auto& location = mistake.location;
+    return std::tuple(!location.option.empty(), location.line, location.column);
   });
   std::vector<std::string> lines;
   std::set<std::string> known;

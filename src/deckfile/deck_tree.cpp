@@ -13,34 +13,35 @@ namespace breccia::detail {
 
 namespace {
 
-Place place_of(const toml::source_region& region) {
+Location location_of(const toml::source_region& region) {
   return {{}, region.begin.line, region.begin.column};
 }
 
 DeckTable convert(const toml::table& table);
 
 DeckValue convert(const toml::node& node) {
-  const auto place = place_of(node.source());
-  if (const auto* table = node.as_table()) return {place, convert(*table)};
+  const auto location = location_of(node.source());
+  if (const auto* table = node.as_table()) return {location, convert(*table)};
   if (const auto* array = node.as_array()) {
     DeckArray values;
     for (const auto& element : *array) values.values.push_back(convert(element));
-    return {place, std::move(values)};
+    return {location, std::move(values)};
   }
-  if (const auto* text = node.as_string()) return {place, text->get()};
-  if (const auto* integer = node.as_integer()) return {place, integer->get()};
-  if (const auto* number = node.as_floating_point()) return {place, number->get()};
-  if (const auto* boolean = node.as_boolean()) return {place, boolean->get()};
-  return {place, Date()};
+  if (const auto* text = node.as_string()) return {location, text->get()};
+  if (const auto* integer = node.as_integer()) return {location, integer->get()};
+  if (const auto* number = node.as_floating_point()) return {location, number->get()};
+  if (const auto* boolean = node.as_boolean()) return {location, boolean->get()};
+  return {location, Date()};
 }
 
 DeckTable convert(const toml::table& table) {
-  DeckTable converted{place_of(table.source()), {}};
+  DeckTable converted{location_of(table.source()), {}};
   for (const auto& [key, node] : table) {
-    converted.entries.push_back({std::string(key.str()), place_of(key.source()), convert(node)});
+    converted.entries.push_back({std::string(key.str()), location_of(key.source()), convert(node)});
   }
-  std::ranges::sort(converted.entries, {},
-                    [](const DeckEntry& entry) { return std::tuple(entry.key_place.line, entry.key_place.column); });
+  std::ranges::sort(converted.entries, {}, [](const DeckEntry& entry) {
+    return std::tuple(entry.key_location.line, entry.key_location.column);
+  });
   return converted;
 }
 
@@ -92,25 +93,25 @@ DeckTable parse_deck(const std::filesystem::path& path, const std::string& text)
   try {
     return convert(toml::parse(std::string_view(text), std::string_view(path.native())));
   } catch (const toml::parse_error& error) {
-    const auto place = place_of(error.source());
-    throw InputError(
-        fmt::format("{}:{}:{}: not TOML: {}", path.string(), place.line, place.column, description_of(text, error)));
+    const auto location = location_of(error.source());
+    throw InputError(fmt::format("{}:{}:{}: not TOML: {}", path.string(), location.line, location.column,
+                                 description_of(text, error)));
   }
 }
 
-void set_place(DeckValue& value, const Place& place) {
-  value.place = place;
-  if (auto* table = std::get_if<DeckTable>(&value.content)) set_place(*table, place);
+void set_location(DeckValue& value, const Location& location) {
+  value.location = location;
+  if (auto* table = std::get_if<DeckTable>(&value.content)) set_location(*table, location);
   if (auto* array = std::get_if<DeckArray>(&value.content)) {
-    for (auto& element : array->values) set_place(element, place);
+    for (auto& element : array->values) set_location(element, location);
   }
 }
 
-void set_place(DeckTable& table, const Place& place) {
-  table.place = place;
+void set_location(DeckTable& table, const Location& location) {
+  table.location = location;
   for (auto& entry : table.entries) {
-    entry.key_place = place;
-    set_place(entry.value, place);
+    entry.key_location = location;
+    set_location(entry.value, location);
   }
 }
 
@@ -164,7 +165,7 @@ std::string content_of(const DeckValue& value) {
     return "[" + text + "]";
   }
   if (const auto* table = std::get_if<DeckTable>(&value.content)) {
-    for (const auto& [key, place, entry] : table->entries) {
+    for (const auto& [key, location, entry] : table->entries) {
       text += fmt::format("{}={},", toml_text(key), content_of(entry));
     }
     return "{" + text + "}";

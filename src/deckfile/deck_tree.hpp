@@ -18,7 +18,7 @@ struct DeckEntry;
 
 /// A table, with its entries in the order of the deck.
 struct DeckTable {
-  Place place;
+  Location location;
   std::vector<DeckEntry> entries;
 };
 
@@ -30,13 +30,13 @@ struct DeckArray {
 struct Date {};
 
 struct DeckValue {
-  Place place;
+  Location location;
   std::variant<bool, std::int64_t, double, std::string, Date, DeckArray, DeckTable> content;
 };
 
 struct DeckEntry {
   std::string key;
-  Place key_place;
+  Location key_location;
   DeckValue value;
 };
 
@@ -55,12 +55,12 @@ struct DeckState {
   std::set<std::filesystem::path> files;  ///< existing files that the deck names
 };
 
-/// Parses a TOML text. Throws InputError, with the place, when it is not TOML.
+/// Parses a TOML text. Throws InputError, with the location, when it is not TOML.
 DeckTable parse_deck(const std::filesystem::path& path, const std::string& text);
 
-/// Gives a value, or a table, with everything in it one place.
-void set_place(DeckValue& value, const Place& place);
-void set_place(DeckTable& table, const Place& place);
+/// Gives a value, or a table, with everything in it one location.
+void set_location(DeckValue& value, const Location& location);
+void set_location(DeckTable& table, const Location& location);
 
 /// The value of a key, or nullptr.
 DeckValue* find(DeckTable& table, std::string_view key);

@@ -19,7 +19,7 @@ constexpr std::size_t most_kinds = 20;
 
 FileMistakes::FileMistakes(const std::filesystem::path& file) : file_(file.string()) {}
 
-void FileMistakes::add(std::string_view place, std::string_view expected, std::string_view got) {
+void FileMistakes::add(std::string_view location, std::string_view expected, std::string_view got) {
   auto kind = std::ranges::find(kinds_, expected, &Kind::expected);
   if (kind == kinds_.end() && kinds_.size() == most_kinds) {
     ++others_;
@@ -28,7 +28,7 @@ void FileMistakes::add(std::string_view place, std::string_view expected, std::s
   if (kind == kinds_.end()) kind = kinds_.insert(kinds_.end(), Kind{std::string(expected), 0});
   if (++kind->count > most_of_a_kind) return;
   const auto end = got.empty() ? "" : fmt::format(", got {}", got);
-  lines_.push_back(printable(fmt::format("{}: {}{}", place.empty() ? file_ : place, expected, end)));
+  lines_.push_back(printable(fmt::format("{}: {}{}", location.empty() ? file_ : location, expected, end)));
 }
 
 void FileMistakes::refuse() const {

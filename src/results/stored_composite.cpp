@@ -53,7 +53,7 @@ std::vector<StageSeries> read_stored_series(const fs::path& directory) {
     const auto load = value_named<Load>(table.text("load")[row]);
     const auto boundary = value_named<Boundary>(table.text("boundary")[row]);
     if (!load || !boundary) {
-      throw FileError(fmt::format("{}: not a load and a boundary condition of `breccia run`", table.place(row)));
+      throw FileError(fmt::format("{}: not a load and a boundary condition of `breccia run`", table.location(row)));
     }
     const auto& stage = table.text("stage")[row];
     const bool is_next =

@@ -43,7 +43,7 @@ TestId id_of_row(const CsvTable& table, std::size_t row) {
   const auto boundary = value_named<Boundary>(table.text("boundary")[row]);
   const auto method = value_named<Method>(table.text("method")[row]);
   const auto grid = table.has("cells") ? grid_named(table.text("cells")[row]) : TestGrid::extrapolated();
-  if (!load || !boundary || !method || !grid) refuse(table.place(row), "");
+  if (!load || !boundary || !method || !grid) refuse(table.location(row), "");
   return {*load, *boundary, *method, *grid};
 }
 
@@ -61,7 +61,7 @@ void add_compliances(const fs::path& file, std::vector<StageFindings>& stages) {
   if (!fs::exists(file)) return;
   const auto table = read_csv(file, {"stage", "load", "boundary", "method", "cells"});
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    auto& test = test_in(stages, table.text("stage")[row], id_of_row(table, row), table.place(row));
+    auto& test = test_in(stages, table.text("stage")[row], id_of_row(table, row), table.location(row));
     test.compliance.push_back({table.numbers("time_s")[row], table.numbers("compliance_1_per_Pa")[row]});
   }
 }
@@ -70,7 +70,7 @@ void add_half_bands(const fs::path& file, std::vector<StageFindings>& stages) {
   if (!fs::exists(file)) return;
   const auto table = read_csv(file, {"stage", "load", "boundary", "method"});
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    auto& test = test_in(stages, table.text("stage")[row], id_of_row(table, row), table.place(row));
+    auto& test = test_in(stages, table.text("stage")[row], id_of_row(table, row), table.location(row));
     test.half_bands.push_back(table.numbers("half_band_Pa")[row]);
   }
 }
@@ -80,7 +80,7 @@ void add_comparisons(const fs::path& file, std::vector<StageFindings>& stages) {
   const auto table = read_csv(file, {"measurement", "stage", "boundary", "method", "cells"});
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const auto stage = std::ranges::find(stages, table.text("stage")[row], &StageFindings::name);
-    if (stage == stages.end()) refuse(table.place(row), ": a stage that study.json has not");
+    if (stage == stages.end()) refuse(table.location(row), ": a stage that study.json has not");
     const auto id = id_of_row(table, row);
     const auto& measurement = table.text("measurement")[row];
     auto& all = stage->comparisons;

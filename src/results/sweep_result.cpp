@@ -23,7 +23,7 @@ TestId test_of(const CsvTable& table, std::size_t row) {
   const auto grid = grid_named(table.text("cells")[row]);
   const bool is_sample = time > 0.0 && std::isfinite(time) && std::isfinite(modulus);
   if (is_sample && load && boundary && method && grid) return {*load, *boundary, *method, *grid};
-  throw FileError(fmt::format("{}: not as `breccia run` writes it", table.place(row)));
+  throw FileError(fmt::format("{}: not as `breccia run` writes it", table.location(row)));
 }
 
 /// One curve for each boundary of a stage.

@@ -34,17 +34,19 @@ class CsvReader {
   }
 
  private:
-  [[nodiscard]] std::string place(std::size_t line) const { return fmt::format("{}:{}", table_.path_.string(), line); }
+  [[nodiscard]] std::string location(std::size_t line) const {
+    return fmt::format("{}:{}", table_.path_.string(), line);
+  }
 
   void read_header(const detail::CsvRecord& header) {
     table_.names_ = header.fields;
     for (auto name = table_.names_.begin(); name != table_.names_.end(); ++name) {
       const bool is_number = detail::parse_number(*name).has_value();
       if (name->empty() || is_number) {
-        mistakes_.add(place(header.line), "expected the name of a column (the first line is the header)",
+        mistakes_.add(location(header.line), "expected the name of a column (the first line is the header)",
                       shown_value(*name));
       } else if (std::find(table_.names_.begin(), name, *name) != name) {
-        mistakes_.add(place(header.line), fmt::format("two columns are called \"{}\"", *name));
+        mistakes_.add(location(header.line), fmt::format("two columns are called \"{}\"", *name));
       } else if (is_text(*name)) {
         table_.text_[*name];
       } else {
@@ -57,7 +59,7 @@ class CsvReader {
     const auto& names = table_.names_;
     const auto& fields = record.fields;
     if (fields.size() != names.size()) {
-      mistakes_.add(place(record.line), fmt::format("expected {} values ({})", names.size(), fmt::join(names, ", ")),
+      mistakes_.add(location(record.line), fmt::format("expected {} values ({})", names.size(), fmt::join(names, ", ")),
                     fmt::format("{}", fields.size()));
       return;
     }
@@ -68,7 +70,7 @@ class CsvReader {
       } else if (const auto number = detail::parse_number(fields[i])) {
         table_.numbers_[names[i]].push_back(*number);
       } else {
-        mistakes_.add(place(record.line), fmt::format("{}: expected a number", names[i]), shown_value(fields[i]));
+        mistakes_.add(location(record.line), fmt::format("{}: expected a number", names[i]), shown_value(fields[i]));
       }
     }
   }
@@ -102,7 +104,7 @@ const std::vector<std::string>& CsvTable::text(const std::string& name) const {
   return column->second;
 }
 
-std::string CsvTable::place(std::size_t row) const {
+std::string CsvTable::location(std::size_t row) const {
   return fmt::format("{}:{}", path_.string(), lines_.at(row));
 }
 

@@ -84,7 +84,7 @@ std::string with_article(ModulusKind kind) {
 
 }  // namespace
 
-std::string MeasuredTable::place(std::size_t row) const {
+std::string MeasuredTable::location(std::size_t row) const {
   return fmt::format("{}:{}", path_.string(), lines_.at(row));
 }
 

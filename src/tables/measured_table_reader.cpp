@@ -69,7 +69,9 @@ class MeasuredTableReader {
   }
 
  private:
-  [[nodiscard]] std::string place(std::size_t line) const { return fmt::format("{}:{}", table_.path_.string(), line); }
+  [[nodiscard]] std::string location(std::size_t line) const {
+    return fmt::format("{}:{}", table_.path_.string(), line);
+  }
 
   static std::string name_of(detail::TextEncoding encoding) {
     if (encoding == detail::TextEncoding::utf16) return "UTF-16";
@@ -79,7 +81,7 @@ class MeasuredTableReader {
   /// Reports a file without names of columns, without separators or without a chosen column.
   void refuse_header() {
     if (table_.names_.size() == 1) {
-      mistakes_.add(place(layout_.header.line), "expected columns, separated by commas, semicolons or tabs",
+      mistakes_.add(location(layout_.header.line), "expected columns, separated by commas, semicolons or tabs",
                     shown_value(table_.names_.front()));
     }
     mistakes_.refuse();
@@ -92,7 +94,7 @@ class MeasuredTableReader {
     if (layout_.known_columns > 0) return;
     for (const auto& name : table_.names_) {
       if (!number_in(name)) continue;
-      mistakes_.add(place(layout_.header.line), "expected the name of a column (the first line is the header)",
+      mistakes_.add(location(layout_.header.line), "expected the name of a column (the first line is the header)",
                     shown_value(name));
     }
     mistakes_.refuse();
@@ -173,10 +175,10 @@ class MeasuredTableReader {
     };
     auto tables = detail::repeated_tables(std::move(below), {table_.names_, units, is_row, are_names});
     for (const auto line : tables.other_names) {
-      mistakes_.add(place(line), "another table begins here, with other columns: keep one of them in the file");
+      mistakes_.add(location(line), "another table begins here, with other columns: keep one of them in the file");
     }
     for (const auto line : tables.other_units) {
-      mistakes_.add(place(line), "expected the units of the first table, as it has the same names");
+      mistakes_.add(location(line), "expected the units of the first table, as it has the same names");
     }
     mistakes_.refuse();
     return tables;
@@ -267,7 +269,8 @@ class MeasuredTableReader {
     while (fields.size() > count && fields.back().empty()) fields.pop_back();
     if (fields.size() != count) {
       const bool may_be_commas = layout_.separator == ',' && fields.size() > count;
-      mistakes_.add(place(record.line), fmt::format("expected {} values ({})", count, fmt::join(table_.names_, ", ")),
+      mistakes_.add(location(record.line),
+                    fmt::format("expected {} values ({})", count, fmt::join(table_.names_, ", ")),
                     fmt::format("{}{}", fields.size(),
                                 may_be_commas ? " (with decimal commas, separate the columns by semicolons)" : ""));
       return;
@@ -279,7 +282,7 @@ class MeasuredTableReader {
       auto& column = table_.columns_[i];
       const auto number = number_in(fields[place_in_row]);
       if (!number) {
-        mistakes_.add(place(record.line), fmt::format("{}: expected a number", column.name),
+        mistakes_.add(location(record.line), fmt::format("{}: expected a number", column.name),
                       shown_value(fields[place_in_row]) + hint_on_number(fields[place_in_row]));
       }
       column.written.push_back(number.value_or(0.0));

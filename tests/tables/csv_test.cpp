@@ -47,7 +47,7 @@ TEST_F(Csv, ToleratesBlanksCommentsAndOtherLineEnds) {
   const auto table = read("\xEF\xBB\xBF# a comment\r\n\r\n\"x_m\" , y_m\r\n  1 ,\t2\r\n\n# another\n3,4");
   EXPECT_THAT(table.numbers("x_m"), ElementsAre(1.0, 3.0));
   EXPECT_THAT(table.numbers("y_m"), ElementsAre(2.0, 4.0));
-  EXPECT_EQ(table.place(1), (directory.path() / "table.csv").string() + ":7");
+  EXPECT_EQ(table.location(1), (directory.path() / "table.csv").string() + ":7");
 }
 
 TEST_F(Csv, ReadsTextColumns) {
@@ -129,7 +129,7 @@ TEST_F(Csv, QuotesStandAroundWholeValues) {
   const auto table = read("stage,a\n\"x\ny\",1\nG\",2\n\"z,3\n", {"stage"});
   EXPECT_THAT(table.text("stage"), ElementsAre("x\ny", "G\"", "\"z"));
   EXPECT_THAT(table.numbers("a"), ElementsAre(1.0, 2.0, 3.0));
-  EXPECT_EQ(table.place(1), (directory.path() / "table.csv").string() + ":4");
+  EXPECT_EQ(table.location(1), (directory.path() / "table.csv").string() + ":4");
 }
 
 TEST_F(Csv, ReportsBadHeaders) {

@@ -299,7 +299,7 @@ TEST_F(MeasuredTableTest, TablesBelowOneAnother) {
   const auto* table = "Test\nStep,1\nTime,Modulus\ns,Pa\n1,3\n2,2\n\n[step]\nStep,2\nTime,Modulus\ns,Pa\n3,1\n";
   EXPECT_THAT(read(table).column(time).values, ElementsAre(1.0, 2.0, 3.0));
   EXPECT_EQ(read(table).reading().tables, 2);
-  EXPECT_EQ(read(table).place(2).substr(read(table).place(2).rfind(':')), ":12");
+  EXPECT_EQ(read(table).location(2).substr(read(table).location(2).rfind(':')), ":12");
   // A row that broke off, or has no number, is not taken for a line between two tables.
   EXPECT_EQ(mistakes("Time,Modulus,Note\ns,Pa,\n1,3\nTime,Modulus,Note\ns,Pa,\n3,1,a\n"),
             "table.csv:3: expected 3 values (Time, Modulus, Note), got 2");

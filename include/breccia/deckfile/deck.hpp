@@ -92,7 +92,7 @@ class Section {
   }
 
   /// The elements of an array of numbers, texts and booleans.
-  [[nodiscard]] std::vector<PlacedScalar> scalars(const std::string& key) const;
+  [[nodiscard]] std::vector<LocatedScalar> scalars(const std::string& key) const;
 
   [[nodiscard]] Section section(const std::string& key) const;
   [[nodiscard]] std::optional<Section> optional_section(const std::string& key) const;
@@ -105,10 +105,10 @@ class Section {
   void report_errors_of(const std::string& key, const std::function<void()>& action) const;
   /// Reports those of the keys that are present as not allowed here, with the reason.
   void refuse(const std::vector<std::string>& keys, const std::string& reason) const;
-  /// Place of an existing key.
-  [[nodiscard]] Place place_of_key(const std::string& key) const;
-  /// Place of the value of an existing key.
-  [[nodiscard]] Place place_of_value(const std::string& key) const;
+  /// Location of an existing key.
+  [[nodiscard]] Location location_of_key(const std::string& key) const;
+  /// Location of the value of an existing key.
+  [[nodiscard]] Location location_of_value(const std::string& key) const;
   /// Marks all keys as known: for a section that cannot be interpreted because of another mistake.
   void accept_all_keys() const { static_cast<void>(keys()); }
 

@@ -10,9 +10,9 @@
 
 namespace breccia {
 
-/// A place in a deck, by line and column, or on the command line.
-struct Place {
-  std::string option;  ///< such as `--set key.path=value` (ValueOrigins); empty for a place in the deck
+/// A location in a deck, by line and column, or on the command line.
+struct Location {
+  std::string option;  ///< such as `--set key.path=value` (ValueOrigins); empty for a location in the deck
   std::uint32_t line = 0;
   std::uint32_t column = 0;
 };
@@ -23,9 +23,9 @@ struct ValueOrigins {
   std::string sweep_keys = "--sweep";  ///< name of a swept key `key.path=[value, ...]`
 };
 
-/// A mistake and its place.
+/// A mistake and its location.
 struct Mistake {
-  Place place;
+  Location location;
   std::string message;
 };
 
@@ -42,17 +42,17 @@ std::string toml_text(const Scalar& value);
 /// The value as a CSV file has it: `3.6 GPa`, `1`, `true`.
 std::string plain_text(const Scalar& value);
 
-/// A value with its place.
-struct PlacedScalar {
+/// A value with its location.
+struct LocatedScalar {
   Scalar value;
-  Place place;
+  Location location;
 };
 
-/// A value for a key of a deck, and the places of both.
+/// A value for a key of a deck, and the locations of both.
 struct Setting {
   std::string path;  ///< as in `--set`
-  Place path_place;
-  PlacedScalar value;
+  Location path_location;
+  LocatedScalar value;
 };
 
 /// The steps of a dotted path; a step in double quotes may contain dots. Returns nothing when a step is empty or there

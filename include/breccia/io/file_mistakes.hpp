@@ -14,9 +14,9 @@ class FileMistakes {
  public:
   explicit FileMistakes(const std::filesystem::path& file);
 
-  /// Adds a mistake at a place (`file:line`) or, if `place` is empty, in the file as a whole: `table.csv:3: b: expected
-  /// a number, got "x"`. Mistakes with the same `expected` are of one kind. Unprintable bytes are escaped.
-  void add(std::string_view place, std::string_view expected, std::string_view got = {});
+  /// Adds a mistake at a location (`file:line`) or, if `location` is empty, in the file as a whole: `table.csv:3: b:
+  /// expected a number, got "x"`. Mistakes with the same `expected` are of one kind. Unprintable bytes are escaped.
+  void add(std::string_view location, std::string_view expected, std::string_view got = {});
   [[nodiscard]] bool empty() const noexcept { return kinds_.empty(); }
   /// Throws one InputError with a line for each mistake; does nothing if there are none.
   void refuse() const;

@@ -21,8 +21,8 @@ class CsvTable {
   [[nodiscard]] const std::vector<double>& numbers(const std::string& name) const;
   /// A column that was given to read_csv() as a text column. Throws InputError when it is missing.
   [[nodiscard]] const std::vector<std::string>& text(const std::string& name) const;
-  /// Place of a row, `file:line`, for messages about it.
-  [[nodiscard]] std::string place(std::size_t row) const;
+  /// Location of a row, `file:line`, for messages about it.
+  [[nodiscard]] std::string location(std::size_t row) const;
 
  private:
   friend class CsvReader;

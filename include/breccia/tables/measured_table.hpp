@@ -43,8 +43,8 @@ class MeasuredTable {
   [[nodiscard]] const std::vector<std::string>& names() const noexcept { return names_; }
   /// The names of all columns in the order of the file, in quotes, for a message.
   [[nodiscard]] std::string list_of_names() const;
-  /// Place of a row, `file:line`, for messages about it.
-  [[nodiscard]] std::string place(std::size_t row) const;
+  /// Location of a row, `file:line`, for messages about it.
+  [[nodiscard]] std::string location(std::size_t row) const;
 
   [[nodiscard]] bool has(std::initializer_list<Quantity> quantities) const;
   /// The kinds of all moduli and compliances, without repetition.
