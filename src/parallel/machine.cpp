@@ -44,13 +44,13 @@ FileIdentity identity_of(int descriptor) {
   return {getpid(), descriptor, static_cast<std::int64_t>(status.st_dev), static_cast<std::int64_t>(status.st_ino)};
 }
 
-/// Whether files may have so many bytes: the system ends a program that makes them larger.
+/// Whether files may have this number of bytes: the system ends a program that makes them larger than its limit.
 bool may_have(std::size_t bytes) {
   struct rlimit limit {};
   return getrlimit(RLIMIT_FSIZE, &limit) == 0 && (limit.rlim_cur == RLIM_INFINITY || limit.rlim_cur >= bytes);
 }
 
-/// A file in memory of so many bytes, without a name; -1 where there is none, or not as much memory.
+/// A file in memory of this number of bytes, without a name; -1 where the system has no such files, or not the memory.
 int file_in_memory(std::size_t bytes) {
   if (!may_have(bytes)) return -1;
   const int descriptor = memfd_create("breccia", MFD_CLOEXEC);

@@ -28,7 +28,7 @@ cpu_set_t allowed_cores() noexcept {
   return cores;
 }
 
-/// May both processes run on some core? Those of unknown cores may.
+/// Whether both processes may run on some core; true where the cores of one are unknown.
 bool meet(const cpu_set_t& one, const cpu_set_t& other) noexcept {
   cpu_set_t common;
   CPU_AND(&common, &one, &other);

@@ -19,7 +19,7 @@ namespace breccia::test {
 template <int dim>
 class DefinedTessellation {
  public:
-  /// Takes images of the sites up to so many boxes away.
+  /// Takes images of the sites up to `boxes` boxes away.
   DefinedTessellation(const LaguerreSites<dim>& sites, double film, int boxes)
       : side_(sites.side), walls_(sites.walls), film_(film) {
     if (walls_ == Walls::hard) boxes = 0;

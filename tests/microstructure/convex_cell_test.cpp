@@ -26,7 +26,7 @@ ConvexCell<3> box(const Vector<3>& upper) {
   return {{0.0, 0.0, 0.0}, upper, {{{1, 2}, {3, 4}, {5, 6}}}};
 }
 
-/// The regular polygon of so many sides around the circle of radius 1, cut out of a square.
+/// The regular polygon with this number of sides around the circle of radius 1, cut out of a square.
 ConvexCell<2> regular_polygon(int sides) {
   ConvexCell<2> cell({-3.0, -3.0}, {3.0, 3.0}, {{{91, 92}, {93, 94}}});
   for (int side = 0; side < sides; ++side) {

@@ -83,7 +83,8 @@ TEST(PronyReduction, KeepsToTheMostTerms) {
             0.2);  // the binder has 13 terms there, one a decade, on which its modulus ripples
 }
 
-/// A series of one term every so many decades from 1 ns, as that of a measured binder, and the window of its decades.
+/// A series with terms at equal distances in decades from 1 ns, as a measured binder has, and the window of its
+/// decades.
 std::pair<PronySeries, TimeWindow> lines(int terms, int decades_apart) {
   std::vector<MaxwellTerm> all;
   for (int i = 0; i < terms; ++i) {

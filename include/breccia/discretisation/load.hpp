@@ -39,7 +39,7 @@ template <int dim>
 void require_loads(std::string_view calculation, int dimensions, std::span<const Load> loads);
 
 /// Strain with engineering shear or dilatation 1. A body of modulus M stores M/2 per volume under it. Zero for a load
-/// that there is not in so many dimensions.
+/// that does not exist in this number of dimensions.
 template <int dim>
 [[nodiscard]] constexpr Strain<dim> unit_strain(Load load) noexcept {
   Strain<dim> strain;

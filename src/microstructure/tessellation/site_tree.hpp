@@ -17,7 +17,7 @@ class SiteTree {
 
   struct Owner {
     std::uint32_t site;
-    Vector<dim> point;  ///< seen from the nearest image of the site [m]
+    Vector<dim> point;  ///< the point relative to the nearest image of the site [m]
   };
   /// The site to which a point belongs.
   [[nodiscard]] Owner owner(const Vector<dim>& point) const;

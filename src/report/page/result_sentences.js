@@ -46,7 +46,7 @@ function areCrossed(curves, times) {
 /// Below this share of its unrelaxed modulus a binder has flowed away, and no ratio to it is shown.
 const relaxedAway = 1e-6;
 
-/// Has this binder {at} flowed away at a time [s]?
+/// Whether a binder {at} has flowed away at a time [s].
 export function hasFlowedAway(binder, time) {
   return !(binder.at(time) > relaxedAway * binder.at(0));
 }
