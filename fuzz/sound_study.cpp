@@ -61,23 +61,36 @@ void require_sound(const Filler& filler) {
   require(is_positive(filler.coating->thickness), "a thickness of the coating");
 }
 
-void require_sound(const ExplicitPacking& listed, double side) {
-  require(!listed.discs.empty() || !listed.particles.empty(), "particles");
-  for (const auto& disc : listed.discs) {
-    require(is_positive(disc.diameter) && disc.diameter <= side, "diameters of discs within the box");
+/// The packing of a stage.
+struct RequirePacking {
+  const Stage& stage;
+
+  template <int dim>
+  void operator()(const ExplicitPacking<dim>& listed) const {
+    if (stage.fillers.empty()) return;
+    require(listed.count() > 0, "particles");
+    const auto* const balls = std::get_if<std::vector<Ball<dim>>>(&listed.particles);
+    for (const auto& ball : balls == nullptr ? std::vector<Ball<dim>>() : *balls) {
+      require(is_positive(ball.diameter) && ball.diameter <= stage.side, "diameters within the box");
+    }
   }
-}
-
-void require_sound(const LaguerrePacking& grains) {
-  if (grains.film) require(is_positive(*grains.film), "a thickness of the films");
-  for (const auto& site : grains.sites) require(std::isfinite(site.weight), "weights of the sites");
-}
-
-void require_sound(const LabelImage<2>& image, const Stage& stage) {
-  const auto pixels = static_cast<std::size_t>(image.pixels[0]) * static_cast<std::size_t>(image.pixels[1]);
-  require(image.pixels[0] == image.pixels[1] && image.labels.size() == pixels, "a square of pixels");
-  require(std::ranges::max(image.labels) <= stage.fillers.size(), "fillers of the labels");
-}
+  template <int dim>
+  void operator()(const LaguerrePacking<dim>& grains) const {
+    if (stage.fillers.empty()) return;
+    if (grains.film) require(is_positive(*grains.film), "a thickness of the films");
+    for (const auto& site : grains.sites) require(std::isfinite(site.weight), "weights of the sites");
+  }
+  template <int dim>
+  void operator()(const ImagePacking<dim>& packing) const {
+    const auto& image = *packing.image;
+    std::size_t pixels = 1;
+    for (const int along : image.pixels) pixels *= static_cast<std::size_t>(along);
+    require(has_equal_sides(image) && image.labels.size() == pixels, "a square of pixels or a cube of voxels");
+    require(std::ranges::max(image.labels) <= stage.fillers.size(), "fillers of the labels");
+  }
+  template <class Packing>
+  void operator()(const Packing&) const {}
+};
 
 void require_sound(const Stage& stage) {
   require(!stage.name.empty() && stage.name.find_first_of("/\\") == std::string::npos, "a name for its directory");
@@ -85,10 +98,7 @@ void require_sound(const Stage& stage) {
   require(is_positive(stage.side) && is_positive(stage.side * stage.side), "an area of the box");
   require(stage.cells >= 2 && is_positive(stage.cell_size()), "cells");
   for (const auto& filler : stage.fillers) require_sound(filler);
-  if (const auto* image = stage.image()) require_sound(*image, stage);
-  if (stage.fillers.empty()) return;
-  if (const auto* listed = stage.listed()) require_sound(*listed, stage.side);
-  if (const auto* grains = stage.grains()) require_sound(*grains);
+  visit_nested(RequirePacking{stage}, stage.packing);
 }
 
 }  // namespace

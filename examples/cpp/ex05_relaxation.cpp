@@ -19,7 +19,7 @@ int main() {
                            .side = 6e-3,
                            .cells = 96,
                            .fillers = {filler},
-                           .packing = LubachevskyStillingerPacking{.walls = Walls::hard, .seed = 1}};
+                           .packing = LubachevskyStillingerPacking<2>{.walls = Walls::hard, .seed = 1}};
 
   // Shear, by the quasi-static method, under the boundary conditions of the upper and of the lower bound.
   const Study study = {.stages = {composite}, .tests = {.first_time = 1e-3, .last_time = 0.1}};

@@ -28,7 +28,7 @@ Stage stage_of(const std::string& name, const StageMatrix& matrix, double side, 
           .side = side,
           .cells = 64,
           .fillers = {{.material = grain, .fraction = 0.25, .sizes = SingleSize{diameter}, .gap = gap}},
-          .packing = LubachevskyStillingerPacking{.seed = seed}};
+          .packing = LubachevskyStillingerPacking<2>{.seed = seed}};
 }
 
 Study chain() {

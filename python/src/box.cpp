@@ -121,7 +121,7 @@ std::string picture_of(const Box& box) {
 
 Box box_of(const Stage& stage, const StageMicrostructure& packed) {
   Box box;
-  box.dimensions = stage.dimensions;
+  box.dimensions = stage.dimensions();
   box.side = stage.side;
   box.is_periodic = stage.is_periodic();
   visit_nested(ListContent{box}, packed.box);

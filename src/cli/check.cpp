@@ -101,7 +101,7 @@ Plan plan_of(const Study& study, const Stage& stage, const StageMicrostructure& 
     }
     // A finer grid is planned by this one, which takes some 20 MB a Prony term: its points would take long, and memory
     // that may not be there.
-    const int most_planned = stage.dimensions == 3 ? 48 : 1000;
+    const int most_planned = stage.dimensions() == 3 ? 48 : 1000;
     const auto matrix = expected_matrix(study, stage);
     const auto add_loads = [&](const auto& discretisation) {
       for (const auto load : loads_of(study, stage)) {
@@ -169,7 +169,7 @@ TellingLength telling_length(const Stage& stage, const StageMicrostructure& pack
     if (mixing == Mixing::points) return {gap, "across a film"};
     return {gap, "across a film", expected_film_error, cells_per_film_for};
   }
-  if (stage.dimensions == 3) {
+  if (stage.dimensions() == 3) {
     constexpr auto in_a_gap = "in the narrowest gap";
     if (mixing == Mixing::points) return {gap, in_a_gap};
     if (packed.content<Microstructure<3>>() == nullptr) return {gap, in_a_gap, {}, {}, "ellipsoids"};

@@ -23,7 +23,7 @@ namespace {
 
 /// "40 particles", "25 grains", "pixels of the filler".
 std::string inclusions_in_words(const Stage& stage, const StageMicrostructure& packed) {
-  const auto* pixels = stage.dimensions == 3 ? "voxels" : "pixels";
+  const auto pixels = name_of_pixels(stage.dimensions());
   if (stage.has_image()) return fmt::format("{} of the filler{}", pixels, stage.fillers.size() > 1 ? "s" : "");
   return fmt::format("{} {}", packed.particles(), packed.grains() != nullptr ? "grains" : "particles");
 }
@@ -42,7 +42,7 @@ std::string describe(const Stage& stage, const StageResult& result) {
   if (stage.fillers.size() > 1) {
     for (std::size_t number = 0; number < packed.fillers.size(); ++number) {
       const auto& own = packed.fillers[number];
-      const auto particles = stage.has_image() ? (stage.dimensions == 3 ? "voxels" : "pixels")
+      const auto particles = stage.has_image() ? std::string(name_of_pixels(stage.dimensions()))
                                                : fmt::format("{} particles", own.particles);
       text += fmt::format("\n  filler {}, {}: {} fill {:.2f} %", number, stage.fillers[number].material.name, particles,
                           100.0 * own.fraction);

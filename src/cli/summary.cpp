@@ -66,32 +66,39 @@ struct DescribeSizes {
   }
 };
 
-template <int dim>
-std::string describe(const ImagePacking& packing, const LabelImage<dim>& image, std::string_view elements) {
-  return fmt::format("{}{}{}, {} {} of {}{}", packing.file.string(), packing.array.empty() ? "" : ":/", packing.array,
-                     fmt::join(image.pixels, " x "), elements, length(image.pixel_side),
-                     image.walls == Walls::periodic ? ", periodic" : "");
-}
+struct ParticleNames {
+  const char* operator()(const std::vector<Disc>&) const { return "discs"; }
+  const char* operator()(const std::vector<Particle>&) const { return "particles"; }
+  const char* operator()(const std::vector<Sphere>&) const { return "spheres"; }
+  const char* operator()(const std::vector<Ellipsoid>&) const { return "ellipsoids"; }
+};
 
 struct DescribePacking {
-  std::string operator()(const LaguerrePacking& packing) const {
+  template <int dim>
+  std::string operator()(const LaguerrePacking<dim>& packing) const {
     const auto* hard =
         packing.wall_film == WallFilm::half ? "half a film along the walls" : "cut by the walls like a window";
     const auto* walls = packing.walls == Walls::hard ? hard : "periodic";
     const auto grains = packing.is_random() ? fmt::format("seed {}", packing.seed)
-                                            : fmt::format("{}, {} sites", packing.file.string(), packing.site_count());
+                                            : fmt::format("{}, {} sites", packing.file.string(), packing.sites.size());
     const auto film = packing.film ? fmt::format(", films of {}", length(*packing.film)) : "";
     const auto* shares = packing.film_shares.empty() ? "" : ", by the shares of the grains";
     return fmt::format("Laguerre tessellation, {}, {}{}{}", walls, grains, film, shares);
   }
-  std::string operator()(const ImagePacking& packing) const {
-    return packing.stack ? describe(packing, *packing.stack, "voxels") : describe(packing, *packing.image, "pixels");
+  template <int dim>
+  std::string operator()(const ImagePacking<dim>& packing) const {
+    const auto& image = *packing.image;
+    return fmt::format("{}{}{}, {} {} of {}{}", packing.file.string(), packing.array.empty() ? "" : ":/", packing.array,
+                       fmt::join(image.pixels, " x "), name_of_pixels(dim), length(image.pixel_side),
+                       image.walls == Walls::periodic ? ", periodic" : "");
   }
-  std::string operator()(const LubachevskyStillingerPacking& packing) const {
+  template <int dim>
+  std::string operator()(const LubachevskyStillingerPacking<dim>& packing) const {
     return fmt::format("Lubachevsky-Stillinger, {}, seed {}", packing.walls == Walls::hard ? "hard walls" : "periodic",
                        packing.seed);
   }
-  std::string operator()(const RandomSequentialPacking& packing) const {
+  template <int dim>
+  std::string operator()(const RandomSequentialPacking<dim>& packing) const {
     return fmt::format("random sequential, {}, seed {}", packing.walls == Walls::hard ? "hard walls" : "periodic",
                        packing.seed);
   }
@@ -102,12 +109,10 @@ struct DescribePacking {
     return fmt::format("cubic lattice \"{}\", {}, periodic", name_of(packing.lattice),
                        display_count(static_cast<std::size_t>(packing.repeats), "repeat"));
   }
-  std::string operator()(const ExplicitPacking& packing) const {
-    auto particles = fmt::format("{} discs", packing.discs.size());
-    if (!packing.particles.empty()) particles = fmt::format("{} particles", packing.particles.size());
-    if (!packing.spheres.empty()) particles = fmt::format("{} spheres", packing.spheres.size());
-    if (!packing.ellipsoids.empty()) particles = fmt::format("{} ellipsoids", packing.ellipsoids.size());
-    return fmt::format("{}, {}{}", packing.file.string(), particles,
+  template <int dim>
+  std::string operator()(const ExplicitPacking<dim>& packing) const {
+    const auto* const particles = std::visit(ParticleNames(), packing.particles);
+    return fmt::format("{}, {} {}{}", packing.file.string(), packing.count(), particles,
                        packing.walls == Walls::periodic ? ", periodic" : "");
   }
 };
@@ -120,7 +125,7 @@ std::string describe_filler(const Stage& stage, const Filler& filler) {
     text += fmt::format(", cut to {} .. {}", length(*filler.smallest), length(*filler.largest));
   }
   text += '\n';
-  if (filler.shape) text += fmt::format("    shape    {}\n", in_words(*filler.shape, stage.dimensions));
+  if (filler.shape) text += fmt::format("    shape    {}\n", in_words(*filler.shape, stage.dimensions()));
   if (filler.coating) {
     text += fmt::format("    coating  {}, {} ({:.3g} cells)\n", filler.coating->material.name,
                         length(filler.coating->thickness), filler.coating->thickness / stage.cell_size());
@@ -139,7 +144,7 @@ std::string describe_fillers(const Stage& stage) {
   if (stage.fillers.empty()) return "    filler   none\n";
   std::string text;
   for (const auto& filler : stage.fillers) text += describe_filler(stage, filler);
-  text += fmt::format("    packing  {}\n", std::visit(DescribePacking(), stage.packing));
+  text += fmt::format("    packing  {}\n", visit_nested(DescribePacking(), stage.packing));
   if (!stage.is_random()) return text;
   for (const auto& filler : stage.fillers) text += describe_gap(stage, filler);
   return text;

@@ -10,6 +10,7 @@
 
 #include "breccia/homogenisation/quality.hpp"
 #include "breccia/io/display.hpp"
+#include "breccia/virtual_test/bulk_test.hpp"
 
 #include "filler_summary.hpp"
 
@@ -29,7 +30,7 @@ std::vector<const TestResult*> shown_tests(const StageResult& stage) {
 
 /// The modulus that a load gives: "G", "G, xx-yy", "K + G/3".
 std::string modulus_in_words(Load load, int dimensions) {
-  if (load == Load::bulk) return dimensions == 3 ? "K" : "K + G/3";
+  if (load == Load::bulk) return std::string(symbol_of_bulk_test(dimensions));
   if (load == Load::shear) return "G";
   constexpr std::string_view shear = "shear-";
   return "G, " + name_of(load).substr(shear.size());

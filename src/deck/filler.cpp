@@ -6,8 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "breccia/error.hpp"
 #include "breccia/study/filler_sizes.hpp"
 #include "breccia/study/limits.hpp"
+#include "breccia/study/listed_box.hpp"
 #include "breccia/study/stage_rules.hpp"
 
 #include "gap.hpp"
@@ -71,48 +73,57 @@ void check_fit(const Section& section, const Filler& filler, const Stage& stage)
   for (const auto& mistake : mistakes_of_diameters(filler, stage.packing, stage.side)) section.report("sizes", mistake);
 }
 
-/// Reads fraction and sizes of grains that fill the box.
-void read_grains(const Section& section, const LaguerrePacking& grains, Filler& filler) {
-  if (grains.is_random() && grains.file.empty()) {
-    filler.sizes = read_sizes(section);
-    read_cuts(section, filler);
-  } else {
-    section.refuse({"sizes", "from", "to"}, "the sizes of the grains follow from packing.sites");
-  }
-  if (grains.film) {
-    section.refuse({"fraction"}, "it follows from packing.film");
-  } else if (!section.has("fraction")) {
-    section.report("fraction", "missing, expected the fraction of the grains, or packing.film");
-  } else {
-    filler.fraction = section.fraction("fraction");
-  }
-  section.refuse({"coating"}, "grains of a tessellation have films alone");
-}
-
 /// Reads fraction and sizes as far as the packing allows them.
-void read_amount(const Section& section, const PackingMethod& packing, Filler& filler) {
-  if (const auto* grains = std::get_if<LaguerrePacking>(&packing)) {
-    read_grains(section, *grains, filler);
-    return;
+struct ReadAmount {
+  const Section& section;
+  Filler& filler;
+
+  template <int dim>
+  void operator()(const LaguerrePacking<dim>& grains) const {
+    if (grains.is_random() && grains.file.empty()) {
+      read_sizes_and_cuts();
+    } else {
+      section.refuse({"sizes", "from", "to"}, "the sizes of the grains follow from packing.sites");
+    }
+    if (grains.film) {
+      section.refuse({"fraction"}, "it follows from packing.film");
+    } else if (!section.has("fraction")) {
+      section.report("fraction", "missing, expected the fraction of the grains, or packing.film");
+    } else {
+      filler.fraction = section.fraction("fraction");
+    }
+    section.refuse({"coating"}, "grains of a tessellation have films alone");
   }
-  if (std::holds_alternative<ExplicitPacking>(packing)) {
+  template <int dim>
+  void operator()(const ExplicitPacking<dim>&) const {
     section.refuse({"sizes", "fraction", "from", "to"},
                    "the particles of an explicit packing are all listed in its file");
-    return;
   }
-  filler.sizes = read_sizes(section);
-  read_cuts(section, filler);
-  if (std::holds_alternative<RegularPacking>(packing) || std::holds_alternative<LatticePacking>(packing)) {
+  void operator()(const RegularPacking&) const { read_one_size(); }
+  void operator()(const LatticePacking&) const { read_one_size(); }
+  template <class Packing>
+  void operator()(const Packing&) const {
+    read_sizes_and_cuts();
+    if (filler.sizes && std::holds_alternative<ListedSizes>(*filler.sizes)) {
+      section.refuse({"fraction"}, "a list of sizes is packed as it is: its fraction follows");
+    } else {
+      filler.fraction = section.fraction("fraction");
+    }
+  }
+
+ private:
+  void read_sizes_and_cuts() const {
+    filler.sizes = read_sizes(section);
+    read_cuts(section, filler);
+  }
+  void read_one_size() const {
+    read_sizes_and_cuts();
     section.refuse({"fraction"}, "a regular packing has the fraction that follows from its diameter");
     if (filler.sizes && !std::holds_alternative<SingleSize>(*filler.sizes)) {
       section.report("sizes", "a regular packing takes { diameter = ... }");
     }
-  } else if (filler.sizes && std::holds_alternative<ListedSizes>(*filler.sizes)) {
-    section.refuse({"fraction"}, "a list of sizes is packed as it is: its fraction follows");
-  } else {
-    filler.fraction = section.fraction("fraction");
   }
-}
+};
 
 /// Reads `coating = { material = ..., thickness = ... }`.
 std::optional<Coating> read_coating(const Section& section, const std::vector<Material>& materials) {
@@ -128,8 +139,8 @@ Filler read_filler(const Section& section, const Stage& stage, const std::vector
   filler.material = read_material_reference(section, "material", materials);
   section.refuse({"image"}, image_elsewhere);
   filler.shape = read_shape(section, stage);
-  if (stage.grains() == nullptr) filler.coating = read_coating(section, materials);
-  read_amount(section, stage.packing, filler);
+  if (!stage.has_grains()) filler.coating = read_coating(section, materials);
+  visit_nested(ReadAmount{section, filler}, stage.packing);
   read_gap(section, stage, filler);
   check_fit(section, filler, stage);
   return filler;
@@ -148,12 +159,11 @@ void check_together(const Section& section, const Stage& stage) {
     section.report("filler",
                    fmt::format("expected at most {} fillers, got {}", allowed::most_fillers, stage.fillers.size()));
   }
-  const bool is_regular =
-      std::holds_alternative<RegularPacking>(stage.packing) || std::holds_alternative<LatticePacking>(stage.packing);
+  const bool is_regular = stage.packing_name() == PackingName::regular;
   if (is_regular && stage.fillers.size() > 1) {
     section.report("filler", fmt::format("expected one filler for a regular packing, got {}", stage.fillers.size()));
   }
-  if (stage.grains() != nullptr && stage.fillers.size() > 1) {
+  if (stage.has_grains() && stage.fillers.size() > 1) {
     section.report("filler", fmt::format("expected one filler for a tessellation, got {}", stage.fillers.size()));
   }
   for (const auto& mistake : mistakes_of_fractions(stage)) section.report("filler", mistake);
@@ -162,6 +172,23 @@ void check_together(const Section& section, const Stage& stage) {
   if (std::ranges::any_of(stage.fillers, lacks_name)) return;
   for (const auto& mistake : mistakes_of_phases(stage)) section.report("filler", mistake);
 }
+
+/// Throws InputError where listed particles, with their coatings, overlap or cross a wall.
+struct RequireRoom {
+  const Stage& stage;
+
+  template <int dim>
+  void operator()(const ExplicitPacking<dim>& listed) const {
+    if (listed.count() == 0) return;  // which has been reported
+    try {
+      require_room<dim>(stage, listed_box(stage, listed));
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}: {}", listed.file.string(), error.what()));
+    }
+  }
+  template <class Packing>
+  void operator()(const Packing&) const {}
+};
 
 }  // namespace
 
@@ -183,11 +210,10 @@ void read_fillers(const Section& section, const std::vector<Material>& materials
   stage.packing = *std::move(packing);
   for (const auto& table : tables) stage.fillers.push_back(read_filler(table, stage, materials));
   check_together(section, stage);
-  if (const auto* listed = stage.listed(); listed != nullptr && stage.side > 0.0) {
-    const auto table = section.section("packing");
-    const auto* const key = table.has("particles") ? "particles" : table.has("discs") ? "discs" : "polygons";
-    table.report_errors_of(key, [&] { require_room(stage, *listed); });
-  }
+  if (!stage.is_listed() || !(stage.side > 0.0)) return;
+  const auto table = section.section("packing");
+  const auto* const key = table.has("particles") ? "particles" : table.has("discs") ? "discs" : "polygons";
+  table.report_errors_of(key, [&] { visit_nested(RequireRoom{stage}, stage.packing); });
 }
 
 }  // namespace breccia

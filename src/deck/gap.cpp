@@ -61,7 +61,7 @@ std::optional<Gap> parse_gap(const std::string& text, double point_spacing, doub
 }  // namespace
 
 void read_gap(const Section& section, const Stage& stage, Filler& filler) {
-  if (stage.grains() != nullptr) {
+  if (stage.has_grains()) {
     section.refuse({"gap"}, "grains of a tessellation are parted by films: packing.film, or the fraction");
     return;
   }

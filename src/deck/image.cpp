@@ -20,6 +20,7 @@
 #include "breccia/study/stage_rules.hpp"
 
 #include "materials.hpp"
+#include "packing.hpp"
 #include "rounding.hpp"
 
 namespace breccia {
@@ -122,9 +123,10 @@ bool take_image(const Section& packing, std::optional<std::int64_t> page, Raster
 }
 
 /// Reads the pixels of a square image, or the voxels of a cubic stack in a box of three dimensions.
-std::optional<Raster> read_pixels(const Section& packing, int dimensions, ImagePacking& image) {
+template <int dim>
+std::optional<Raster> read_pixels(const Section& packing, ImagePacking<dim>& image) {
   const auto page = packing.optional_integer("page", Range::positive());
-  if (dimensions == 3) packing.refuse({"page"}, "a box of three dimensions takes the whole stack");
+  if (dim == 3) packing.refuse({"page"}, "a box of three dimensions takes the whole stack");
   const auto written = packing.text("file");
   if (written.empty()) return std::nullopt;
   auto [file, array] = raster_name(written);
@@ -134,7 +136,7 @@ std::optional<Raster> read_pixels(const Section& packing, int dimensions, ImageP
   std::optional<Raster> raster;
   packing.report_errors_of("file", [&] { raster = read_raster(image.file, image.array); });
   if (!raster) return std::nullopt;
-  const bool fits = dimensions == 3 ? require_cube(packing, *raster) : take_image(packing, page, *raster);
+  const bool fits = dim == 3 ? require_cube(packing, *raster) : take_image(packing, page, *raster);
   return fits ? raster : std::nullopt;
 }
 
@@ -170,8 +172,7 @@ double read_side(const Section& section, const Section& packing, const std::opti
 
 /// A square or cubic image of labels that fills a box of this side [m].
 template <int dim>
-std::shared_ptr<const LabelImage<dim>> labelled(const Raster& raster, const std::vector<ValueLabel>& table, double side,
-                                                Walls walls) {
+SharedImage<dim> labelled(const Raster& raster, const std::vector<ValueLabel>& table, double side, Walls walls) {
   const int pixels = static_cast<int>(raster.extents[0]);
   LabelImage<dim> image = {
       .pixels = {}, .pixel_side = side / pixels, .walls = walls, .labels = pixel_labels(raster.values, table)};
@@ -180,18 +181,37 @@ std::shared_ptr<const LabelImage<dim>> labelled(const Raster& raster, const std:
 }
 
 /// Pixels along each side of the image of a stage; nothing where it could not be read, which has been reported.
-std::optional<int> pixels_along(const Stage& stage) {
-  if (stage.stack() != nullptr) return stage.stack()->pixels[0];
-  if (stage.image() != nullptr) return stage.image()->pixels[0];
-  return std::nullopt;
+struct PixelsAlong {
+  template <int dim>
+  std::optional<int> operator()(const ImagePacking<dim>& pixels) const {
+    return pixels.image ? std::optional(pixels.image->pixels[0]) : std::nullopt;
+  }
+  template <class Packing>
+  std::optional<int> operator()(const Packing&) const {
+    return std::nullopt;
+  }
+};
+
+/// Reads the image of a box of so many dimensions, and the side of the box.
+template <int dim>
+ImagePacking<dim> read_image_in(const Section& section, const Section& packing, const std::vector<ValueLabel>& table,
+                                double& side) {
+  ImagePacking<dim> image;
+  const auto raster = read_pixels(packing, image);
+  side = read_side(section, packing, raster);
+  const bool is_periodic = packing.optional_boolean("periodic").value_or(false);
+  if (!raster || table.empty()) return image;
+  packing.report_errors_of("labels", [&] {
+    image.image = labelled<dim>(*raster, table, side, is_periodic ? Walls::periodic : Walls::hard);
+  });
+  return image;
 }
 
 }  // namespace
 
 bool has_image(const Section& stage) {
   if (stage.kind("packing") != Kind::table) return false;
-  const auto packing = stage.section("packing");
-  return packing.kind("method") == Kind::text && packing.optional_text("method") == "image";
+  return has_method(stage.section("packing"), PackingName::image);
 }
 
 void read_image(const Section& section, const std::vector<Material>& materials, Stage& stage) {
@@ -203,29 +223,19 @@ void read_image(const Section& section, const std::vector<Material>& materials, 
   packing.refuse({"walls"}, "an image has periodic = true or false");
   packing.refuse({"seed"}, "nothing in an image is at random");
   const auto table = read_labels(packing, materials, stage);
-  ImagePacking image;
-  auto raster = read_pixels(packing, stage.dimensions, image);
-  stage.side = read_side(section, packing, raster);
-  const bool is_periodic = packing.optional_boolean("periodic").value_or(false);
-  if (raster && !table.empty()) {
-    packing.report_errors_of("labels", [&] {
-      const auto walls = is_periodic ? Walls::periodic : Walls::hard;
-      if (stage.dimensions == 3) {
-        image.stack = labelled<3>(*raster, table, stage.side, walls);
-      } else {
-        image.image = labelled<2>(*raster, table, stage.side, walls);
-      }
-    });
+  if (stage.dimensions() == 3) {
+    stage.packing = read_image_in<3>(section, packing, table, stage.side);
+  } else {
+    stage.packing = read_image_in<2>(section, packing, table, stage.side);
   }
-  stage.packing = std::move(image);
 }
 
 int cells_of_points(const Section& section, const Stage& stage) {
-  const auto known = pixels_along(stage);
+  const auto known = visit_nested(PixelsAlong(), stage.packing);
   if (!known) return static_cast<int>(allowed::cells.lower);
   const int pixels = *known;
   if (pixels % 2 == 0 && accepts(allowed::cells, 0.5 * pixels)) return pixels / 2;
-  const bool is_flat = stage.dimensions == 2;
+  const bool is_flat = stage.dimensions() == 2;
   section.report(
       "cells",
       fmt::format("missing: cells of {} points cannot give each of {} one point; cells = {} gives each {} "

@@ -16,10 +16,6 @@
 
 #include "breccia/error.hpp"
 #include "breccia/io/file_mistakes.hpp"
-#include "breccia/microstructure/particle_validity.hpp"
-#include "breccia/microstructure/validity.hpp"
-#include "breccia/study/coatings.hpp"
-#include "breccia/study/filler_shapes.hpp"
 #include "breccia/study/limits.hpp"
 #include "breccia/tables/measured_table_reader.hpp"
 
@@ -28,11 +24,6 @@
 namespace breccia {
 
 namespace {
-
-constexpr std::string_view random_method = "lubachevsky-stillinger", sequential_method = "random-sequential",
-                           grain_method = "laguerre", image_method = "image";
-
-enum class MethodName { lubachevsky_stillinger, regular, listed, laguerre, image, sequential };
 
 /// The columns with the coordinates of a place.
 std::vector<const MeasuredColumn*> coordinate_columns(const MeasuredTable& table, std::size_t dimensions) {
@@ -95,23 +86,28 @@ Packing read_random(const Section& packing) {
   return {walls, static_cast<std::uint64_t>(seed)};
 }
 
-LatticePacking read_lattice(const Section& packing) {
+template <int dim>
+PackingMethod<dim> read_regular(const Section& packing);
+
+template <>
+PackingMethod<3> read_regular<3>(const Section& packing) {
   packing.refuse({"columns", "rows"}, R"(a box of three dimensions has lattice = "sc", "bcc" or "fcc", and repeats)");
-  return {packing.choice<Lattice>("lattice").value_or(Lattice::simple),
-          static_cast<int>(packing.optional_integer("repeats", allowed::repeats).value_or(1))};
+  return LatticePacking{packing.choice<Lattice>("lattice").value_or(Lattice::simple),
+                        static_cast<int>(packing.optional_integer("repeats", allowed::repeats).value_or(1))};
 }
 
-RegularPacking read_regular(const Section& packing) {
+template <>
+PackingMethod<2> read_regular<2>(const Section& packing) {
   if (packing.has("lattice") || packing.has("repeats")) {
     packing.refuse({"lattice", "repeats"},
                    "it belongs to dimensions = 3; a box of two has columns and rows, such as columns = 2, rows = 2");
     for (const auto* key : {"columns", "rows"}) {
       if (packing.has(key)) static_cast<void>(packing.integer(key, allowed::rows));
     }
-    return {};
+    return RegularPacking{};
   }
-  return {static_cast<int>(packing.integer("columns", allowed::rows)),
-          static_cast<int>(packing.integer("rows", allowed::rows))};
+  return RegularPacking{static_cast<int>(packing.integer("columns", allowed::rows)),
+                        static_cast<int>(packing.integer("rows", allowed::rows))};
 }
 
 bool is_picture(const std::filesystem::path& file) {
@@ -129,74 +125,77 @@ std::string key_of_particles(const Section& packing) {
   return packing.has("discs") || !packing.has("polygons") ? "discs" : "";
 }
 
-/// Reads discs or ellipses.
-void read_particle_table(const std::filesystem::path& file, double side, std::size_t fillers, ExplicitPacking& listed) {
-  const auto table = read_measured_table(file);
-  FileMistakes mistakes(file);
-  if (lists_ellipses(table)) {
-    listed.particles = read_ellipses(table, side, mistakes);
-  } else {
-    listed.discs = read_balls<2>(table, side, mistakes);
+/// The particles that a table lists: discs or ellipses, spheres or ellipsoids.
+template <int dim>
+ParticleList<dim> read_list(const MeasuredTable& table, double side, FileMistakes& mistakes);
+
+template <>
+ParticleList<2> read_list<2>(const MeasuredTable& table, double side, FileMistakes& mistakes) {
+  if (lists_ellipses(table)) return read_ellipses(table, side, mistakes);
+  return read_balls<2>(table, side, mistakes);
+}
+
+template <>
+ParticleList<3> read_list<3>(const MeasuredTable& table, double side, FileMistakes& mistakes) {
+  if (lists_ellipsoids(table)) return read_ellipsoids(table, side, mistakes);
+  return read_balls<3>(table, side, mistakes);
+}
+
+/// Reads the file of the particles, which a key of the packing names.
+template <int dim>
+void read_particles(const Section& packing, const std::string& key, double side, std::size_t fillers,
+                    ExplicitPacking<dim>& listed) {
+  if (is_picture(listed.file)) {
+    packing.report(key, fmt::format("expected a CSV file with columns {}, got {}; {}",
+                                    dim == 3 ? "x_m, y_m, z_m, diameter_m" : "x_m, y_m, diameter_m",
+                                    listed.file.string(), image_elsewhere));
+    return;
   }
-  listed.fillers = read_filler_numbers(table, fillers, mistakes);
-  mistakes.refuse();
+  packing.report_errors_of(key, [&] {
+    const auto table = read_measured_table(listed.file);
+    FileMistakes mistakes(listed.file);
+    auto particles = read_list<dim>(table, side, mistakes);
+    auto numbers = read_filler_numbers(table, fillers, mistakes);
+    mistakes.refuse();
+    listed.particles = std::move(particles);
+    listed.fillers = std::move(numbers);
+  });
 }
 
 /// Adds polygons to what a table of particles has listed; discs among them become circles.
-void add_polygons(ListedPolygons polygons, ExplicitPacking& listed) {
-  for (const auto& [centre, diameter] : listed.discs) {
-    listed.particles.push_back({Ellipse{{diameter, diameter}}, Pose(centre, 0.0)});
+void add_polygons(ListedPolygons polygons, ExplicitPacking<2>& listed) {
+  if (const auto* discs = std::get_if<std::vector<Disc>>(&listed.particles)) {
+    std::vector<Particle> circles;
+    for (const auto& [centre, diameter] : *discs) {
+      circles.push_back({Ellipse{{diameter, diameter}}, Pose(centre, 0.0)});
+    }
+    listed.particles = std::move(circles);
   }
-  listed.discs.clear();
-  std::ranges::move(polygons.particles, std::back_inserter(listed.particles));
+  std::ranges::move(polygons.particles, std::back_inserter(std::get<std::vector<Particle>>(listed.particles)));
   std::ranges::move(polygons.fillers, std::back_inserter(listed.fillers));
 }
 
-/// Reads the spheres or ellipsoids of a box of three dimensions.
-ExplicitPacking read_explicit_in_space(const Section& packing, double side, std::size_t fillers) {
+template <int dim>
+ExplicitPacking<dim> read_explicit(const Section& packing, double side, std::size_t fillers);
+
+template <>
+ExplicitPacking<3> read_explicit<3>(const Section& packing, double side, std::size_t fillers) {
   packing.refuse({"discs", "polygons"}, "they are particles of a box of two dimensions");
-  ExplicitPacking listed{packing.file("particles"), {}, read_walls(packing), {}};
-  if (listed.file.empty()) return listed;
-  if (is_picture(listed.file)) {
-    packing.report("particles", fmt::format("expected a CSV file with columns x_m, y_m, z_m, diameter_m, got {}; {}",
-                                            listed.file.string(), image_elsewhere));
-    return listed;
-  }
-  packing.report_errors_of("particles", [&] {
-    const auto table = read_measured_table(listed.file);
-    FileMistakes mistakes(listed.file);
-    auto read = listed;
-    if (lists_ellipsoids(table)) {
-      read.ellipsoids = read_ellipsoids(table, side, mistakes);
-    } else {
-      read.spheres = read_balls<3>(table, side, mistakes);
-    }
-    read.fillers = read_filler_numbers(table, fillers, mistakes);
-    mistakes.refuse();
-    listed = std::move(read);
-  });
+  ExplicitPacking<3> listed = {.file = packing.file("particles"), .walls = read_walls(packing)};
+  if (!listed.file.empty()) read_particles(packing, "particles", side, fillers, listed);
   return listed;
 }
 
-ExplicitPacking read_explicit(const Section& packing, double side, std::size_t fillers) {
+template <>
+ExplicitPacking<2> read_explicit<2>(const Section& packing, double side, std::size_t fillers) {
   const auto key = key_of_particles(packing);
-  ExplicitPacking listed{key.empty() ? "" : packing.file(key), {}, read_walls(packing), {}};
-  if (is_picture(listed.file)) {
-    packing.report(key, fmt::format("expected a CSV file with columns x_m, y_m, diameter_m, got {}; {}",
-                                    listed.file.string(), image_elsewhere));
-    return listed;
-  }
-  if (!listed.file.empty()) {
-    packing.report_errors_of(key, [&] {
-      auto read = listed;
-      read_particle_table(listed.file, side, fillers, read);
-      listed = std::move(read);
-    });
-  }
-  if (!packing.has("polygons")) return listed;
+  ExplicitPacking<2> listed = {.file = key.empty() ? "" : packing.file(key), .walls = read_walls(packing)};
+  const bool is_known = !is_picture(listed.file);
+  if (!listed.file.empty()) read_particles(packing, key, side, fillers, listed);
+  if (!is_known || !packing.has("polygons")) return listed;
   const auto polygons = packing.file("polygons");
   if (polygons.empty()) return listed;
-  packing.report_errors_of("polygons", [&] { add_polygons(read_polygons(polygons, side, fillers), listed); });
+  packing.report_errors_of("polygons", [&] { add_polygons(breccia::read_polygons(polygons, side, fillers), listed); });
   if (listed.file.empty()) listed.file = polygons;
   return listed;
 }
@@ -233,8 +232,9 @@ LaguerreSites<dim> read_sites(const std::filesystem::path& file, double side, Wa
   return read;
 }
 
-LaguerrePacking read_laguerre(const Section& packing, const Stage& stage) {
-  LaguerrePacking grains;
+template <int dim>
+LaguerrePacking<dim> read_laguerre(const Section& packing, double side) {
+  LaguerrePacking<dim> grains;
   if (packing.kind("walls") == Kind::text) {
     grains.wall_film = packing.choice<WallFilm>("walls", {{"cut", WallFilm::none}}).value_or(WallFilm::half);
     grains.walls = Walls::hard;
@@ -251,15 +251,9 @@ LaguerrePacking read_laguerre(const Section& packing, const Stage& stage) {
       return grains;
     }
     packing.report_errors_of("sites", [&] {
-      const auto take = [&](auto read, auto& sites) {
-        sites = std::move(read.sites);
-        grains.film_shares = std::move(read.film_shares);
-      };
-      if (stage.dimensions == 3) {
-        take(read_sites<3>(grains.file, stage.side, grains.walls), grains.sites_in_space);
-      } else {
-        take(read_sites<2>(grains.file, stage.side, grains.walls), grains.sites);
-      }
+      auto read = read_sites<dim>(grains.file, side, grains.walls);
+      grains.sites = std::move(read.sites);
+      grains.film_shares = std::move(read.film_shares);
     });
   } else {
     grains.seed = static_cast<std::uint64_t>(packing.optional_integer("seed", Range::not_negative()).value_or(1));
@@ -276,102 +270,55 @@ bool asks_for_other_shapes(const Section& packing) {
 
 }  // namespace
 
-bool takes_seed(const Section& packing) {
-  if (packing.kind("method") != Kind::text) return false;
-  const auto method = packing.optional_text("method");
-  return method == random_method || method == sequential_method || (method == grain_method && !packing.has("sites"));
+bool has_method(const Section& packing, PackingName name) {
+  return packing.kind("method") == Kind::text && packing.optional_text("method") == name_of(name);
 }
 
-void require_room(const Stage& stage, const ExplicitPacking& listed) {
-  const bool is_empty = listed.discs.empty() && listed.particles.empty();
-  if (is_empty && listed.spheres.empty() && listed.ellipsoids.empty()) return;  // which has been reported
-  try {
-    if (!listed.ellipsoids.empty()) {
-      require_valid(ellipsoid_box(stage, listed));
-      return;
-    }
-    if (!listed.particles.empty()) {
-      require_valid(particle_box(stage, listed));
-    } else if (stage.dimensions == 3) {
-      require_valid(with_coatings<3>(stage, {stage.side, listed.walls, listed.spheres, listed.fillers}));
-    } else {
-      require_valid<2>(with_coatings<2>(stage, {stage.side, listed.walls, listed.discs, listed.fillers}));
-    }
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", listed.file.string(), error.what()));
-  }
+bool takes_seed(const Section& packing) {
+  return has_method(packing, PackingName::lubachevsky_stillinger) ||
+         has_method(packing, PackingName::random_sequential) ||
+         (has_method(packing, PackingName::laguerre) && !packing.has("sites"));
 }
 
 namespace {
 
-/// The packings whose keys are the same in two and three dimensions.
-std::optional<PackingMethod> read_in_any_box(const Section& packing, const Stage& stage, MethodName method) {
-  switch (method) {
-    case MethodName::laguerre:
-      return read_laguerre(packing, stage);
-    case MethodName::image:
-      return std::nullopt;  // read_image() reads it
-    case MethodName::sequential:
-      return read_random<RandomSequentialPacking>(packing);
-    default:
-      return read_random<LubachevskyStillingerPacking>(packing);
+template <int dim>
+std::optional<PackingMethod<dim>> read_method(const Section& packing, const Stage& stage, std::size_t fillers,
+                                              PackingName name) {
+  switch (name) {
+    case PackingName::lubachevsky_stillinger:
+      return read_random<LubachevskyStillingerPacking<dim>>(packing);
+    case PackingName::random_sequential:
+      return read_random<RandomSequentialPacking<dim>>(packing);
+    case PackingName::regular:
+      return read_regular<dim>(packing);
+    case PackingName::listed:
+      return read_explicit<dim>(packing, stage.side, fillers);
+    case PackingName::laguerre:
+      return read_laguerre<dim>(packing, stage.side);
+    case PackingName::image:
+      break;  // read_image() reads it
   }
-}
-
-/// The packings of a box of three dimensions.
-std::optional<PackingMethod> read_packing_in_space(const Section& packing, const Stage& stage, std::size_t fillers) {
-  const auto method = packing.choice<MethodName>("method", {{random_method, MethodName::lubachevsky_stillinger},
-                                                            {"regular", MethodName::regular},
-                                                            {"explicit", MethodName::listed},
-                                                            {grain_method, MethodName::laguerre},
-                                                            {image_method, MethodName::image},
-                                                            {sequential_method, MethodName::sequential}});
-  packing.refuse({"image"}, image_elsewhere);
-  if (!method) {
-    packing.accept_all_keys();
-    return std::nullopt;
-  }
-  switch (*method) {
-    case MethodName::regular:
-      return read_lattice(packing);
-    case MethodName::listed:
-      return read_explicit_in_space(packing, stage.side, fillers);
-    default:
-      return read_in_any_box(packing, stage, *method);
-  }
+  return std::nullopt;
 }
 
 }  // namespace
 
-std::optional<PackingMethod> read_packing(const Section& section, const Stage& stage, std::size_t fillers) {
+std::optional<StagePacking> read_packing(const Section& section, const Stage& stage, std::size_t fillers) {
   const auto packing = section.section("packing");
-  if (stage.dimensions == 3) return read_packing_in_space(packing, stage, fillers);
-  if (asks_for_other_shapes(packing)) {
+  if (stage.dimensions() == 2 && asks_for_other_shapes(packing)) {
     packing.report("method", shapes_elsewhere);
     packing.accept_all_keys();
     return std::nullopt;
   }
   packing.refuse({"image"}, image_elsewhere);
-  const auto method = packing.choice<MethodName>("method", {
-                                                               {random_method, MethodName::lubachevsky_stillinger},
-                                                               {"regular", MethodName::regular},
-                                                               {"explicit", MethodName::listed},
-                                                               {grain_method, MethodName::laguerre},
-                                                               {image_method, MethodName::image},
-                                                               {sequential_method, MethodName::sequential},
-                                                           });
-  if (!method) {
+  const auto name = packing.choice<PackingName>("method");
+  if (!name) {
     packing.accept_all_keys();
     return std::nullopt;
   }
-  switch (*method) {
-    case MethodName::regular:
-      return read_regular(packing);
-    case MethodName::listed:
-      return read_explicit(packing, stage.side, fillers);
-    default:
-      return read_in_any_box(packing, stage, *method);
-  }
+  if (stage.dimensions() == 3) return read_method<3>(packing, stage, fillers, *name);
+  return read_method<2>(packing, stage, fillers, *name);
 }
 
 }  // namespace breccia

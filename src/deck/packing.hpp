@@ -19,10 +19,10 @@ inline constexpr auto image_elsewhere =
     "[{ value = ..., material = \"...\" }, ...] } (docs/decks.md)";
 
 /// Reads `packing` of a stage whose box is known, with so many fillers, from its section.
-std::optional<PackingMethod> read_packing(const Section& section, const Stage& stage, std::size_t fillers);
+std::optional<StagePacking> read_packing(const Section& section, const Stage& stage, std::size_t fillers);
 
-/// Throws InputError where listed particles of a stage, with their coatings, overlap or cross a wall.
-void require_room(const Stage& stage, const ExplicitPacking& listed);
+/// Whether a packing has this method.
+bool has_method(const Section& packing, PackingName name);
 
 /// Whether a packing is random, so that it has a `seed`.
 bool takes_seed(const Section& packing);

@@ -20,22 +20,31 @@ struct ReasonAgainstShapes {
   using Reason = std::optional<std::string>;
   const char* round;  ///< the particles without a shape
 
-  Reason operator()(const RandomSequentialPacking&) const { return std::nullopt; }
-  Reason operator()(const LubachevskyStillingerPacking&) const {
-    return fmt::format(
-        "the method \"lubachevsky-stillinger\" packs {} alone; packing.method = \"random-sequential\" packs other "
-        "shapes",
-        round);
+  template <int dim>
+  Reason operator()(const RandomSequentialPacking<dim>&) const {
+    return std::nullopt;
   }
   Reason operator()(const RegularPacking&) const {
     return "a regular packing has discs alone; packing.method = \"random-sequential\" packs other shapes";
   }
   Reason operator()(const LatticePacking&) const { return "a lattice has balls alone"; }
-  Reason operator()(const ExplicitPacking&) const {
+  template <int dim>
+  Reason operator()(const ExplicitPacking<dim>&) const {
     return "the shapes of an explicit packing are all listed in its files";
   }
-  Reason operator()(const ImagePacking&) const { return "an image shows the shapes"; }
-  Reason operator()(const LaguerrePacking&) const { return "grains of a tessellation have the shapes of its cells"; }
+  template <int dim>
+  Reason operator()(const ImagePacking<dim>&) const {
+    return "an image shows the shapes";
+  }
+  template <int dim>
+  Reason operator()(const LaguerrePacking<dim>&) const {
+    return "grains of a tessellation have the shapes of its cells";
+  }
+  template <class Packing>
+  Reason operator()(const Packing&) const {
+    return fmt::format("the method \"{}\" packs {} alone; packing.method = \"random-sequential\" packs other shapes",
+                       name_of(Packing::name), round);
+  }
 };
 
 PolygonalOutline read_polygon(const std::filesystem::path& file) {
@@ -86,15 +95,15 @@ std::optional<FillerShape> read_outline(const Section& shape) {
 std::optional<FillerShape> read_shape(const Section& filler, const Stage& stage) {
   if (!filler.has("shape")) return std::nullopt;
   if (filler.kind("shape") != Kind::table) {
-    filler.report("shape", stage.dimensions == 3
+    filler.report("shape", stage.dimensions() == 3
                                ? "expected { aspect = 1.5 } for ellipsoids of revolution"
                                : "expected { aspect = 1.5 } for ellipses or { polygon = \"file.csv\" }");
     return std::nullopt;
   }
-  const bool is_flat = stage.dimensions == 2;
+  const bool is_flat = stage.dimensions() == 2;
   const auto shape = filler.section("shape");
   const auto read = is_flat ? read_outline(shape) : read_ellipsoids_of_revolution(shape);
-  const auto reason = std::visit(ReasonAgainstShapes{is_flat ? "discs" : "spheres"}, stage.packing);
+  const auto reason = visit_nested(ReasonAgainstShapes{is_flat ? "discs" : "spheres"}, stage.packing);
   if (!read || !reason) return read;
   filler.report("shape", *reason);
   return std::nullopt;

@@ -79,8 +79,7 @@ int read_cells(const Section& section, double side) {
 bool needs_no_cells(const Section& section, Model model) {
   if (model != Model::films) return false;
   const auto packing = section.optional_section("packing");
-  return packing && packing->has("method") && packing->kind("method") == Kind::text &&
-         packing->text("method") == "laguerre";
+  return packing && has_method(*packing, PackingName::laguerre);
 }
 
 /// Cells per side of the labels of grains that are computed with films.
@@ -101,12 +100,11 @@ std::optional<std::string> warning_of_gap_on_grids(const Stage& stage) {
 }  // namespace
 
 std::vector<Stage> read_stages(const Section& deck, const std::vector<Material>& materials, Model model) {
-  const auto dimensions =
-      static_cast<int>(deck.optional_integer("dimensions", allowed::dimensions).value_or(Stage().dimensions));
+  const bool is_of_space = deck.optional_integer("dimensions", allowed::dimensions).value_or(2) == 3;
   std::vector<Stage> stages;
   for (const auto& section : deck.sections("stages")) {
     Stage stage;
-    stage.dimensions = dimensions;
+    if (is_of_space) stage.packing = PackingMethod<3>();
     stage.name = read_name(section, stages, materials);
     stage.matrix = read_matrix(section, stages, materials);
     const bool is_image = has_image(section);

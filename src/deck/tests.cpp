@@ -117,7 +117,7 @@ std::vector<Load> read_loads(const Section& section, const std::vector<Stage>& s
   auto loads = section.list_of_choices<Load>("loads");
   refuse_repeats(section, "loads", loads);
   if (stages.empty()) return loads;
-  const int dimensions = stages.front().dimensions;
+  const int dimensions = stages.front().dimensions();
   for (const auto& mistake : mistakes_of_loads(loads, dimensions)) section.report("loads", mistake);
   std::erase_if(loads, [dimensions](Load load) { return dimensions == 2 && !has_load<2>(load); });
   return loads;

@@ -17,7 +17,7 @@ double expected_snapshots(const Tests& tests, const Stage& stage) {
   double snapshots = tests.quasistatic.range == SampledRange::matrix ? 11.0 : 9.0;
   // The bases of cubes have been smaller than those of squares.
   constexpr double of_cubes = 0.75;
-  if (stage.dimensions == 3) snapshots *= of_cubes;
+  if (stage.dimensions() == 3) snapshots *= of_cubes;
   for (const auto& material : named_materials(stage)) {
     const auto varied = std::ranges::find(tests.varied, material.name, &VariedMaterial::name);
     if (varied != tests.varied.end()) snapshots *= factor_of(varied->shear) * factor_of(varied->bulk);

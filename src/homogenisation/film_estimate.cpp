@@ -20,7 +20,7 @@ namespace {
 
 /// Areas of the cells of a stage, scaled so that they fill the unit square; those of listed sites count alike.
 std::vector<double> shares_of_cells(const Stage& stage) {
-  const auto& method = *stage.grains();
+  const auto& method = *stage.packed_by<LaguerrePacking<2>>();
   if (!method.is_random())
     return std::vector<double>(method.sites.size(), 1.0 / static_cast<double>(method.sites.size()));
   const auto& filler = stage.fillers.front();
@@ -74,7 +74,7 @@ double unknowns_of_grain(const Tests& tests, double film) {
 FilmedGrains expected_grains(const Stage& stage) {
   const auto shares = name_errors(stage.name, [&stage] { return shares_of_cells(stage); });
   const auto count = static_cast<double>(shares.size());
-  const auto& asked = stage.grains()->film;
+  const auto& asked = stage.packed_by<LaguerrePacking<2>>()->film;
   const double film =
       asked ? *asked / stage.side : film_between_hexagons(shares, stage.fillers.front().fraction.value_or(1.0));
   return {count, film * std::sqrt(count)};

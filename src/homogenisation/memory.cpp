@@ -54,7 +54,7 @@ double dynamic_memory(const Study& study, const Stage& stage, int cells) {
 }
 
 double dynamic_memory(const Study& study, const Stage& stage, int cells) {
-  return stage.dimensions == 3 ? dynamic_memory<3>(study, stage, cells) : dynamic_memory<2>(study, stage, cells);
+  return stage.dimensions() == 3 ? dynamic_memory<3>(study, stage, cells) : dynamic_memory<2>(study, stage, cells);
 }
 
 /// Interface of the particles of a filler, per volume of the filler [1/m]: that of the smallest ones, which have most.
@@ -64,40 +64,56 @@ double specific_interface(const Filler& filler, double smallest, int dimensions)
   return surface(particle) / volume(particle);
 }
 
-/// Interface of listed spheres and ellipsoids, per volume of the box [1/m].
-double specific_interface(const Stage& stage, const ExplicitPacking& listed) {
-  double interface = 0.0;
-  for (const auto& sphere : listed.spheres) interface += ball_surface<3>(sphere.diameter);
-  for (const auto& ellipsoid : listed.ellipsoids) interface += surface(ellipsoid);
-  return interface / std::pow(stage.side, 3.0);
+double surface_of(const Sphere& sphere) {
+  return ball_surface<3>(sphere.diameter);
+}
+double surface_of(const Ellipsoid& ellipsoid) {
+  return surface(ellipsoid);
 }
 
 /// Largest share of the cells of side h [m] that interfaces of a filler cross: on the average over all directions an
 /// interface crosses 4 / pi cells per h of its length in 2 dimensions, and 3 / 2 per h^2 of its area in 3. A coating
 /// has two interfaces.
 double share_of_mixed_cells(const Stage& stage, const Filler& filler, double h) {
-  const auto sizes = stage.listed() != nullptr ? diameters_of(stage) : diameters_of(filler);
+  const auto sizes = stage.is_listed() ? diameters_of(stage) : diameters_of(filler);
   if (!sizes) return 1.0;
-  const double crossed = stage.dimensions == 3 ? 1.5 : 4.0 / std::numbers::pi;
-  return crossed * h * filler.fraction.value_or(1.0) * specific_interface(filler, sizes->smallest, stage.dimensions);
+  const double crossed = stage.dimensions() == 3 ? 1.5 : 4.0 / std::numbers::pi;
+  return crossed * h * filler.fraction.value_or(1.0) * specific_interface(filler, sizes->smallest, stage.dimensions());
 }
+
+/// The share of mixed cells of side h [m] of a stage, which may be above 1, by its packing.
+struct ShareOfMixedCells {
+  const Stage& stage;
+  double h;
+
+  template <int dim>
+  double operator()(const ImagePacking<dim>& pixels) const {
+    return specific_interface(*pixels.image) * h;
+  }
+  double operator()(const ExplicitPacking<3>& listed) const {
+    double interface = 0.0;
+    std::visit(
+        [&](const auto& particles) {
+          for (const auto& one : particles) interface += surface_of(one);
+        },
+        listed.particles);
+    const auto is_coated = [](const Filler& one) { return one.coating.has_value(); };
+    const double interfaces = std::ranges::any_of(stage.fillers, is_coated) ? 2.0 : 1.0;
+    return 1.5 * h * interfaces * (interface / std::pow(stage.side, 3.0));
+  }
+  template <class Packing>
+  double operator()(const Packing&) const {
+    double share = 0.0;
+    for (const auto& filler : stage.fillers) {
+      share += (filler.coating ? 2.0 : 1.0) * share_of_mixed_cells(stage, filler, h);
+    }
+    return share;
+  }
+};
 
 double share_of_mixed_cells(const Study& study, const Stage& stage, int cells) {
   if (study.tests.mixing == Mixing::points) return 0.0;
-  if (const auto* image = stage.image()) return std::min(1.0, specific_interface(*image) * stage.side / cells);
-  if (const auto* stack = stage.stack()) return std::min(1.0, specific_interface(*stack) * stage.side / cells);
-  const double h = stage.side / cells;
-  const auto* listed = stage.listed();
-  const bool is_coated = std::ranges::any_of(stage.fillers, [](const Filler& one) { return one.coating.has_value(); });
-  const double interfaces = is_coated ? 2.0 : 1.0;
-  if (listed != nullptr && stage.dimensions == 3) {
-    return std::min(1.0, 1.5 * h * interfaces * specific_interface(stage, *listed));
-  }
-  double share = 0.0;
-  for (const auto& filler : stage.fillers) {
-    share += (filler.coating ? 2.0 : 1.0) * share_of_mixed_cells(stage, filler, h);
-  }
-  return std::min(1.0, share);
+  return std::min(1.0, visit_nested(ShareOfMixedCells{stage, stage.side / cells}, stage.packing));
 }
 
 /// Grains and films that need more than the available memory [B]: a message, with the number of grains that would fit.
@@ -119,7 +135,7 @@ std::optional<std::string> lacking_for_films(const Study& study, const Stage& st
 
 double quasistatic_unknowns(const Stage& stage, int cells) {
   // Displacements of a node; there are about as many nodes as cells.
-  return stage.dimensions * std::pow(static_cast<double>(cells), stage.dimensions);
+  return stage.dimensions() * std::pow(static_cast<double>(cells), stage.dimensions());
 }
 
 namespace {
@@ -178,14 +194,14 @@ double bytes_of_square(const Study& study, const Stage& stage, double strains) {
 double quasistatic_memory(const Study& study, const Stage& stage, int cells) {
   const double unknowns = quasistatic_unknowns(stage, cells);
   // Strains of the second phase of mixed cells beside the displacements a cell of each nodal vector.
-  const int modes = stage.dimensions == 3 ? CellShape<3>::modes : CellShape<2>::modes;
+  const int modes = stage.dimensions() == 3 ? CellShape<3>::modes : CellShape<2>::modes;
   constexpr double vector = sizeof(double);
-  const double strains = vector * modes / stage.dimensions * share_of_mixed_cells(study, stage, cells);
+  const double strains = vector * modes / stage.dimensions() * share_of_mixed_cells(study, stage, cells);
   const bool is_direct =
-      study.tests.quasistatic.linear.is_direct(static_cast<std::int64_t>(unknowns), stage.dimensions);
+      study.tests.quasistatic.linear.is_direct(static_cast<std::int64_t>(unknowns), stage.dimensions());
   // Sparse Cholesky factors of a square grid, ordered by nested dissection.
   const double factors = is_direct ? 640.0 + 60.0 * std::log2(unknowns) : 0.0;
-  if (stage.dimensions == 3) return unknowns * (factors + bytes_of_cube(study, stage, strains));
+  if (stage.dimensions() == 3) return unknowns * (factors + bytes_of_cube(study, stage, strains));
   constexpr double dozen = 12.0;
   const double further = bytes_of_square(study, stage, strains);
   if (is_direct) return unknowns * (factors + dozen * strains + further);
@@ -208,7 +224,7 @@ std::vector<std::string> lacking_memory(const Study& study, double available) {
           method == Method::quasistatic ? quasistatic_memory(study, stage, cells) : dynamic_memory(study, stage, cells);
       const double left = std::max(0.0, available);
       if (bytes <= left) continue;
-      const int fitting = static_cast<int>(cells * std::pow(left / bytes, 1.0 / stage.dimensions));
+      const int fitting = static_cast<int>(cells * std::pow(left / bytes, 1.0 / stage.dimensions()));
       lines.push_back(fmt::format("{}: {} cells take about {:.3g} GB by the {} method, and {:.3g} GB are left{}",
                                   stage.name, cells_in_words(stage, cells), bytes / 1e9,
                                   method == Method::quasistatic ? "quasi-static" : "dynamic", left / 1e9,

@@ -34,7 +34,7 @@ StageResult result_without_points(const Study& study, const Stage& stage, StageM
   StageResult result;
   result.name = stage.name;
   result.cells = stage.cells;
-  result.dimensions = stage.dimensions;
+  result.dimensions = stage.dimensions();
   result.microstructure = std::move(microstructure);
   result.warnings = warnings_on(study, stage, result.microstructure);
   result.point_fraction = result.microstructure.fraction;

@@ -57,12 +57,12 @@ ProcessShare quasistatic_share(const Study& study, const Stage& stage, Boundary 
   const double unknowns = quasistatic_unknowns(stage, cells);
   const double bytes = quasistatic_memory(study, stage, cells);
   const double alone = quasistatic_time(study, stage, boundary, cells);
-  const double labels = std::min(bytes, labels_of(stage.dimensions, cells));
+  const double labels = std::min(bytes, labels_of(stage.dimensions(), cells));
   const double memory = (bytes - labels) / processes;
   const bool is_direct =
-      study.tests.quasistatic.linear.is_direct(static_cast<std::int64_t>(unknowns), stage.dimensions);
+      study.tests.quasistatic.linear.is_direct(static_cast<std::int64_t>(unknowns), stage.dimensions());
   if (is_direct) return {memory, alone / speed_of_factors(processes), labels};
-  if (stage.dimensions == 2) return {memory, seconds_on_substructures(alone, unknowns, processes), labels};
+  if (stage.dimensions() == 2) return {memory, seconds_on_substructures(alone, unknowns, processes), labels};
   return {memory, alone / processes, labels};
 }
 

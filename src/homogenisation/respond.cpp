@@ -47,7 +47,7 @@ Stage stage_of(const StoredResponses& stored) {
   stage.name = stored.stage;
   stage.matrix = stored.matrix;
   stage.side = stored.side;
-  stage.dimensions = stored.dimensions;
+  if (stored.dimensions == 3) stage.packing = PackingMethod<3>();
   std::set<int> grids;  // none with films
   for (const auto& entry : stored.entries) {
     if (const auto cells = entry.grid.cells()) grids.insert(*cells);
@@ -68,7 +68,7 @@ StageResult respond_within(const StoredResponses& stored, const MatrixUnder& mat
   result.name = stored.stage;
   const auto stage = stage_of(stored);
   result.cells = stage.cells;
-  result.dimensions = stage.dimensions;
+  result.dimensions = stage.dimensions();
   result.microstructure.fraction = stored.filler_fraction;
   result.microstructure.fillers = {{.fraction = stored.filler_fraction}};
   for (const auto& entry : stored.entries) {
@@ -211,7 +211,7 @@ StoredResponses responses_of(const Study& study, const Stage& stage, const Stage
                                .filler_density = mean_density(inclusions),
                                .filler_fraction = fraction_of(inclusions),
                                .side = stage.side,
-                               .dimensions = stage.dimensions,
+                               .dimensions = stage.dimensions(),
                                .deck_hash = provenance_of(study).hash,
                                .fit_tolerance = tests.fit_tolerance,
                                .times = {tests.first_time, tests.last_time},

@@ -26,19 +26,31 @@ const Stage* filled_matrix_of(const Study& study, const Stage& stage) {
 
 /// The diameters of the particles of a stage; those of the cells around listed sites are those of discs of their areas,
 /// or of balls of their volumes.
-std::optional<DiameterRange> particle_sizes(const Stage& stage) {
-  const auto* grains = stage.grains();
-  if (grains == nullptr || grains->is_random()) return diameters_of(stage);
-  if (stage.dimensions == 3) {
-    const auto volumes = cell_volumes(Tessellation<3>({stage.side, grains->walls, grains->sites_in_space}));
+struct ParticleSizes {
+  const Stage& stage;
+
+  template <int dim>
+  std::optional<DiameterRange> operator()(const LaguerrePacking<dim>& grains) const {
+    if (grains.is_random()) return diameters_of(stage);
+    const auto volumes = cell_volumes(Tessellation<dim>({stage.side, grains.walls, grains.sites}));
     const auto [smallest, largest] = std::ranges::minmax(volumes);
-    const auto diameter = [](double volume) { return std::cbrt(6.0 * volume / std::numbers::pi); };
-    return DiameterRange{diameter(smallest), diameter(largest)};
+    return DiameterRange{diameter_of<dim>(smallest), diameter_of<dim>(largest)};
   }
-  const auto areas = cell_volumes(Tessellation<2>({stage.side, grains->walls, grains->sites}));
-  const auto [smallest, largest] = std::ranges::minmax(areas);
-  const auto diameter = [](double area) { return 2.0 * std::sqrt(area / std::numbers::pi); };
-  return DiameterRange{diameter(smallest), diameter(largest)};
+  template <class Packing>
+  std::optional<DiameterRange> operator()(const Packing&) const {
+    return diameters_of(stage);
+  }
+
+ private:
+  template <int dim>
+  static double diameter_of(double volume) {
+    if constexpr (dim == 3) return std::cbrt(6.0 * volume / std::numbers::pi);
+    return 2.0 * std::sqrt(volume / std::numbers::pi);
+  }
+};
+
+std::optional<DiameterRange> particle_sizes(const Stage& stage) {
+  return visit_nested(ParticleSizes{stage}, stage.packing);
 }
 
 }  // namespace

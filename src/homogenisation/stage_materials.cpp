@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
+#include "breccia/virtual_test/bulk_test.hpp"
 
 #include "inclusions.hpp"
 #include "stage_extrapolation.hpp"
@@ -13,7 +14,7 @@ namespace breccia {
 namespace {
 
 void require_good_fit(const Study& study, const Stage& stage, const StageMaterial& fitted) {
-  const auto refuse = [&](const char* modulus, double error) {
+  const auto refuse = [&](std::string_view modulus, double error) {
     throw NumericalError(fmt::format(
         "stage {}, {}, {}: the fit of {}, on which later stages build, is up to {:.2g} % off its curve, more than "
         "tests.fit_tolerance = {:.2g} %; longer ramps or more overlap make dynamic curves smoother, finer cells "
@@ -24,8 +25,9 @@ void require_good_fit(const Study& study, const Stage& stage, const StageMateria
   // A NaN fails this comparison, too.
   const auto& result = fitted.result;
   if (!(result.shear_error <= study.tests.fit_tolerance)) refuse("G(t)", result.shear_error);
-  if (!(result.bulk_error <= study.tests.fit_tolerance))
-    refuse(stage.dimensions == 3 ? "K(t)" : "K(t) + G(t)/3", result.bulk_error);
+  if (!(result.bulk_error <= study.tests.fit_tolerance)) {
+    refuse(formula_of_bulk_test(stage.dimensions()), result.bulk_error);
+  }
 }
 
 }  // namespace
@@ -62,7 +64,7 @@ std::vector<StageMaterial> materials_from(const Study& study, const Stage& stage
       const double density = density_with(inclusions_of(stage, result.microstructure.fillers), matrix.density);
       materials.push_back({boundary, method,
                            homogenised_material(stage.name, density, curve(Load::shear), curve(Load::bulk),
-                                                study.tests.fit_tolerance, stage.dimensions)});
+                                                study.tests.fit_tolerance, stage.dimensions())});
       require_good_fit(study, stage, materials.back());
     }
   }

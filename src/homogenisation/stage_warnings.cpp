@@ -140,7 +140,7 @@ std::optional<std::string> warning_of_small_spheres(const Stage& stage, const St
   constexpr double tenth = 0.1;
   const auto needed = cells_per_diameter_for(tenth, packed.fraction);
   if (!needed) {
-    if (std::holds_alternative<LatticePacking>(stage.packing)) return std::nullopt;  // all of its gaps are alike
+    if (stage.packed_by<LatticePacking>() != nullptr) return std::nullopt;  // all of its gaps are alike
     return fmt::format(
         "spheres that fill {:.3g} % are close to jamming, where the modulus at long times comes out far too low unless "
         "the grid resolves their gaps; the mean sphere, {}, is {:.2g} cells wide: try several grids",
@@ -187,7 +187,7 @@ std::optional<std::string> warning_of_lost_grains(const Stage& stage, const Stag
     losses.push_back(fmt::format(
         "little of small ones: a tenth of the {} of the grains is below {} where {} was asked for, half of it below "
         "{} where {} was",
-        stage.dimensions == 3 ? "volume" : "area", display(grains.of_a_tenth, "m"), display(cells.of_a_tenth, "m"),
+        stage.dimensions() == 3 ? "volume" : "area", display(grains.of_a_tenth, "m"), display(cells.of_a_tenth, "m"),
         display(grains.of_half, "m"), display(cells.of_half, "m")));
   }
   return fmt::format(

@@ -131,7 +131,7 @@ Material expected_matrix(const Study& study, const Stage& stage) {
   // Shear: rigid discs, or spheres, in an incompressible matrix (Hashin's lower bound); bulk: uniform pressure (rule of
   // mixtures).
   const double rigid =
-      stage.dimensions == 3 ? 1.0 + 2.5 * fraction / (1.0 - fraction) : (1.0 + fraction) / (1.0 - fraction);
+      stage.dimensions() == 3 ? 1.0 + 2.5 * fraction / (1.0 - fraction) : (1.0 + fraction) / (1.0 - fraction);
   const double stiffening = std::min(rigid, shear / matrix.shear.unrelaxed());
   const double bulk = 1.0 / mixed(1.0 / matrix.bulk.unrelaxed(), bulk_compliance, fraction);
   return {name, mixed(matrix.density, density, fraction), PronySeries(bulk), matrix.shear.scaled(stiffening)};

@@ -6,6 +6,7 @@
 
 #include "breccia/homogenisation/varying_phases.hpp"
 #include "breccia/quasistatic/carson_path.hpp"
+#include "breccia/virtual_test/bulk_test.hpp"
 #include "breccia/virtual_test/extrapolation.hpp"
 
 namespace breccia {
@@ -48,8 +49,7 @@ std::vector<Moduli> moduli_of_stage(const Stage& stage, const ResponsesOnGrids& 
                                     const ResponsesOnGrids& in_bulk, const std::vector<std::vector<Moduli>>& path) {
   constexpr double rounding = 1e-6;
   std::vector<Moduli> moduli;
-  // The bulk test has equal strains along all axes of the box.
-  const double share_of_shear = stage.dimensions == 3 ? 0.0 : 1.0 / 3.0;
+  const double share_of_shear = shear_in_bulk_test(stage.dimensions());
   double last_shear = 0.0, last_bulk = 0.0;
   for (const auto& of_phases : path) {
     const double shear = in_shear.modulus(of_phases), tested = in_bulk.modulus(of_phases);

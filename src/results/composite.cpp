@@ -8,6 +8,7 @@
 
 #include "breccia/error.hpp"
 #include "breccia/io/nearest_name.hpp"
+#include "breccia/virtual_test/bulk_test.hpp"
 
 #include "best_tests.hpp"
 
@@ -154,8 +155,8 @@ void add_materials(const StudyContent& content, const StageContent& stage, const
 }  // namespace
 
 std::optional<PronySeries> Composite::bulk() const {
-  if (!dilatational || dimensions == 3) return dilatational;
-  return PronySeries::difference(*dilatational, shear.scaled(1.0 / 3.0));
+  if (!dilatational) return std::nullopt;
+  return bulk_modulus_of(*dilatational, shear, dimensions);
 }
 
 std::string boundary_in_words(Boundary boundary) {
@@ -176,7 +177,7 @@ StudyContent study_content(const Study& study, const StudyResult& result) {
     packed.push_back(result.stages[i].microstructure.fillers);
     auto [fraction, mass_fraction, materials, coatings] = filler_of_the_whole(study, stage, packed);
     materials.insert(materials.end(), coatings.begin(), coatings.end());
-    content.stages.push_back({stage.name, name_of(stage.matrix), stage.dimensions, std::move(materials)});
+    content.stages.push_back({stage.name, name_of(stage.matrix), stage.dimensions(), std::move(materials)});
   }
   return content;
 }

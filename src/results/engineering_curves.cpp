@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "breccia/virtual_test/bulk_test.hpp"
 #include "breccia/viscoelasticity/engineering_moduli.hpp"
 
 #include "best_tests.hpp"
@@ -13,11 +14,6 @@ namespace {
 struct TestPair {
   const TestResult* shear;
   const TestResult* bulk;
-
-  [[nodiscard]] PronySeries bulk_modulus(int dimensions) const {
-    if (dimensions == 3) return bulk->series;
-    return PronySeries::difference(bulk->series, shear->series.scaled(1.0 / 3.0));
-  }
 };
 
 /// Of each boundary condition the pair with the load `shear`, or else with the first load of shear.
@@ -40,7 +36,7 @@ std::vector<TestPair> pairs_of(const StageFindings& stage) {
 
 EngineeringCurves curves_of(const TestPair& pair, int dimensions, const FrequencyRows& rows) {
   const auto& shear = pair.shear->series;
-  const auto bulk = pair.bulk_modulus(dimensions);
+  const auto bulk = bulk_modulus_of(pair.bulk->series, shear, dimensions);
   const EngineeringModuli moduli(shear, bulk);
   EngineeringCurves curves{pair.shear->id, {}, {}};
   for (const auto& [time, modulus] : pair.shear->modulus) {

@@ -14,7 +14,7 @@ void write_labels(const std::filesystem::path& directory, const Stage& stage,
   if (point_count(stage, stage.cells) > most_labelled_points) return;
   const auto labels = point_labels(stage, microstructure, stage.cells);
   const auto along = 2 * static_cast<std::size_t>(stage.cells);
-  const std::vector<std::size_t> extents(static_cast<std::size_t>(stage.dimensions), along);
+  const std::vector<std::size_t> extents(static_cast<std::size_t>(stage.dimensions()), along);
   write_npy(directory / "labels.npy", extents, labels.phases);
   std::vector<VtiArray> arrays = {{"phase", labels.phases}};
   if (!labels.particles.empty()) {

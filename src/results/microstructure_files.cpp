@@ -97,7 +97,7 @@ void write_microstructure(const std::filesystem::path& directory, const Stage& s
   write_labels(directory, stage, microstructure);
   visit_nested(WriteTable{directory, stage}, microstructure.box);
   write_text(directory / "microstructure.svg", stage_picture(stage, microstructure));
-  if (stage.dimensions == 2) return;
+  if (stage.dimensions() == 2) return;
   write_text(directory / "cut-x.svg", stage_picture(stage, microstructure, Axis::x));
   write_text(directory / "cut-y.svg", stage_picture(stage, microstructure, Axis::y));
 }

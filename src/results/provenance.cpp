@@ -258,7 +258,7 @@ Json json_of(const Stage& stage, const std::vector<FillerStatistics>& packed) {
                            {"thickness_cells", coating->thickness / stage.cell_size()},
                            {"fraction", statistics.coating_fraction}};
     }
-    if (shape) filler["shape"] = in_words(*shape, stage.dimensions);
+    if (shape) filler["shape"] = in_words(*shape, stage.dimensions());
     fillers.push_back(std::move(filler));
   }
   return fillers;
@@ -310,7 +310,7 @@ Json json_of(const Stage& stage, const StageResult& result, const Study& study, 
   const auto& packing = result.microstructure;
   Json microstructure = {{"particles", packing.particles()},
                          {"fraction", packing.fraction},
-                         {stage.dimensions == 3 ? "interface_per_volume_1_per_m" : "interface_per_area_1_per_m",
+                         {stage.dimensions() == 3 ? "interface_per_volume_1_per_m" : "interface_per_area_1_per_m",
                           packing.interface_per_area},
                          {"smallest_gap_m", finite_or_null(packing.gap)},
                          {"smallest_gap_cells", finite_or_null(packing.gap / stage.cell_size())},
@@ -345,7 +345,7 @@ Json json_of(const Stage& stage, const StageResult& result, const Study& study, 
                {"matrix", name_of(stage.matrix)},
                {"filler", name_of_fillers(stage)},
                {"fillers", json_of(stage, packing.fillers)},
-               {"dimensions", stage.dimensions},
+               {"dimensions", stage.dimensions()},
                {"box_m", stage.side},
                {"cells", names_of_grids(study.tests, stage)},
                {"points", result.points},

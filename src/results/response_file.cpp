@@ -14,6 +14,7 @@
 
 #include "breccia/error.hpp"
 #include "breccia/io/hdf5.hpp"
+#include "breccia/study/limits.hpp"
 
 namespace breccia {
 namespace {
@@ -242,7 +243,7 @@ StoredResponses read_stage(const Group& root) {
   // Files from before there were three have no such number.
   if (root.file.has_attribute("/", "dimensions")) {
     const auto dimensions = root.file.attribute<std::int64_t>("/", "dimensions");
-    root.require(dimensions == 2 || dimensions == 3, "2 or 3 dimensions");
+    root.require(accepts(allowed::dimensions, static_cast<double>(dimensions)), "2 or 3 dimensions");
     stored.dimensions = static_cast<int>(dimensions);
   }
   stored.deck_hash = text("deck_hash");

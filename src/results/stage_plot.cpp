@@ -134,7 +134,7 @@ std::vector<std::string> write_plots(const std::filesystem::path& directory, con
   }
   auto bulk = plot_of(study, stage, result, [](const TestResult& test) { return test.id.load == Load::bulk; });
   if (!bulk.curves.empty()) {
-    bulk.quantity = stage.dimensions == 3 ? "Bulk modulus K(t)" : "Plane-strain bulk modulus K(t) + G(t)/3";
+    bulk.quantity = stage.dimensions() == 3 ? "Bulk modulus K(t)" : "Plane-strain bulk modulus K(t) + G(t)/3";
     writer.write("bulk_modulus.svg", bulk);
   }
   return writer.notes();

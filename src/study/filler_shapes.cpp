@@ -103,14 +103,4 @@ std::vector<double> coatings_of(const Stage& stage, const std::vector<std::size_
   return coatings;
 }
 
-ParticleBox particle_box(const Stage& stage, const ExplicitPacking& listed) {
-  return {stage.side, listed.walls, listed.particles, listed.fillers,
-          coatings_of(stage, listed.fillers, listed.particles.size())};
-}
-
-EllipsoidBox ellipsoid_box(const Stage& stage, const ExplicitPacking& listed) {
-  return {stage.side, listed.walls, listed.ellipsoids, listed.fillers,
-          coatings_of(stage, listed.fillers, listed.ellipsoids.size())};
-}
-
 }  // namespace breccia

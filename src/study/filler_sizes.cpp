@@ -44,6 +44,36 @@ struct DiametersOf {
   }
 };
 
+double diameter_of(const Particle& particle) {
+  return equivalent_diameter(particle.shape);
+}
+double diameter_of(const Ellipsoid& ellipsoid) {
+  return equivalent_diameter(ellipsoid);
+}
+template <int dim>
+double diameter_of(const Ball<dim>& ball) {
+  return ball.diameter;
+}
+
+/// The range of the diameters of listed particles; nothing for other packings.
+struct ListedDiameters {
+  template <int dim>
+  std::optional<DiameterRange> operator()(const ExplicitPacking<dim>& listed) const {
+    if (listed.count() == 0) return std::nullopt;
+    return std::visit(
+        [](const auto& particles) {
+          const auto size = [](const auto& particle) { return diameter_of(particle); };
+          const auto [smallest, largest] = std::ranges::minmax(particles, {}, size);
+          return DiameterRange{size(smallest), size(largest)};
+        },
+        listed.particles);
+  }
+  template <class Packing>
+  std::optional<DiameterRange> operator()(const Packing&) const {
+    return std::nullopt;
+  }
+};
+
 }  // namespace
 
 std::optional<DiameterRange> diameters_of(const Filler& filler) {
@@ -52,16 +82,7 @@ std::optional<DiameterRange> diameters_of(const Filler& filler) {
 
 std::optional<DiameterRange> diameters_of(const Stage& stage) {
   if (stage.fillers.empty()) return std::nullopt;
-  if (const auto* listed = stage.listed()) {
-    std::vector<double> diameters;
-    for (const auto& disc : listed->discs) diameters.push_back(disc.diameter);
-    for (const auto& sphere : listed->spheres) diameters.push_back(sphere.diameter);
-    for (const auto& ellipsoid : listed->ellipsoids) diameters.push_back(equivalent_diameter(ellipsoid));
-    for (const auto& particle : listed->particles) diameters.push_back(equivalent_diameter(particle.shape));
-    if (diameters.empty()) return std::nullopt;
-    const auto [smallest, largest] = std::ranges::minmax(diameters);
-    return DiameterRange{smallest, largest};
-  }
+  if (stage.is_listed()) return visit_nested(ListedDiameters(), stage.packing);
   std::optional<DiameterRange> all;
   for (const auto& filler : stage.fillers) {
     const auto own = diameters_of(filler);

@@ -11,12 +11,10 @@
 #include "breccia/error.hpp"
 #include "breccia/microstructure/draw_diameters.hpp"
 #include "breccia/microstructure/image_statistics.hpp"
-#include "breccia/microstructure/particle_validity.hpp"
-#include "breccia/microstructure/validity.hpp"
-#include "breccia/study/coatings.hpp"
 #include "breccia/study/filler_shapes.hpp"
 #include "breccia/study/filler_sizes.hpp"
 #include "breccia/study/limits.hpp"
+#include "breccia/study/listed_box.hpp"
 #include "breccia/study/stage_rules.hpp"
 
 #include "material_soundness.hpp"
@@ -56,9 +54,8 @@ void check_cuts(const Filler& filler, const std::string& part, StudyMistakes& mi
 }
 
 /// Which of sizes and fraction go with a packing that draws or arranges particles.
-void check_amount(const Filler& filler, const PackingMethod& packing, const std::string& part,
-                  StudyMistakes& mistakes) {
-  if (std::holds_alternative<RegularPacking>(packing) || std::holds_alternative<LatticePacking>(packing)) {
+void check_amount(const Filler& filler, PackingName packing, const std::string& part, StudyMistakes& mistakes) {
+  if (packing == PackingName::regular) {
     if (!std::holds_alternative<SingleSize>(*filler.sizes)) {
       mistakes.add(part, "expected a single size for a regular packing");
     }
@@ -72,7 +69,7 @@ void check_amount(const Filler& filler, const PackingMethod& packing, const std:
   }
 }
 
-void check_sizes(const Filler& filler, const PackingMethod& packing, const std::string& part, StudyMistakes& mistakes) {
+void check_sizes(const Filler& filler, PackingName packing, const std::string& part, StudyMistakes& mistakes) {
   if (!filler.sizes) {
     mistakes.add(part, "expected sizes; only an explicit packing has none");
     return;
@@ -101,18 +98,19 @@ void check_gap(const Filler& filler, const Stage& stage, const std::string& part
 
 void check_shape(const Filler& filler, const Stage& stage, const std::string& part, StudyMistakes& mistakes) {
   if (!filler.shape) return;
-  if (!std::holds_alternative<RandomSequentialPacking>(stage.packing)) {
+  if (stage.packing_name() != PackingName::random_sequential) {
     mistakes.add(part, "expected no shape: only a random sequential packing places other shapes than discs");
   }
   mistakes.add_all(part, mistakes_of_shape(*filler.shape));
   const bool is_of_space = std::holds_alternative<EllipticOutline>(filler.shape->outline) && !filler.shape->angle;
-  if (stage.dimensions == 3 && !is_of_space) {
+  if (stage.dimensions() == 3 && !is_of_space) {
     mistakes.add(part, "expected ellipsoids without an angle in a box of three dimensions");
   }
 }
 
 /// The sizes and the fraction of grains that fill the box.
-void check_grains(const Filler& filler, const LaguerrePacking& grains, const std::string& part,
+template <int dim>
+void check_grains(const Filler& filler, const LaguerrePacking<dim>& grains, const std::string& part,
                   StudyMistakes& mistakes) {
   if (filler.coating) mistakes.add(part, "expected no coating: grains have films alone");
   if (grains.film) mistakes.check_quantity(part, "film", *grains.film, Range::positive(), Dimension::length);
@@ -136,34 +134,24 @@ void check_grains(const Filler& filler, const LaguerrePacking& grains, const std
   }
 }
 
+void refuse_several_fillers(const Stage& stage, const char* packing, const std::string& part, StudyMistakes& mistakes) {
+  if (stage.fillers.size() < 2) return;
+  mistakes.add(part, fmt::format("expected one filler for a {}, got {}", packing, stage.fillers.size()));
+}
+
 template <int dim>
-void check_sites_in(const Stage& stage, const std::string& part, StudyMistakes& mistakes) {
-  const auto& grains = *stage.grains();
-  const auto& sites = grains.sites_in<dim>();
-  if (sites.size() != grains.site_count()) {
-    mistakes.add(part, fmt::format("expected sites of {} coordinates in a box of {} dimensions", dim, dim));
-    return;
-  }
-  const LaguerreSites<dim> listed = {stage.side, grains.walls, sites, grains.wall_film, grains.film_shares};
-  if (!listed.film_shares.empty() && listed.film_shares.size() != sites.size()) {
-    mistakes.add(part, fmt::format("expected a share of the films for each of {} sites, or none, got {}", sites.size(),
-                                   listed.film_shares.size()));
+void check_sites(const Stage& stage, const LaguerrePacking<dim>& grains, const std::string& part,
+                 StudyMistakes& mistakes) {
+  refuse_several_fillers(stage, "tessellation", part, mistakes);
+  if (grains.is_random() || !accepts(allowed::side, stage.side)) return;
+  const LaguerreSites<dim> listed = {stage.side, grains.walls, grains.sites, grains.wall_film, grains.film_shares};
+  if (!listed.film_shares.empty() && listed.film_shares.size() != listed.sites.size()) {
+    mistakes.add(part, fmt::format("expected a share of the films for each of {} sites, or none, got {}",
+                                   listed.sites.size(), listed.film_shares.size()));
     return;
   }
   for (const auto& [site, text] : breccia::mistakes(listed)) {
     mistakes.add(part, fmt::format("site {}: {}", site + 1, text));
-  }
-}
-
-void check_sites(const Stage& stage, const std::string& part, StudyMistakes& mistakes) {
-  if (stage.fillers.size() > 1) {
-    mistakes.add(part, fmt::format("expected one filler for a tessellation, got {}", stage.fillers.size()));
-  }
-  if (stage.grains()->is_random() || !accepts(allowed::side, stage.side)) return;
-  if (stage.dimensions == 3) {
-    check_sites_in<3>(stage, part, mistakes);
-  } else {
-    check_sites_in<2>(stage, part, mistakes);
   }
 }
 
@@ -176,9 +164,8 @@ void check_labelled(const Filler& filler, const std::string& part, StudyMistakes
 }
 
 template <int dim>
-void check_image_in(const Stage& stage, const LabelImage<dim>* image, const std::string& part,
-                    StudyMistakes& mistakes) {
-  if (image == nullptr) {
+void check_image(const Stage& stage, const SharedImage<dim>& image, const std::string& part, StudyMistakes& mistakes) {
+  if (!image) {
     mistakes.add(part, dim == 3 ? "expected a stack of images" : "expected an image");
     return;
   }
@@ -197,13 +184,33 @@ void check_image_in(const Stage& stage, const LabelImage<dim>* image, const std:
   });
 }
 
-void check_image(const Stage& stage, const std::string& part, StudyMistakes& mistakes) {
-  if (stage.dimensions == 3) {
-    check_image_in(stage, stage.stack(), part, mistakes);
-  } else {
-    check_image_in(stage, stage.image(), part, mistakes);
+/// Checks which of sizes and fraction a filler has, by the packing.
+struct CheckAmount {
+  const Filler& filler;
+  const Stage& stage;
+  const std::string& part;
+  StudyMistakes& mistakes;
+
+  template <int dim>
+  void operator()(const LaguerrePacking<dim>& grains) const {
+    check_grains(filler, grains, part, mistakes);
   }
-}
+  template <int dim>
+  void operator()(const ImagePacking<dim>&) const {
+    check_labelled(filler, part, mistakes);
+  }
+  template <int dim>
+  void operator()(const ExplicitPacking<dim>&) const {
+    check_no_sizes(filler, part, mistakes);
+  }
+  template <class Packing>
+  void operator()(const Packing&) const {
+    check_sizes(filler, Packing::name, part, mistakes);
+    if (!accepts(allowed::side, stage.side)) return;  // a mistake of the stage
+    mistakes.add_all(part, mistakes_of_gap(filler, stage.side));
+    mistakes.add_all(part, mistakes_of_diameters(filler, stage.packing, stage.side));
+  }
+};
 
 void check_filler(const Filler& filler, const Stage& stage, const std::string& part, StudyMistakes& mistakes) {
   check_material(filler.material, part, mistakes);
@@ -214,42 +221,21 @@ void check_filler(const Filler& filler, const Stage& stage, const std::string& p
   }
   check_gap(filler, stage, part, mistakes);
   check_shape(filler, stage, part, mistakes);
-  if (const auto* grains = stage.grains()) {
-    check_grains(filler, *grains, part, mistakes);
-    return;
-  }
-  if (std::holds_alternative<ImagePacking>(stage.packing)) {
-    check_labelled(filler, part, mistakes);
-    return;
-  }
-  if (stage.listed() != nullptr) {
-    check_no_sizes(filler, part, mistakes);
-    return;
-  }
-  check_sizes(filler, stage.packing, part, mistakes);
-  if (!accepts(allowed::side, stage.side)) return;  // a mistake of the stage
-  mistakes.add_all(part, mistakes_of_gap(filler, stage.side));
-  mistakes.add_all(part, mistakes_of_diameters(filler, stage.packing, stage.side));
+  visit_nested(CheckAmount{filler, stage, part, mistakes}, stage.packing);
 }
 
-void check_listed_particles(const Stage& stage, const std::string& part, StudyMistakes& mistakes) {
-  const auto& [file, discs, walls, fillers, particles, spheres, ellipsoids] = *stage.listed();
-  const auto count = discs.size() + particles.size() + spheres.size() + ellipsoids.size();
+template <int dim>
+void check_listed(const Stage& stage, const ExplicitPacking<dim>& listed, const std::string& part,
+                  StudyMistakes& mistakes) {
+  const auto count = listed.count();
+  const auto& fillers = listed.fillers;
   if (count == 0) mistakes.add(part, "expected at least one particle");
-  if (std::max({discs.size(), particles.size(), spheres.size(), ellipsoids.size()}) < count) {
-    mistakes.add(part, "expected discs, or particles of other shapes, or spheres, and nothing beside them");
-    return;
-  }
-  if (spheres.size() + ellipsoids.size() != (stage.dimensions == 3 ? count : 0)) {
-    mistakes.add(part, "expected spheres or ellipsoids in a box of three dimensions, and none in one of two");
-    return;
-  }
   if (!fillers.empty() && fillers.size() != count) {
     mistakes.add(part, fmt::format("expected the filler of each of {} particles, got {}", count, fillers.size()));
     return;
   }
   if (fillers.empty() && stage.fillers.size() > 1) {
-    mistakes.add(part, "expected the filler of each disc, since there are several");
+    mistakes.add(part, "expected the filler of each particle, since there are several");
   }
   const auto is_unknown = [&](std::size_t filler) { return filler >= stage.fillers.size(); };
   if (const auto unknown = std::ranges::find_if(fillers, is_unknown); unknown != fillers.end()) {
@@ -258,24 +244,54 @@ void check_listed_particles(const Stage& stage, const std::string& part, StudyMi
     return;
   }
   if (!accepts(allowed::side, stage.side)) return;  // a mistake of the stage
-  mistakes.add_error_of(part, [&, &walls = walls, &discs = discs, &fillers = fillers, &particles = particles,
-                               &spheres = spheres, &ellipsoids = ellipsoids] {
-    if (!ellipsoids.empty()) {
-      require_valid(ellipsoid_box(stage, *stage.listed()));
-    } else if (!spheres.empty()) {
-      require_valid(with_coatings<3>(stage, {stage.side, walls, spheres, fillers}));
-    } else if (!particles.empty()) {
-      require_valid(particle_box(stage, *stage.listed()));
-    } else {
-      require_valid<2>(with_coatings<2>(stage, {stage.side, walls, discs, fillers}));
-    }
-  });
+  mistakes.add_error_of(part, [&] { require_room<dim>(stage, listed_box(stage, listed)); });
 }
+
+/// Checks the settings of a packing.
+struct CheckPacking {
+  const Stage& stage;
+  const std::string& part;
+  StudyMistakes& mistakes;
+
+  template <int dim>
+  void operator()(const ExplicitPacking<dim>& listed) const {
+    check_listed(stage, listed, part, mistakes);
+  }
+  template <int dim>
+  void operator()(const LaguerrePacking<dim>& grains) const {
+    check_sites(stage, grains, part, mistakes);
+  }
+  void operator()(const RegularPacking& regular) const {
+    mistakes.check_integer(part, "columns", regular.columns, allowed::rows);
+    mistakes.check_integer(part, "rows", regular.rows, allowed::rows);
+    refuse_several_fillers(stage, "regular packing", part, mistakes);
+  }
+  void operator()(const LatticePacking& cubic) const {
+    mistakes.check_integer(part, "repeats", cubic.repeats, allowed::repeats);
+    refuse_several_fillers(stage, "regular packing", part, mistakes);
+  }
+  /// Any walls and seeds are fine. An image is checked even where a stage has no filler.
+  template <class Packing>
+  void operator()(const Packing&) const {}
+};
+
+struct CheckImage {
+  const Stage& stage;
+  const std::string& part;
+  StudyMistakes& mistakes;
+
+  template <int dim>
+  void operator()(const ImagePacking<dim>& pixels) const {
+    check_image(stage, pixels.image, part, mistakes);
+  }
+  template <class Packing>
+  void operator()(const Packing&) const {}
+};
 
 }  // namespace
 
 void check_fillers(const Stage& stage, const std::string& part, StudyMistakes& mistakes) {
-  if (std::holds_alternative<ImagePacking>(stage.packing)) check_image(stage, part + ", packing", mistakes);
+  visit_nested(CheckImage{stage, part + ", packing", mistakes}, stage.packing);
   if (stage.fillers.empty()) return;
   if (stage.fillers.size() > allowed::most_fillers) {
     mistakes.add(part, fmt::format("expected at most {} fillers, got {}", allowed::most_fillers, stage.fillers.size()));
@@ -288,20 +304,7 @@ void check_fillers(const Stage& stage, const std::string& part, StudyMistakes& m
   mistakes.add_all(part, mistakes_of_fractions(stage));
   mistakes.add_all(part, mistakes_of_phases(stage));
   const auto packing = part + (are_several ? ", packing" : ", filler");
-  if (stage.listed() != nullptr) check_listed_particles(stage, packing, mistakes);
-  if (stage.grains() != nullptr) check_sites(stage, packing, mistakes);
-  const auto* regular = std::get_if<RegularPacking>(&stage.packing);
-  const auto* cubic = std::get_if<LatticePacking>(&stage.packing);
-  if (regular != nullptr) {
-    mistakes.check_integer(packing, "columns", regular->columns, allowed::rows);
-    mistakes.check_integer(packing, "rows", regular->rows, allowed::rows);
-  }
-  if (cubic != nullptr) mistakes.check_integer(packing, "repeats", cubic->repeats, allowed::repeats);
-  if (regular != nullptr || cubic != nullptr) {
-    if (are_several) {
-      mistakes.add(packing, fmt::format("expected one filler for a regular packing, got {}", stage.fillers.size()));
-    }
-  }
+  visit_nested(CheckPacking{stage, packing, mistakes}, stage.packing);
 }
 
 }  // namespace breccia

@@ -113,10 +113,11 @@ class Content {
     add(name);
   }
   void add(const Stage& stage) {
-    const auto& [name, matrix, side, cells, coarser_cells, fillers, packing, warnings, dimensions] = stage;
-    add_all(name, matrix, side, cells, coarser_cells, fillers, packing);
+    const auto& [name, matrix, side, cells, coarser_cells, fillers, packing, warnings] = stage;
+    add_all(name, matrix, side, cells, coarser_cells, fillers);
+    visit_nested([this](const auto& method) { this->add(method); }, packing);
     // A study in two dimensions keeps the content that it had before there were three.
-    if (dimensions != 2) add_all(std::string("dimensions"), dimensions);
+    if (stage.dimensions() != 2) add_all(std::string("dimensions"), stage.dimensions());
     static_cast<void>(warnings);
   }
   void add(const Filler& filler) {
@@ -150,38 +151,49 @@ class Content {
     add_all(diameters, cumulative_volume_fractions);
     static_cast<void>(file);
   }
-  void add(const LubachevskyStillingerPacking& packing) {
+  // Each packing begins with a number of its own, which is never given to another.
+  template <int dim>
+  void add(const LubachevskyStillingerPacking<dim>& packing) {
     const auto& [walls, seed] = packing;
-    add_all(walls, seed);
+    add_all(0, walls, seed);
   }
   void add(const RegularPacking& packing) {
     const auto& [columns, rows] = packing;
-    add_all(columns, rows);
+    add_all(1, columns, rows);
   }
   void add(const LatticePacking& packing) {
     const auto& [lattice, repeats] = packing;
-    add_all(lattice, repeats);
+    add_all(6, lattice, repeats);
   }
-  void add(const ExplicitPacking& packing) {
-    const auto& [file, discs, walls, fillers, particles, spheres, ellipsoids] = packing;
-    add_all(discs, walls, fillers);
-    if (!particles.empty()) add(particles);
-    if (!spheres.empty()) add(spheres);
-    if (!ellipsoids.empty()) add(ellipsoids);
+  template <int dim>
+  void add(const ExplicitPacking<dim>& packing) {
+    const auto& [file, particles, walls, fillers] = packing;
+    // Discs once stood before the rest, and all others after it.
+    std::vector<Disc> discs;
+    if constexpr (dim == 2) {
+      if (const auto* listed = std::get_if<std::vector<Disc>>(&particles)) discs = *listed;
+    }
+    add_all(2, discs, walls, fillers);
+    const bool are_others = discs.empty() && packing.count() > 0;
+    if (are_others) std::visit([this](const auto& listed) { this->add(listed); }, particles);
     static_cast<void>(file);
   }
-  void add(const LaguerrePacking& packing) {
-    const auto& [walls, wall_film, seed, film, file, sites, sites_in_space, film_shares] = packing;
-    add_all(walls, seed, film, sites);
-    if (!sites_in_space.empty()) add(sites_in_space);
+  template <int dim>
+  void add(const LaguerrePacking<dim>& packing) {
+    const auto& [walls, wall_film, seed, film, file, sites, film_shares] = packing;
+    add_all(3, walls, seed, film);
+    // Sites of three dimensions stand after an empty list of those of two.
+    if (dim == 3) add(std::vector<Site<2>>());
+    if (dim == 2 || !sites.empty()) add(sites);
     if (!film_shares.empty()) add_all(std::string("shares of the films"), film_shares);
     if (wall_film == WallFilm::none) add(std::string("no film along the walls"));
     static_cast<void>(file);
   }
-  void add(const ImagePacking& packing) {
-    const auto& [file, array, image, stack] = packing;
+  template <int dim>
+  void add(const ImagePacking<dim>& packing) {
+    const auto& [file, array, image] = packing;
+    add(4);
     if (image) add(*image);
-    if (stack) add(*stack);
     static_cast<void>(file);
     static_cast<void>(array);
   }
@@ -193,9 +205,10 @@ class Content {
     // Eight bytes for each of millions of labels would be too many.
     add(content_hash({reinterpret_cast<const char*>(labels.data()), labels.size() * sizeof(Label)}));
   }
-  void add(const RandomSequentialPacking& packing) {
+  template <int dim>
+  void add(const RandomSequentialPacking<dim>& packing) {
     const auto& [walls, seed] = packing;
-    add_all(walls, seed);
+    add_all(5, walls, seed);
   }
   void add(const FillerShape& shape) {
     const auto& [outline, angle] = shape;

@@ -46,11 +46,9 @@ void check_stage(const Study& study, std::size_t number, StudyMistakes& mistakes
   if (stage.name.empty()) mistakes.add(part, "expected a name");
   mistakes.add_all(part, mistakes_of_name(stage.name, earlier, study.materials));
   mistakes.check_quantity(part, "side of the box", stage.side, allowed::side, Dimension::length);
-  mistakes.check_integer(part, "dimensions", stage.dimensions, allowed::dimensions);
-  if (stage.dimensions != study.stages.front().dimensions) {
+  if (stage.dimensions() != study.stages.front().dimensions()) {
     mistakes.add(part, "expected as many dimensions as those of the first stage");
   }
-  mistakes.add_all(part, mistakes_of_packing(stage));
   check_grids(stage, part, mistakes);
   check_matrix(stage, earlier, part, mistakes);
   check_fillers(stage, part, mistakes);

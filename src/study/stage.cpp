@@ -12,25 +12,39 @@ const std::string& name_of(const StageMatrix& matrix) {
 
 namespace {
 
-struct SeedOf {
-  using Answer = std::optional<std::uint64_t>;
-
-  Answer operator()(const LubachevskyStillingerPacking& packing) const { return packing.seed; }
-  Answer operator()(const RandomSequentialPacking& packing) const { return packing.seed; }
-  Answer operator()(const LaguerrePacking& packing) const {
-    return packing.is_random() ? Answer(packing.seed) : std::nullopt;
+struct NameOf {
+  template <class Packing>
+  PackingName operator()(const Packing&) const {
+    return Packing::name;
   }
-  Answer operator()(const RegularPacking&) const { return std::nullopt; }
-  Answer operator()(const LatticePacking&) const { return std::nullopt; }
-  Answer operator()(const ExplicitPacking&) const { return std::nullopt; }
-  Answer operator()(const ImagePacking&) const { return std::nullopt; }
+};
+
+struct KeepsGaps {
+  template <class Packing>
+  bool operator()(const Packing&) const {
+    return requires {
+      Packing::keeps_gaps;
+    };
+  }
+};
+
+struct SeedOf {
+  using Seed = std::optional<std::uint64_t>;
+
+  template <int dim>
+  Seed operator()(const LaguerrePacking<dim>& packing) const {
+    return packing.is_random() ? Seed(packing.seed) : std::nullopt;
+  }
+  template <class Packing>
+  Seed operator()([[maybe_unused]] const Packing& packing) const {
+    if constexpr (requires { packing.seed; }) return packing.seed;
+    return std::nullopt;
+  }
 };
 
 struct WallsOf {
-  Walls operator()(const RegularPacking&) const { return Walls::hard; }
-  Walls operator()(const LatticePacking&) const { return Walls::periodic; }
-  Walls operator()(const ImagePacking& packing) const {
-    if (packing.stack) return packing.stack->walls;
+  template <int dim>
+  Walls operator()(const ImagePacking<dim>& packing) const {
     return packing.image ? packing.image->walls : Walls::hard;
   }
   template <class Packing>
@@ -41,17 +55,32 @@ struct WallsOf {
 
 }  // namespace
 
+int Stage::dimensions() const {
+  return std::holds_alternative<PackingMethod<2>>(packing) ? 2 : 3;
+}
+
+PackingName Stage::packing_name() const {
+  return visit_nested(NameOf(), packing);
+}
+
+bool Stage::is_random() const {
+  return visit_nested(KeepsGaps(), packing);
+}
+
 std::optional<std::uint64_t> Stage::seed() const {
-  return std::visit(SeedOf(), packing);
+  return visit_nested(SeedOf(), packing);
 }
 
 bool Stage::is_periodic() const {
-  return std::visit(WallsOf(), packing) == Walls::periodic;
+  return visit_nested(WallsOf(), packing) == Walls::periodic;
 }
 
 bool Stage::has_films_along_walls() const {
-  return !fillers.empty() && grains() != nullptr && grains()->walls == Walls::hard &&
-         grains()->wall_film == WallFilm::half;
+  const auto runs_along_walls = [](const auto& method) {
+    if constexpr (requires { method.wall_film; }) return method.wall_film == WallFilm::half;
+    return false;
+  };
+  return !fillers.empty() && visit_nested(runs_along_walls, packing) && !is_periodic();
 }
 
 std::vector<int> Stage::grids() const {
@@ -61,7 +90,7 @@ std::vector<int> Stage::grids() const {
 }
 
 std::string cells_in_words(const Stage& stage, int cells) {
-  return stage.dimensions == 3 ? fmt::format("{0} x {0} x {0}", cells) : fmt::format("{0} x {0}", cells);
+  return stage.dimensions() == 3 ? fmt::format("{0} x {0} x {0}", cells) : fmt::format("{0} x {0}", cells);
 }
 
 std::vector<Material> named_materials(const Stage& stage) {

@@ -30,15 +30,20 @@ double largest_known_diameter(const Filler& filler) {
 }
 
 /// Distance of nearest particles of a regular packing [m]; nothing for any other.
-std::optional<double> spacing_of(const PackingMethod& packing, double side) {
-  if (const auto* regular = std::get_if<RegularPacking>(&packing)) {
-    return side / std::max({1, regular->columns, regular->rows});
+struct SpacingIn {
+  double side;
+
+  std::optional<double> operator()(const RegularPacking& regular) const {
+    return side / std::max({1, regular.columns, regular.rows});
   }
-  if (const auto* cubic = std::get_if<LatticePacking>(&packing)) {
-    return nearest_distance(cubic->lattice) * side / std::max(1, cubic->repeats);
+  std::optional<double> operator()(const LatticePacking& cubic) const {
+    return nearest_distance(cubic.lattice) * side / std::max(1, cubic.repeats);
   }
-  return std::nullopt;
-}
+  template <class Packing>
+  std::optional<double> operator()(const Packing&) const {
+    return std::nullopt;
+  }
+};
 
 }  // namespace
 
@@ -72,7 +77,7 @@ std::vector<std::string> mistakes_of_gap(const Filler& filler, double side) {
                       readable(side, Dimension::length))};
 }
 
-std::vector<std::string> mistakes_of_diameters(const Filler& filler, const PackingMethod& packing, double side) {
+std::vector<std::string> mistakes_of_diameters(const Filler& filler, const StagePacking& packing, double side) {
   std::vector<std::string> mistakes;
   const double bare = largest_known_diameter(filler);
   // A thickness that is not positive is a mistake of the coating.
@@ -82,7 +87,7 @@ std::vector<std::string> mistakes_of_diameters(const Filler& filler, const Packi
     mistakes.push_back(fmt::format("a particle of {}{} does not fit into a box of {}",
                                    readable(diameter, Dimension::length), coated, readable(side, Dimension::length)));
   }
-  const auto spacing = spacing_of(packing, side);
+  const auto spacing = visit_nested(SpacingIn{side}, packing);
   if (spacing && diameter > 0.0 && diameter >= *spacing) {
     mistakes.push_back(fmt::format("particles of {}{} touch at a regular spacing of {}",
                                    readable(diameter, Dimension::length), coated,
@@ -110,17 +115,6 @@ std::vector<std::string> mistakes_of_phases(const Stage& stage) {
         *name));
   }
   return mistakes;
-}
-
-std::vector<std::string> mistakes_of_packing(const Stage& stage) {
-  if (stage.fillers.empty() && !stage.has_image()) return {};
-  const bool is_cubic = std::holds_alternative<LatticePacking>(stage.packing);
-  if (stage.dimensions == 2) {
-    if (!is_cubic) return {};
-    return {"a cubic lattice is for three dimensions"};
-  }
-  if (!std::holds_alternative<RegularPacking>(stage.packing)) return {};
-  return {"three dimensions: expected a cubic lattice in place of columns and rows"};
 }
 
 bool can_be_extrapolated(const std::vector<int>& grids) {

@@ -85,7 +85,7 @@ std::vector<std::string> lacking_in_films(const Study& study) {
 
 /// What tests in three dimensions do not have.
 std::vector<std::string> lacking_in_space(const Study& study) {
-  if (study.stages.empty() || study.stages.front().dimensions == 2) return {};
+  if (study.stages.empty() || study.stages.front().dimensions() == 2) return {};
   if (study.tests.model == Model::films) return {R"(three dimensions: expected model "cells")"};
   return {};
 }
@@ -153,7 +153,7 @@ std::vector<std::string> mistakes_of_field_times(const std::vector<double>& fiel
 }
 
 Model model_of(const Tests& tests, const Stage& stage) {
-  const bool has_grains = stage.grains() != nullptr && !stage.fillers.empty();
+  const bool has_grains = stage.has_grains() && !stage.fillers.empty();
   return has_grains ? tests.model : Model::cells;
 }
 
@@ -187,7 +187,7 @@ std::vector<std::string> contradictions(const Study& study) {
   std::ranges::move(lacking_in_films(study), std::back_inserter(mistakes));
   std::ranges::move(lacking_in_space(study), std::back_inserter(mistakes));
   if (!study.stages.empty()) {
-    std::ranges::move(mistakes_of_loads(study.tests.loads, study.stages.front().dimensions),
+    std::ranges::move(mistakes_of_loads(study.tests.loads, study.stages.front().dimensions()),
                       std::back_inserter(mistakes));
   }
   if (auto mistake = mixing_of_points(study.tests)) mistakes.push_back(*std::move(mistake));

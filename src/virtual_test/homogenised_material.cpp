@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
+#include "breccia/virtual_test/bulk_test.hpp"
 #include "breccia/viscoelasticity/fit.hpp"
 
 namespace breccia {
@@ -71,8 +72,7 @@ HomogenisedMaterial homogenised_material(const std::string& name, double density
   const auto moduli = common_samples(name, shear, bulk_curve);
   const auto fits = fit_with_few_terms(moduli, tolerance);
   // With the same candidate times the terms of the two moduli can be merged.
-  const auto bulk = dimensions == 3 ? fits.bulk.series
-                                    : PronySeries::difference(fits.bulk.series, fits.shear.series.scaled(1.0 / 3.0));
+  const auto bulk = bulk_modulus_of(fits.bulk.series, fits.shear.series, dimensions);
   return {.material = {.name = name, .density = density, .bulk = bulk, .shear = fits.shear.series},
           .fitted = {moduli.times.front(), moduli.times.back()},
           .shear_error = fits.shear.quality.worst_error,

@@ -57,7 +57,7 @@ class InterruptedRun : public testing::Test {
 
 TEST_F(InterruptedRun, LeavesNothingBeforeTheFirstPacking) {
   const auto stop = [](const Progress&) { throw Interrupted("enough"); };
-  study.stages[0].packing = LubachevskyStillingerPacking{};
+  study.stages[0].packing = LubachevskyStillingerPacking<2>{};
   study.stages[0].fillers[0].fraction = 0.3;
   study.stages[0].fillers[0].sizes = SingleSize{1e-3};
   test::give_provenance(study, "random");

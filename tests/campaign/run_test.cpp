@@ -91,7 +91,7 @@ TEST(RunStudy, LeavesNothingBehindIfItFailsAtOnce) {
   auto study = test::two_stages();
   study.stages[0].fillers[0].sizes = SingleSize{1e-3};
   study.stages[0].fillers[0].fraction = 0.95;  // denser than equal discs can be
-  study.stages[0].packing = LubachevskyStillingerPacking{};
+  study.stages[0].packing = LubachevskyStillingerPacking<2>{};
   const test::TemporaryDirectory directory;
   const auto results = directory.path() / "results";
   EXPECT_THROW(static_cast<void>(run_study(study, results)), Error);

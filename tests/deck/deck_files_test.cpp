@@ -42,8 +42,8 @@ TEST_F(DeckFiles, SizesInMicrometres) {
 
 TEST_F(DeckFiles, DiscsInMicrometres) {
   directory.write("discs.csv", "label,x_um,y_um,diameter_um\nfirst,300,250,200\nsecond,700,700,100\n");
-  const auto discs =
-      stage(R"({ material = "hmx" })", R"({ method = "explicit", discs = "discs.csv" })").listed()->discs;
+  const auto box = stage(R"({ material = "hmx" })", R"({ method = "explicit", discs = "discs.csv" })");
+  const auto discs = std::get<std::vector<Disc>>(box.packed_by<ExplicitPacking<2>>()->particles);
   ASSERT_EQ(discs.size(), 2U);
   EXPECT_EQ(discs[0].centre[0], 300e-6);
   EXPECT_EQ(discs[0].centre[1], 250e-6);

@@ -116,7 +116,7 @@ TEST_F(DeckStages, AListOfDiscsTellsTheirFillers) {
       "cells = 60\nfiller = [{ material = \"hmx\" }, { material = \"binder\" }]\npacking = { method = "
       "\"explicit\", discs = \"discs.csv\" }\n";
   directory.write("discs.csv", "x_mm,y_mm,diameter_mm,filler\n1,1,1,1\n3,3,1,0\n");
-  EXPECT_THAT(stage(lines).listed()->fillers, ElementsAre(1, 0));
+  EXPECT_THAT(stage(lines).packed_by<ExplicitPacking<2>>()->fillers, ElementsAre(1, 0));
   directory.write("discs.csv", "x_mm,y_mm,diameter_mm,filler\n1,1,1,1\n3,3,1,2\n3,5,1,0.5\n");
   EXPECT_THAT(mistakes(lines), AllOf(HasSubstr("discs.csv:3: expected the number of a filler, 0 to 1"),
                                      HasSubstr("discs.csv:4: expected the number of a filler, 0 to 1")));
@@ -143,19 +143,19 @@ TEST_F(DeckStages, GrainsHaveAFractionOrFilms) {
   };
   constexpr auto sizes = "sizes = { diameter = \"1 mm\" }";
   const auto by_fraction = stage(with("fraction = \"94 %\", sizes = { diameter = \"1 mm\" }", ", seed = 7"));
-  ASSERT_NE(by_fraction.grains(), nullptr);
+  ASSERT_NE(by_fraction.packed_by<LaguerrePacking<2>>(), nullptr);
   EXPECT_EQ(by_fraction.fillers.front().fraction, 0.94);
-  EXPECT_EQ(by_fraction.grains()->seed, 7U);
-  EXPECT_EQ(by_fraction.grains()->walls, Walls::periodic);
-  EXPECT_FALSE(by_fraction.grains()->film);
+  EXPECT_EQ(by_fraction.packed_by<LaguerrePacking<2>>()->seed, 7U);
+  EXPECT_EQ(by_fraction.packed_by<LaguerrePacking<2>>()->walls, Walls::periodic);
+  EXPECT_FALSE(by_fraction.packed_by<LaguerrePacking<2>>()->film);
   const auto by_film = stage(with(sizes, ", film = \"20 um\", walls = true"));
-  EXPECT_EQ(by_film.grains()->film, 20e-6);
-  EXPECT_EQ(by_film.grains()->walls, Walls::hard);
-  EXPECT_EQ(by_film.grains()->wall_film, WallFilm::half);
+  EXPECT_EQ(by_film.packed_by<LaguerrePacking<2>>()->film, 20e-6);
+  EXPECT_EQ(by_film.packed_by<LaguerrePacking<2>>()->walls, Walls::hard);
+  EXPECT_EQ(by_film.packed_by<LaguerrePacking<2>>()->wall_film, WallFilm::half);
   EXPECT_FALSE(by_film.fillers.front().fraction);
   const auto cut = stage(with(sizes, ", film = \"20 um\", walls = \"cut\""));
-  EXPECT_EQ(cut.grains()->walls, Walls::hard);
-  EXPECT_EQ(cut.grains()->wall_film, WallFilm::none);
+  EXPECT_EQ(cut.packed_by<LaguerrePacking<2>>()->walls, Walls::hard);
+  EXPECT_EQ(cut.packed_by<LaguerrePacking<2>>()->wall_film, WallFilm::none);
   EXPECT_THAT(mistakes(with(sizes, ", film = \"20 um\", walls = \"cutt\"")), HasSubstr("packing.walls: "));
   EXPECT_THAT(mistakes(with("fraction = 0.9, gap = \"1 um\", coating = {}, sizes = { diameter = \"1 mm\" }",
                             ", film = \"20 um\"")),
@@ -171,11 +171,12 @@ TEST_F(DeckStages, GrainsMayGrowFromListedSites) {
       "\"10 um\" }\n";
   directory.write("sites.csv", "x_mm,y_mm,weight_mm2\n1,1,0\n4,5,0.5\n");
   const auto read = stage(lines);
-  ASSERT_EQ(read.grains()->sites.size(), 2U);
-  EXPECT_THAT(read.grains()->sites[1].position, ElementsAre(testing::DoubleEq(4e-3), testing::DoubleEq(5e-3)));
-  EXPECT_DOUBLE_EQ(read.grains()->sites[1].weight, 0.5e-6);
+  ASSERT_EQ(read.packed_by<LaguerrePacking<2>>()->sites.size(), 2U);
+  EXPECT_THAT(read.packed_by<LaguerrePacking<2>>()->sites[1].position,
+              ElementsAre(testing::DoubleEq(4e-3), testing::DoubleEq(5e-3)));
+  EXPECT_DOUBLE_EQ(read.packed_by<LaguerrePacking<2>>()->sites[1].weight, 0.5e-6);
   directory.write("sites.csv", "x_mm,y_mm\n1,1\n4,5\n");
-  EXPECT_EQ(stage(lines).grains()->sites[1].weight, 0.0) << "without weights all are equal";
+  EXPECT_EQ(stage(lines).packed_by<LaguerrePacking<2>>()->sites[1].weight, 0.0) << "without weights all are equal";
   directory.write("sites.csv", "x_mm,y_mm,weight_mm2\n1,7,0\n4,-5,0\n");
   EXPECT_THAT(mistakes(lines), AllOf(HasSubstr("sites.csv:2: "), HasSubstr("sites.csv:3: ")));
   directory.write("sites.csv", "x_mm,y_mm,weight_mm2\n1,1,0\n1.1,1,9\n");
@@ -183,7 +184,7 @@ TEST_F(DeckStages, GrainsMayGrowFromListedSites) {
   directory.write("sites.csv", "x_mm,y_mm,weight_mm\n1,1,0\n");
   EXPECT_THAT(mistakes(lines), HasSubstr("sites.csv"));
   directory.write("sites.csv", "x_mm,y_mm,film_share\n1,1,0.5\n4,5,2\n");
-  EXPECT_THAT(stage(lines).grains()->film_shares, ElementsAre(0.5, 2.0));
+  EXPECT_THAT(stage(lines).packed_by<LaguerrePacking<2>>()->film_shares, ElementsAre(0.5, 2.0));
   directory.write("sites.csv", "x_mm,y_mm,film_share\n1,1,0.5\n4,5,-2\n");
   EXPECT_THAT(mistakes(lines),
               AllOf(HasSubstr("sites.csv:3: "), HasSubstr("the share -2 of the films is not positive")));

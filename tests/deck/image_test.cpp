@@ -66,9 +66,10 @@ TEST_F(DeckImage, IsABoxOfPixels) {
   EXPECT_EQ(stage.cells, 2) << "one point a pixel";
   ASSERT_EQ(stage.fillers.size(), 1U);
   EXPECT_EQ(stage.fillers[0].material.name, "hmx");
-  ASSERT_NE(stage.image(), nullptr);
-  EXPECT_THAT(stage.image()->labels, ElementsAre(1, 1, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0));
-  EXPECT_EQ(stage.image()->walls, Walls::hard);
+  ASSERT_NE(stage.packed_by<ImagePacking<2>>(), nullptr);
+  EXPECT_THAT(stage.packed_by<ImagePacking<2>>()->image->labels,
+              ElementsAre(1, 1, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0));
+  EXPECT_EQ(stage.packed_by<ImagePacking<2>>()->image->walls, Walls::hard);
 }
 
 TEST_F(DeckImage, TheGridMayBeAnother) {
@@ -81,8 +82,8 @@ TEST_F(DeckImage, TheGridMayBeAnother) {
 TEST_F(DeckImage, TheBoxMayStandForThePixel) {
   const auto stage = study(keys("scan.npy", "periodic = true"), "box = \"1 mm\"").stages.at(0);
   EXPECT_EQ(stage.side, 1e-3);
-  EXPECT_DOUBLE_EQ(stage.image()->pixel_side, 0.25e-3);
-  EXPECT_EQ(stage.image()->walls, Walls::periodic);
+  EXPECT_DOUBLE_EQ(stage.packed_by<ImagePacking<2>>()->image->pixel_side, 0.25e-3);
+  EXPECT_EQ(stage.packed_by<ImagePacking<2>>()->image->walls, Walls::periodic);
   EXPECT_EQ(study(keys("scan.npy"), "box = \"8.000000001 um\"").stages.at(0).side, 8.000000001e-6) << "both agree";
 }
 
@@ -98,7 +99,7 @@ TEST_F(DeckImage, SeveralValuesMayHaveOneMaterial) {
       R"([{ value = 3, material = "binder" }, { value = 1, material = "hmx" }, { value = 2, material = "hmx" }])";
   const auto stage = study(keys("three.npy", "pixel = \"1 um\"", labels), "cells = 2").stages.at(0);
   EXPECT_EQ(stage.fillers.size(), 1U);
-  EXPECT_THAT(stage.image()->labels, ElementsAre(1, 1, 0, 1));
+  EXPECT_THAT(stage.packed_by<ImagePacking<2>>()->image->labels, ElementsAre(1, 1, 0, 1));
 }
 
 TEST_F(DeckImage, TheMatrixMayBeAnEarlierStage) {
@@ -110,13 +111,13 @@ TEST_F(DeckImage, TheMatrixMayBeAnEarlierStage) {
                  test::tests);
   const auto stage = directory.study(text).stages.at(1);
   EXPECT_EQ(std::get<EarlierStage>(stage.matrix).name, "HB-1");
-  EXPECT_EQ(stage.image()->labels.front(), 1);
+  EXPECT_EQ(stage.packed_by<ImagePacking<2>>()->image->labels.front(), 1);
 }
 
 TEST_F(DeckImage, OnePageOfAStackMayBeTaken) {
   write("stack.npy", {2, 2, 2}, {7, 7, 7, 7, 0, 0, 0, 7});
   const auto stage = study(keys("stack.npy", "pixel = \"1 um\", page = 2"), "cells = 2").stages.at(0);
-  EXPECT_THAT(stage.image()->labels, ElementsAre(0, 0, 0, 1));
+  EXPECT_THAT(stage.packed_by<ImagePacking<2>>()->image->labels, ElementsAre(0, 0, 0, 1));
   EXPECT_THAT(mistakes(keys("stack.npy"), "cells = 2"),
               HasSubstr("stages.a.packing.file: a stack of 2 images: expected one image in a box of two dimensions; "
                         "packing.page = 1 takes the first one, dimensions = 3 the whole stack"));
@@ -221,7 +222,7 @@ TEST_F(DeckImage, MayBeADataSetOfHdf5) {
     file.commit();
   }
   const auto stage = study(keys("scan.h5:/labels/phase"), "cells = 2").stages.at(0);
-  EXPECT_THAT(stage.image()->labels, ElementsAre(1, 1, 0, 0)) << "from the bottom";
+  EXPECT_THAT(stage.packed_by<ImagePacking<2>>()->image->labels, ElementsAre(1, 1, 0, 0)) << "from the bottom";
   EXPECT_THAT(mistakes(keys("scan.h5:/labels/phases"), "cells = 2"), HasSubstr("stages.a.packing.file: scan.h5: "));
   EXPECT_THAT(mistakes(keys("scan.h5"), "cells = 2"), HasSubstr("stages.a.packing.file: scan.h5: "));
 }

@@ -12,6 +12,10 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
+ParticleList<2> listed_in(const Stage& stage) {
+  return stage.packed_by<ExplicitPacking<2>>()->particles;
+}
+
 class DeckShapes : public testing::Test {
  protected:
   /// A deck with one stage of 6 mm, a filler with these keys and a packing with those.
@@ -48,7 +52,7 @@ class DeckShapes : public testing::Test {
 TEST_F(DeckShapes, Ellipses) {
   const auto read = stage(test::join(amount, ", shape = { aspect = 1.5, angle = \"30 deg\" }"),
                           "\"random-sequential\", walls = false, seed = 7");
-  const auto& packing = std::get<RandomSequentialPacking>(read.packing);
+  const auto& packing = *read.packed_by<RandomSequentialPacking<2>>();
   EXPECT_EQ(packing.walls, Walls::periodic);
   EXPECT_EQ(packing.seed, 7U);
   EXPECT_TRUE(read.is_random());
@@ -117,17 +121,17 @@ TEST_F(DeckShapes, OtherPackingsPlaceDiscs) {
 
 TEST_F(DeckShapes, ListedEllipses) {
   directory.write("particles.csv", "x_mm,y_mm,axis_1_mm,axis_2_mm,angle_deg\n1,2,1.5,0.5,90\n4,4,1,1,0\n");
-  const auto listed = *stage("", "\"explicit\", particles = \"particles.csv\"").listed();
-  EXPECT_TRUE(listed.discs.empty());
-  ASSERT_EQ(listed.particles.size(), 2U);
-  EXPECT_EQ(std::get<Ellipse>(listed.particles[0].shape).axes, (Vector<2>{1.5e-3, 0.5e-3}));
-  EXPECT_EQ(listed.particles[0].pose.centre(), (Vector<2>{1e-3, 2e-3}));
-  EXPECT_NEAR(listed.particles[0].pose.angle(), 0.5 * std::numbers::pi, 1e-15);
+  const auto listed =
+      std::get<std::vector<Particle>>(listed_in(stage("", "\"explicit\", particles = \"particles.csv\"")));
+  ASSERT_EQ(listed.size(), 2U);
+  EXPECT_EQ(std::get<Ellipse>(listed[0].shape).axes, (Vector<2>{1.5e-3, 0.5e-3}));
+  EXPECT_EQ(listed[0].pose.centre(), (Vector<2>{1e-3, 2e-3}));
+  EXPECT_NEAR(listed[0].pose.angle(), 0.5 * std::numbers::pi, 1e-15);
 }
 
 TEST_F(DeckShapes, ListedDiscsUnderTheNewName) {
   directory.write("particles.csv", "x_mm,y_mm,diameter_mm\n3,3,1\n");
-  EXPECT_THAT(stage("", "\"explicit\", particles = \"particles.csv\"").listed()->discs,
+  EXPECT_THAT(std::get<std::vector<Disc>>(listed_in(stage("", "\"explicit\", particles = \"particles.csv\""))),
               ElementsAre(Disc{{3e-3, 3e-3}, 1e-3}));
   EXPECT_THAT(mistakes("", "\"explicit\", particles = \"particles.csv\", discs = \"particles.csv\""),
               HasSubstr("packing.discs: "));
@@ -153,19 +157,20 @@ TEST_F(DeckShapes, MistakesInListedEllipses) {
 
 TEST_F(DeckShapes, ListedPolygons) {
   directory.write("polygons.csv", "particle,x_mm,y_mm\n1,1,1\n1,2,1\n1,1,2\n2,4,4\n2,5,4\n2,5,5\n2,4,5\n");
-  const auto listed = *stage("", "\"explicit\", polygons = \"polygons.csv\"").listed();
-  ASSERT_EQ(listed.particles.size(), 2U);
-  EXPECT_NEAR(listed.particles[0].pose.centre()[0], 4e-3 / 3.0, 1e-15);
-  EXPECT_NEAR(area(listed.particles[1].shape), 1e-6, 1e-18);
+  const auto listed =
+      std::get<std::vector<Particle>>(listed_in(stage("", "\"explicit\", polygons = \"polygons.csv\"")));
+  ASSERT_EQ(listed.size(), 2U);
+  EXPECT_NEAR(listed[0].pose.centre()[0], 4e-3 / 3.0, 1e-15);
+  EXPECT_NEAR(area(listed[1].shape), 1e-6, 1e-18);
 }
 
 TEST_F(DeckShapes, ListedPolygonsBesideDiscs) {
   directory.write("discs.csv", "x_mm,y_mm,diameter_mm\n3,1,1\n");
   directory.write("polygons.csv", "particle,x_mm,y_mm\n0,4,4\n0,5,4\n0,5,5\n0,4,5\n");
-  const auto listed = *stage("", "\"explicit\", particles = \"discs.csv\", polygons = \"polygons.csv\"").listed();
-  EXPECT_TRUE(listed.discs.empty());
-  ASSERT_EQ(listed.particles.size(), 2U);
-  EXPECT_EQ(std::get<Ellipse>(listed.particles[0].shape).axes, (Vector<2>{1e-3, 1e-3}));
+  const auto listed = std::get<std::vector<Particle>>(
+      listed_in(stage("", "\"explicit\", particles = \"discs.csv\", polygons = \"polygons.csv\"")));
+  ASSERT_EQ(listed.size(), 2U);
+  EXPECT_EQ(std::get<Ellipse>(listed[0].shape).axes, (Vector<2>{1e-3, 1e-3}));
 }
 
 TEST_F(DeckShapes, MistakesInListedPolygons) {
@@ -186,7 +191,8 @@ TEST_F(DeckShapes, SeveralFillersOfListedPolygons) {
                       test::tests);
   };
   directory.write("polygons.csv", "particle,x_mm,y_mm,filler\n0,1,1,1\n0,2,1,1\n0,1,2,1\n7,4,4,0\n7,5,4,0\n7,5,5,0\n");
-  EXPECT_THAT(directory.study(deck("polygons.csv")).stages.at(0).listed()->fillers, ElementsAre(1U, 0U));
+  EXPECT_THAT(directory.study(deck("polygons.csv")).stages.at(0).packed_by<ExplicitPacking<2>>()->fillers,
+              ElementsAre(1U, 0U));
   directory.write("several.csv", "particle,x_mm,y_mm,filler\n0,1,1,1\n0,2,1,0\n0,1,2,1\n");
   EXPECT_THAT(directory.mistakes(deck("several.csv")), HasSubstr("several.csv:3: particle 0: expected one filler"));
   directory.write("unknown.csv", "particle,x_mm,y_mm,filler\n0,1,1,2\n0,2,1,2\n0,1,2,2\n");

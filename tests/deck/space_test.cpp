@@ -51,14 +51,14 @@ constexpr auto one_size = R"(, sizes = { diameter = "0.4 mm" })";
 TEST_F(DeckInSpace, HasSpheresPackedAtRandom) {
   const auto read = stage(R"(, fraction = 0.3, gap = "10 um", sizes = { diameter = "0.2 mm" })",
                           R"(method = "lubachevsky-stillinger", walls = false, seed = 4)");
-  EXPECT_EQ(read.dimensions, 3);
+  EXPECT_EQ(read.dimensions(), 3);
   EXPECT_TRUE(read.is_periodic());
   EXPECT_EQ(read.seed(), 4U);
 }
 
 TEST_F(DeckInSpace, HasCubicLattices) {
   const auto read = stage(one_size, R"(method = "regular", lattice = "fcc", repeats = 1)");
-  const auto& cubic = std::get<LatticePacking>(read.packing);
+  const auto& cubic = *read.packed_by<LatticePacking>();
   EXPECT_EQ(cubic.lattice, Lattice::face_centred);
   EXPECT_EQ(cubic.repeats, 1);
   EXPECT_TRUE(read.is_periodic());
@@ -73,10 +73,11 @@ TEST_F(DeckInSpace, HasCubicLattices) {
 TEST_F(DeckInSpace, HasSpheresOfAList) {
   directory.write("spheres.csv", "x_mm,y_mm,z_mm,diameter_mm\n0.25,0.25,0.25,0.3\n0.75,0.7,0.6,0.4\n");
   const auto read = stage("", R"(method = "explicit", particles = "spheres.csv")");
-  ASSERT_NE(read.listed(), nullptr);
-  ASSERT_EQ(read.listed()->spheres.size(), 2U);
-  EXPECT_NEAR(read.listed()->spheres[1].centre[2], 0.6e-3, 1e-18);
-  EXPECT_NEAR(read.listed()->spheres[1].diameter, 0.4e-3, 1e-18);
+  ASSERT_NE(read.packed_by<ExplicitPacking<3>>(), nullptr);
+  const auto& spheres = std::get<std::vector<Sphere>>(read.packed_by<ExplicitPacking<3>>()->particles);
+  ASSERT_EQ(spheres.size(), 2U);
+  EXPECT_NEAR(spheres[1].centre[2], 0.6e-3, 1e-18);
+  EXPECT_NEAR(spheres[1].diameter, 0.4e-3, 1e-18);
 
   directory.write("flat.csv", "x_mm,y_mm,diameter_mm\n0.25,0.25,0.3\n");
   EXPECT_THAT(mistakes("", R"(method = "explicit", particles = "flat.csv")"), HasSubstr("called z, such as z_um"));
@@ -93,17 +94,17 @@ TEST_F(DeckInSpace, HasSpheresOfAList) {
 TEST_F(DeckInSpace, HasGrains) {
   directory.write("sites.csv", "x_mm,y_mm,z_mm,weight_mm2\n0.25,0.25,0.25,0\n0.75,0.7,0.6,0.01\n");
   const auto read = stage(", fraction = 0.9", R"(method = "laguerre", sites = "sites.csv")");
-  ASSERT_NE(read.grains(), nullptr);
+  const auto* grains = read.packed_by<LaguerrePacking<3>>();
+  ASSERT_NE(grains, nullptr);
   EXPECT_TRUE(read.is_periodic());
   EXPECT_FALSE(read.has_seed());
-  EXPECT_TRUE(read.grains()->sites.empty());
-  ASSERT_EQ(read.grains()->sites_in_space.size(), 2U);
-  EXPECT_NEAR(read.grains()->sites_in_space[1].position[2], 0.6e-3, 1e-18);
-  EXPECT_NEAR(read.grains()->sites_in_space[1].weight, 1e-8, 1e-20);
+  ASSERT_EQ(grains->sites.size(), 2U);
+  EXPECT_NEAR(grains->sites[1].position[2], 0.6e-3, 1e-18);
+  EXPECT_NEAR(grains->sites[1].weight, 1e-8, 1e-20);
   EXPECT_EQ(stage(one_size, R"(method = "laguerre", film = "5 um", seed = 3)").seed(), 3U);
   directory.write("shares.csv", "x_mm,y_mm,z_mm,film_share\n0.25,0.25,0.25,0.5\n0.75,0.7,0.6,2\n");
-  EXPECT_THAT(stage(", fraction = 0.9", R"(method = "laguerre", sites = "shares.csv")").grains()->film_shares,
-              ElementsAre(0.5, 2.0));
+  const auto with_shares = stage(", fraction = 0.9", R"(method = "laguerre", sites = "shares.csv")");
+  EXPECT_THAT(with_shares.packed_by<LaguerrePacking<3>>()->film_shares, ElementsAre(0.5, 2.0));
 
   directory.write("flat.csv", "x_mm,y_mm,weight_mm2\n0.25,0.25,0\n");
   EXPECT_THAT(mistakes(", fraction = 0.9", R"(method = "laguerre", sites = "flat.csv")"),
@@ -132,11 +133,10 @@ class DeckStack : public DeckInSpace {
 TEST_F(DeckStack, OfImagesFillsACube) {
   write("stack.npy", {2, 2, 2}, {7, 0, 0, 0, 0, 0, 0, 7});
   const auto stage = directory.study(deck_of(R"(file = "stack.npy", pixel = "2 um", periodic = true)")).stages.at(0);
-  ASSERT_NE(stage.stack(), nullptr);
-  EXPECT_EQ(stage.image(), nullptr);
+  ASSERT_NE(stage.packed_by<ImagePacking<3>>(), nullptr);
   EXPECT_TRUE(stage.is_periodic());
   EXPECT_DOUBLE_EQ(stage.side, 4e-6);
-  EXPECT_THAT(stage.stack()->labels, ElementsAre(1, 0, 0, 0, 0, 0, 0, 1));
+  EXPECT_THAT(stage.packed_by<ImagePacking<3>>()->image->labels, ElementsAre(1, 0, 0, 0, 0, 0, 0, 1));
   write("larger.npy", {4, 4, 4}, [] {
     std::vector<std::uint16_t> values(64, 0);
     values.back() = 7;
@@ -173,9 +173,9 @@ constexpr auto spheroid = "x_mm,y_mm,z_mm,axis_1_mm,axis_2_mm,axis_3_mm,azimuth_
 TEST_F(DeckInSpace, HasEllipsoidsOfAList) {
   directory.write("ellipsoids.csv", fmt::format("{}0.5,0.4,0.3,0.4,0.3,0.2,90,0,0\n", spheroid));
   const auto read = stage("", R"(method = "explicit", particles = "ellipsoids.csv")");
-  ASSERT_EQ(read.listed()->ellipsoids.size(), 1U);
-  EXPECT_TRUE(read.listed()->spheres.empty());
-  const auto& [centre, axes, directions] = read.listed()->ellipsoids[0];
+  const auto& ellipsoids = std::get<std::vector<Ellipsoid>>(read.packed_by<ExplicitPacking<3>>()->particles);
+  ASSERT_EQ(ellipsoids.size(), 1U);
+  const auto& [centre, axes, directions] = ellipsoids[0];
   EXPECT_NEAR(centre[2], 0.3e-3, 1e-18);
   EXPECT_NEAR(axes[2], 0.2e-3, 1e-18);
   EXPECT_NEAR(directions[0][1], 1.0, 1e-15) << "the first axis along y";
@@ -262,7 +262,7 @@ TEST_F(DeckInSpace, PlacesInSpaceAreNoneOfASquare) {
   EXPECT_THAT(directory.mistakes(in_a_square("", R"(method = "laguerre", sites = "sites.csv", film = "10 um")")),
               AllOf(HasSubstr("packing.sites"), HasSubstr("differ along z")));
   const auto study = directory.study(in_a_square("", R"(method = "explicit", particles = "discs.csv")"));
-  EXPECT_EQ(study.stages.at(0).listed()->discs.size(), 2U);
+  EXPECT_EQ(study.stages.at(0).packed_by<ExplicitPacking<2>>()->count(), 2U);
 }
 
 // A distribution by volume is one by area, cut at the same diameters, so that each class of sizes has its share.
@@ -273,7 +273,7 @@ TEST_F(DeckInSpace, SizesAndFractionAreThoseOfTheSection) {
   const auto text = deck(filler, packing);
   const auto in_space = directory.study(text).stages.at(0);
   const auto in_the_plane = directory.study("dimensions = 2" + text.substr(text.find('\n'))).stages.at(0);
-  EXPECT_EQ(in_the_plane.dimensions, 2);
+  EXPECT_EQ(in_the_plane.dimensions(), 2);
   for (const auto& stage : {in_space, in_the_plane}) {
     const auto& one = stage.fillers.at(0);
     EXPECT_EQ(one.fraction, 0.3);

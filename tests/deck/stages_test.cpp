@@ -34,8 +34,8 @@ packing = { method = "regular", columns = 2, rows = 3 })");
   const auto& regular = box.fillers.at(0);
   EXPECT_EQ(regular.material.name, "hmx");
   EXPECT_DOUBLE_EQ(std::get<SingleSize>(regular.sizes.value()).diameter, 1.5e-3);
-  EXPECT_EQ(std::get<RegularPacking>(box.packing).columns, 2);
-  EXPECT_EQ(std::get<RegularPacking>(box.packing).rows, 3);
+  EXPECT_EQ(box.packed_by<RegularPacking>()->columns, 2);
+  EXPECT_EQ(box.packed_by<RegularPacking>()->rows, 3);
   EXPECT_FALSE(regular.fraction);
 }
 
@@ -50,7 +50,7 @@ to = "1 mm"
 sizes = { lognormal = [{ weight = 3, median = "154 um", sigma = 0.76 }, { weight = 1, median = "12.7 um", sigma = 1.09 }] }
 )");
   const auto& random = box.fillers.at(0);
-  const auto& packing = std::get<LubachevskyStillingerPacking>(box.packing);
+  const auto& packing = *box.packed_by<LubachevskyStillingerPacking<2>>();
   EXPECT_EQ(packing.walls, Walls::periodic);
   EXPECT_EQ(packing.seed, 7U);
   EXPECT_EQ(random.fraction, 0.5);
@@ -72,7 +72,7 @@ packing = { method = "lubachevsky-stillinger" })");
   EXPECT_THAT(std::get<TabulatedSizes>(random.sizes.value()).diameters, ElementsAre(1e-4, 2e-4, 3e-4));
   EXPECT_DOUBLE_EQ(random.smallest.value(), 1e-4);
   EXPECT_DOUBLE_EQ(random.largest.value(), 2.5e-4);
-  EXPECT_EQ(std::get<LubachevskyStillingerPacking>(box.packing).walls, Walls::hard);
+  EXPECT_EQ(box.packed_by<LubachevskyStillingerPacking<2>>()->walls, Walls::hard);
 }
 
 TEST_F(DeckStages, RandomPackingOfAList) {
@@ -86,7 +86,8 @@ TEST_F(DeckStages, ExplicitPacking) {
   directory.write("discs.csv", "x_m,y_m,diameter_m\n1e-3,2e-3,1e-3\n");
   const auto box =
       stage("cells = 60\nfiller = { material = \"hmx\" }\npacking = { method = \"explicit\", discs = \"discs.csv\" }");
-  EXPECT_THAT(box.listed()->discs, ElementsAre(Disc{{1e-3, 2e-3}, 1e-3}));
+  EXPECT_THAT(std::get<std::vector<Disc>>(box.packed_by<ExplicitPacking<2>>()->particles),
+              ElementsAre(Disc{{1e-3, 2e-3}, 1e-3}));
   EXPECT_FALSE(box.fillers.at(0).sizes);
 }
 
@@ -171,7 +172,7 @@ TEST_F(DeckStages, DiscsOfAnExplicitPackingMayCrossTheSidesOfAPeriodicBox) {
   const auto periodic = stage(
       "cells = 60\nfiller = { material = \"hmx\" }\npacking = { method = \"explicit\", discs = \"discs.csv\", walls = "
       "false }");
-  EXPECT_EQ(periodic.listed()->walls, Walls::periodic);
+  EXPECT_EQ(periodic.packed_by<ExplicitPacking<2>>()->walls, Walls::periodic);
   EXPECT_THAT(mistakes_with("\"explicit\", discs = \"discs.csv\""), HasSubstr("crosses a wall by 0.0004 m"));
   directory.write("discs.csv", "x_m,y_m,diameter_m\n0.1e-3,3e-3,1e-3\n5.8e-3,3e-3,1e-3\n");
   EXPECT_THAT(mistakes_with("\"explicit\", discs = \"discs.csv\", walls = false"), HasSubstr("overlap by 0.0007 m"))

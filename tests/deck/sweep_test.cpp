@@ -35,7 +35,7 @@ class SweepDeck : public testing::Test {
 };
 
 std::uint64_t seed_of(const SweepTask& task) {
-  return std::get<LubachevskyStillingerPacking>(task.study.stages.at(0).packing).seed;
+  return task.study.stages.at(0).packed_by<LubachevskyStillingerPacking<2>>()->seed;
 }
 
 TEST_F(SweepDeck, IsOneTaskWithoutASweep) {

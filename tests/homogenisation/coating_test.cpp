@@ -30,7 +30,7 @@ Study coated_cylinder(const Material& coating, int cells) {
                    .side = 1.0,
                    .cells = cells,
                    .fillers = {filler},
-                   .packing = ExplicitPacking{"", {{{0.5, 0.5}, core}}, Walls::periodic}}};
+                   .packing = ExplicitPacking<2>{"", std::vector{Disc{{0.5, 0.5}, core}}, Walls::periodic}}};
   study.tests.loads = {Load::shear, Load::diagonal_shear, Load::bulk};
   study.tests.boundaries = {Boundary::periodic};
   study.tests.first_time = 1.0;
@@ -74,8 +74,8 @@ TEST(Coating, OfTheMaterialOfItsParticleMakesALargerParticle) {
   const auto coated = coated_cylinder(ceramic, 64);
   auto whole = coated;
   whole.stages[0].fillers[0].coating.reset();
-  std::get<ExplicitPacking>(whole.stages[0].packing).discs[0].diameter +=
-      2.0 * coated.stages[0].fillers[0].coating->thickness;
+  auto& discs = std::get<std::vector<Disc>>(whole.stages[0].packed_by<ExplicitPacking<2>>()->particles);
+  discs[0].diameter += 2.0 * coated.stages[0].fillers[0].coating->thickness;
   const auto one = moduli_of(coated), other = moduli_of(whole);
   EXPECT_NEAR(one.bulk / other.bulk, 1.0, 1e-9);
   EXPECT_NEAR(one.shear / other.shear, 1.0, 1e-9);

@@ -39,7 +39,7 @@ Stage box_with(std::vector<Filler> fillers, Walls walls = Walls::hard) {
           .side = 10e-3,
           .cells = 60,
           .fillers = std::move(fillers),
-          .packing = LubachevskyStillingerPacking{walls, 3}};
+          .packing = LubachevskyStillingerPacking<2>{walls, 3}};
 }
 
 Study study_with(const Stage& stage) {
@@ -145,7 +145,8 @@ TEST(Fillers, OfOneMaterialAreOnePhase) {
 // Both halves of the box have one particle each: of the phases of the points the steel is on the right.
 TEST(Fillers, OfAListHaveTheirMaterials) {
   auto stage = box_with({{.material = sand}, {.material = steel}});
-  stage.packing = ExplicitPacking{"", {{{2.5e-3, 5e-3}, 4e-3}, {{7.5e-3, 5e-3}, 4e-3}}, Walls::hard, {0, 1}};
+  stage.packing =
+      ExplicitPacking<2>{"", std::vector<Disc>{{{2.5e-3, 5e-3}, 4e-3}, {{7.5e-3, 5e-3}, 4e-3}}, Walls::hard, {0, 1}};
   const auto discretisation =
       discretise(stage, *make_microstructure(stage).content<Microstructure<2>>(), 40, Mixing::series);
   EXPECT_EQ(discretisation.cell({10, 20})[0], 1);
@@ -159,7 +160,7 @@ TEST(Fillers, ACoatingOfAListMustNotOverlap) {
   Filler coated = {.material = sand};
   coated.coating = Coating{wax, 0.6e-3};
   auto stage = box_with({coated});
-  stage.packing = ExplicitPacking{"", {{{2.5e-3, 5e-3}, 3.5e-3}, {{7e-3, 5e-3}, 3.5e-3}}};
+  stage.packing = ExplicitPacking<2>{"", std::vector<Disc>{{{2.5e-3, 5e-3}, 3.5e-3}, {{7e-3, 5e-3}, 3.5e-3}}};
   EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(make_microstructure(stage)); }),
               HasSubstr("overlap by 0.0002 m"));
 }

@@ -25,7 +25,7 @@ Study study_of_grains(double side) {
   stage.matrix = Material{"binder", 1.48e3, PronySeries(3.6e9), PronySeries(0.0, {{1e-3, 1e6}})};
   stage.side = side;
   stage.fillers = {filler};
-  stage.packing = LaguerrePacking{};
+  stage.packing = LaguerrePacking<2>{};
   study.stages = {stage};
   study.tests.model = Model::films;
   study.tests.boundaries = {Boundary::periodic};
@@ -81,7 +81,7 @@ TEST(FilmEstimate, ExpectsTheFilmsOfHexagons) {
 
   auto listed = study_of_grains(1e-3).stages.front();
   listed.fillers.front().fraction = {};
-  listed.packing = LaguerrePacking{.film = 2e-6, .sites = std::vector<Site<2>>(16)};
+  listed.packing = LaguerrePacking<2>{.film = 2e-6, .sites = std::vector<Site<2>>(16)};
   EXPECT_EQ(expected_grains(listed).count, 16.0);
   EXPECT_NEAR(expected_grains(listed).film, 2e-3 * 4.0, 1e-15);
 }

@@ -31,7 +31,7 @@ Stage layered_image(Walls walls) {
           .side = 4e-3,
           .cells = 4,
           .fillers = {{.material = flint}, {.material = iron}},
-          .packing = ImagePacking{.file = "layers.png", .image = std::make_shared<const LabelImage<2>>(image)}};
+          .packing = ImagePacking<2>{.file = "layers.png", .image = std::make_shared<const LabelImage<2>>(image)}};
 }
 
 Study image_study(const Stage& stage, Mixing mixing) {
@@ -89,7 +89,8 @@ TEST(PointLabels, TellTheParticleOfEveryPointWithItsCoating) {
   // A disc in the corner of a periodic box, and one in the middle.
   Stage stage = {.name = "A", .matrix = bitumen, .side = 1.0, .cells = 20};
   stage.fillers = {{.material = flint, .coating = Coating{iron, 0.1}}};
-  stage.packing = ExplicitPacking{"discs.csv", {{{0.0, 0.0}, 0.4}, {{0.5, 0.5}, 0.4}}, Walls::periodic};
+  stage.packing =
+      ExplicitPacking<2>{"discs.csv", std::vector<Disc>{{{0.0, 0.0}, 0.4}, {{0.5, 0.5}, 0.4}}, Walls::periodic};
   const auto labels = point_labels(stage, make_microstructure(stage), stage.cells);
   ASSERT_EQ(labels.phases.size(), 1600U);
   ASSERT_EQ(labels.particles.size(), 1600U);

@@ -63,7 +63,7 @@ TEST(Memory, OfFieldsIsThatOfTheSolutionOnceMore) {
 Study cube_of(double aspect) {
   auto study = study_of(64, {Method::quasistatic});
   auto& stage = study.stages.front();
-  stage.dimensions = 3;
+  stage.packing = PackingMethod<3>();
   Filler filler;
   filler.material = {"filler", 1e3, PronySeries(1e10), PronySeries(1e10)};
   filler.fraction = 0.2;
@@ -174,7 +174,7 @@ TEST(Memory, OfTheDynamicMethodIsFoundWithoutItsGrid) {
 // 18 numbers for each cell of a cube and term of the matrix, 7 for each node, and the phases of the points.
 TEST(Memory, OfTheDynamicMethodInCubesIsThatOfItsHistories) {
   auto study = study_of(400, {Method::dynamic});
-  study.stages.front().dimensions = 3;
+  study.stages.front().packing = PackingMethod<3>();
   EXPECT_THAT(lacking_memory(study, 1e9),
               testing::ElementsAre(testing::MatchesRegex("A: 400 x 400 x 400 cells take about 25.6 GB by the dynamic "
                                                          "method, and 1 GB are left; cells = 13[0-9] would fit")));

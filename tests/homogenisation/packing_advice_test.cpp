@@ -1,4 +1,4 @@
-#include "homogenisation/packing_advice.hpp"
+#include "homogenisation/box/packing_advice.hpp"
 
 #include <numbers>
 
@@ -28,7 +28,7 @@ Stage box(double diameter, double fraction, double gap, Walls walls = Walls::har
           .side = 1e-3,
           .cells = 60,
           .fillers = {filler},
-          .packing = LubachevskyStillingerPacking{walls, 1}};
+          .packing = LubachevskyStillingerPacking<2>{walls, 1}};
 }
 
 std::string message_on(const Stage& stage) {
@@ -136,7 +136,7 @@ double hundred_filled_with(double gap) {
 TEST(PackingAdvice, KeepsAShareOfWhatHasJammed) {
   const HundredDiscs discs;
   const double jammed = hundred_filled_with(0.0257) / 0.96;
-  const auto advice = packing_advice(discs.stage, discs.request, {PackingObstacle::jam, jammed, "jam"});
+  const auto advice = packing_advice<2>(discs.stage, discs.request, {PackingObstacle::jam, jammed, "jam"});
   ASSERT_TRUE(advice.gap);
   EXPECT_NEAR(*advice.gap, 0.025, 1e-12);
   EXPECT_FALSE(advice.cells) << "the gap is a length";
@@ -148,7 +148,7 @@ TEST(PackingAdvice, KeepsAShareOfWhatHasJammed) {
 // Discs at random reach 0.82, less 0.4 times their relative size, 0.1, in a small box.
 TEST(PackingAdvice, KeepsToWhatDiscsAtRandomReach) {
   const HundredDiscs discs;
-  const auto advice = packing_advice(discs.stage, discs.request, {PackingObstacle::density, 0.9, "too dense"});
+  const auto advice = packing_advice<2>(discs.stage, discs.request, {PackingObstacle::density, 0.9, "too dense"});
   ASSERT_TRUE(advice.gap);
   EXPECT_LE(hundred_filled_with(*advice.gap), 0.78);
   EXPECT_GT(hundred_filled_with(*advice.gap + 0.001), 0.78) << "the next with two digits";
@@ -159,18 +159,18 @@ TEST(PackingAdvice, NamesCellsWhereTheGapFollowsTheGrid) {
   HundredDiscs discs;
   discs.stage.fillers[0].gap_source = GapSource::points;
   const double jammed = hundred_filled_with(0.0257) / 0.96;
-  const auto advice = packing_advice(discs.stage, discs.request, {PackingObstacle::jam, jammed, "jam"});
+  const auto advice = packing_advice<2>(discs.stage, discs.request, {PackingObstacle::jam, jammed, "jam"});
   EXPECT_EQ(advice.cells, 200);
 }
 
 TEST(PackingAdvice, IsNoneWhereNoGapWouldDo) {
   HundredDiscs discs;
   const double jammed = hundred_filled_with(0.0) / 0.97;
-  const auto advice = packing_advice(discs.stage, discs.request, {PackingObstacle::jam, jammed, "jam"});
+  const auto advice = packing_advice<2>(discs.stage, discs.request, {PackingObstacle::jam, jammed, "jam"});
   EXPECT_FALSE(advice.gap);
   discs.stage.fillers[0].fraction.reset();
-  EXPECT_FALSE(packing_advice(discs.stage, discs.request, {PackingObstacle::jam, jammed, "jam"}).fraction);
-  EXPECT_THAT(message_on(discs.stage, discs.request, {PackingObstacle::jam, jammed, "jam"}),
+  EXPECT_FALSE(packing_advice<2>(discs.stage, discs.request, {PackingObstacle::jam, jammed, "jam"}).fraction);
+  EXPECT_THAT(message_on<2>(discs.stage, discs.request, {PackingObstacle::jam, jammed, "jam"}),
               HasSubstr("; expected fewer or smaller particles"));
 }
 

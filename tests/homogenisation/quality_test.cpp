@@ -35,7 +35,7 @@ Stage random_stage() {
           .cells = 100,
           .coarser_cells = {},
           .fillers = {filler},
-          .packing = LubachevskyStillingerPacking{}};
+          .packing = LubachevskyStillingerPacking<2>{}};
 }
 
 Microstructure<2> discs(std::size_t particles) {

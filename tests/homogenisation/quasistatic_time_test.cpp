@@ -17,7 +17,7 @@ Study long_curve() {
   }
   Stage stage;
   stage.name = "spheres";
-  stage.dimensions = 3;
+  stage.packing = PackingMethod<3>();
   stage.matrix = Material{"rubber", 1e3, PronySeries(3600e6), PronySeries(1e6, terms)};
   stage.side = 1.0;
   stage.cells = 96;

@@ -37,14 +37,12 @@ const Material grain_layer = {"grain_layer", 1200.0, PronySeries(8e9), PronySeri
 
 /// A periodic box of side 1 with these particles, elastic.
 Stage listed_box(const std::vector<Particle>& particles, int cells) {
-  ExplicitPacking listed = {"", {}, Walls::periodic, {}};
-  listed.particles = particles;
   return {.name = "cell",
           .matrix = soft_host,
           .side = 1.0,
           .cells = cells,
           .fillers = {Filler{.material = stiff_grain}},
-          .packing = listed};
+          .packing = ExplicitPacking<2>{"", particles, Walls::periodic}};
 }
 
 /// A box of 10 mm with ellipses at random.
@@ -56,7 +54,7 @@ Stage ellipse_stage(double fraction, Walls walls, double aspect = 1.5) {
           .side = 10e-3,
           .cells = 100,
           .fillers = {filler},
-          .packing = RandomSequentialPacking{walls, 2}};
+          .packing = RandomSequentialPacking<2>{walls, 2}};
 }
 
 struct Stiffness {
@@ -147,7 +145,7 @@ TEST(Grains, TranslatingAPeriodicTessellationByWholeCellsChangesNothing) {
   Stage stage = {.name = "A", .matrix = soft_host, .side = 1.0, .cells = 48};
   stage.fillers = {
       Filler{.material = stiff_grain, .fraction = 0.8, .sizes = SingleSize{std::sqrt(0.4 / std::numbers::pi)}}};
-  stage.packing = LaguerrePacking{.seed = 3};
+  stage.packing = LaguerrePacking<2>{.seed = 3};
   const auto packed = make_microstructure(stage);
   ASSERT_EQ(packed.particles(), 10U);
   auto moved = packed;

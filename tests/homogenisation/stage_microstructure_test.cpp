@@ -29,7 +29,7 @@ using testing::IsEmpty;
 /// A filler and how it is packed.
 struct Particles {
   Filler filler;
-  PackingMethod packing;
+  PackingMethod<2> packing;
 };
 
 /// A box of 10 mm with 200 cells of 50 um.
@@ -46,16 +46,17 @@ Particles regular(double diameter, int columns, int rows) {
 }
 
 Particles listed(const std::vector<Disc>& discs) {
-  return {Filler{}, ExplicitPacking{"discs.csv", discs}};
+  return {Filler{}, ExplicitPacking<2>{"discs.csv", discs}};
 }
 
 Particles random(Sizes sizes, std::optional<double> fraction, Walls walls = Walls::hard, std::uint64_t seed = 1) {
   return {Filler{.material = {}, .fraction = fraction, .sizes = std::move(sizes), .gap = 0.15e-3},
-          LubachevskyStillingerPacking{walls, seed}};
+          LubachevskyStillingerPacking<2>{walls, seed}};
 }
 
 Particles grains(double diameter, double fraction, std::uint64_t seed = 1) {
-  return {Filler{.material = {}, .fraction = fraction, .sizes = SingleSize{diameter}}, LaguerrePacking{.seed = seed}};
+  return {Filler{.material = {}, .fraction = fraction, .sizes = SingleSize{diameter}},
+          LaguerrePacking<2>{.seed = seed}};
 }
 
 std::vector<double> diameters(const StageMicrostructure& packed) {
@@ -108,7 +109,7 @@ TEST(MakeMicrostructure, ExplicitDiscsMustNotOverlap) {
 
 TEST(MakeMicrostructure, ExplicitDiscsGoOnBeyondTheSidesOfAPeriodicBox) {
   auto filler = listed({{{0.5e-3, 5e-3}, 2e-3}, {{8e-3, 5e-3}, 2e-3}});
-  std::get<ExplicitPacking>(filler.packing).walls = Walls::periodic;
+  std::get<ExplicitPacking<2>>(filler.packing).walls = Walls::periodic;
   const auto packed = make_microstructure(box(filler));
   EXPECT_EQ(packed.content<Microstructure<2>>()->walls, Walls::periodic);
   EXPECT_NEAR(packed.gap, 0.5e-3, 1e-12) << "across the side";
@@ -148,7 +149,8 @@ TEST(MakeMicrostructure, DistributionsAreMetWithinOneParticle) {
     EXPECT_LE(packed.size_deviation().value(), one_particle);
     EXPECT_NEAR(packed.fraction / 0.5, 1.0, one_particle);
     EXPECT_GE(packed.gap, 0.15e-3);
-    EXPECT_EQ(packed.content<Microstructure<2>>()->walls, std::get<LubachevskyStillingerPacking>(filler.packing).walls);
+    EXPECT_EQ(packed.content<Microstructure<2>>()->walls,
+              std::get<LubachevskyStillingerPacking<2>>(filler.packing).walls);
   }
 }
 
@@ -228,7 +230,7 @@ TEST(Grains, FillTheirFractionOfTheBox) {
 TEST(Grains, ThatFilmsTakeWhollyAreRefused) {
   auto stage = box(grains(1e-3, 0.93));
   stage.fillers.front().fraction.reset();
-  std::get<LaguerrePacking>(stage.packing).film = 5e-3;
+  stage.packed_by<LaguerrePacking<2>>()->film = 5e-3;
   EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(make_microstructure(stage)); }),
               HasSubstr("packing.film: films of 5 mm leave nothing of any grain"));
 }

@@ -22,12 +22,13 @@ const Material glass{.name = "glass", .density = 2.0, .bulk = PronySeries(5.0), 
 Stage two_discs(double gap) {
   Filler filler;
   filler.material = glass;
-  return {.name = "A",
-          .matrix = resin,
-          .side = 10e-3,
-          .cells = 200,
-          .fillers = {filler},
-          .packing = ExplicitPacking{"discs.csv", {{{2e-3, 2e-3}, 2e-3}, {{4e-3 + gap, 2e-3}, 2e-3}}}};
+  return {
+      .name = "A",
+      .matrix = resin,
+      .side = 10e-3,
+      .cells = 200,
+      .fillers = {filler},
+      .packing = ExplicitPacking<2>{"discs.csv", std::vector<Disc>{{{2e-3, 2e-3}, 2e-3}, {{4e-3 + gap, 2e-3}, 2e-3}}}};
 }
 
 Study within(double first_time, double last_time, Mixing mixing = Mixing::points) {
@@ -119,8 +120,8 @@ std::vector<std::string> warnings_on_second(const std::vector<Disc>& first, cons
   study.stages = {two_discs(1e-3), two_discs(1e-3)};
   study.stages[0].name = "small";
   study.stages[1].matrix = EarlierStage{"small"};
-  std::get<ExplicitPacking>(study.stages[0].packing).discs = first;
-  std::get<ExplicitPacking>(study.stages[1].packing).discs = second;
+  study.stages[0].packed_by<ExplicitPacking<2>>()->particles = first;
+  study.stages[1].packed_by<ExplicitPacking<2>>()->particles = second;
   return warnings(study.stages[1], study);
 }
 
@@ -187,10 +188,10 @@ TEST(StageWarnings, OfAFillerSofterThanItsBinder) {
 TEST(StageWarnings, OfBoundsThatCutParticles) {
   auto stage = two_discs(1e-3);
   auto study = within(1.0, 2.0);
-  auto& packing = std::get<ExplicitPacking>(stage.packing);
+  auto& packing = *stage.packed_by<ExplicitPacking<2>>();
   packing.walls = Walls::periodic;
   EXPECT_THAT(warnings(stage, study), IsEmpty()) << "no disc crosses a side";
-  packing.discs[0].centre[1] = 0.9e-3;
+  std::get<std::vector<Disc>>(packing.particles)[0].centre[1] = 0.9e-3;
   EXPECT_THAT(warnings(stage, study), ElementsAre(HasSubstr("which cut the particles")));
   study.tests.boundaries = {Boundary::periodic};
   EXPECT_THAT(warnings(stage, study), IsEmpty());
@@ -210,7 +211,7 @@ Stage grains_of(std::optional<Sizes> sizes, double film) {
   auto stage = two_discs(0.0);
   stage.fillers = {filler};
   stage.cells = 2000;
-  stage.packing = LaguerrePacking{.film = film};
+  stage.packing = LaguerrePacking<2>{.film = film};
   return stage;
 }
 
@@ -226,7 +227,7 @@ TEST(StageWarnings, OfGrainsThatTheFilmsTake) {
   diameters.insert(diameters.end(), 30, 0.2e-3);
   auto stage = grains_of(ListedSizes{diameters}, 0.02e-3);
   EXPECT_THAT(warnings(stage, periodic_study()), Not(Contains(HasSubstr("leave nothing")))) << "thin films";
-  std::get<LaguerrePacking>(stage.packing).film = 0.3e-3;
+  stage.packed_by<LaguerrePacking<2>>()->film = 0.3e-3;
   EXPECT_THAT(warnings(stage, periodic_study()),
               Contains(AllOf(HasSubstr("films of 300 um leave nothing of 30 of 60 grains"),
                              HasSubstr("little of small ones: a tenth of the area of the grains is below"),
@@ -237,7 +238,7 @@ TEST(StageWarnings, OfGrainsThatTheFilmsTake) {
 TEST(StageWarnings, OfListedGrainsThatVanish) {
   auto stage = grains_of({}, 3e-3);
   const LaguerreSites<2> bands = {10e-3, Walls::periodic, {{{3.75e-3, 5e-3}, 0.0}, {{8.75e-3, 5e-3}, -12.5e-6}}};
-  std::get<LaguerrePacking>(stage.packing).sites = bands.sites;
+  stage.packed_by<LaguerrePacking<2>>()->sites = bands.sites;
   EXPECT_THAT(warnings(stage, periodic_study()),
               Contains(AllOf(HasSubstr("films of 3 mm leave nothing of 1 of 2 grains"), Not(HasSubstr("asked for")))));
 }

@@ -76,7 +76,7 @@ StageMicrostructure equal_spheres(double diameter, double gap, double wall_gap =
 // Of mixed cells, 4.5 cells of 50 um across a sphere.
 TEST(WarningThresholds, OfCellsAcrossASphere) {
   auto stage = stage_with({1e-3});
-  stage.dimensions = 3;
+  stage.packing = ExplicitPacking<3>{};
   auto study = within(1.0, 2.0, Mixing::series);
   study.tests.boundaries = {Boundary::periodic};
   EXPECT_THAT(warnings_on(study, stage, equal_spheres(225e-6, 1e-6)), IsEmpty()) << "whatever their gap";
@@ -94,7 +94,7 @@ TEST(WarningThresholds, OfCellsAcrossASphere) {
 // Only a wall of prescribed displacement holds a soft matrix in a gap that is narrower than a cell.
 TEST(WarningThresholds, OfGapsBetweenSpheresAndWalls) {
   auto stage = stage_with({1e-3});
-  stage.dimensions = 3;
+  stage.packing = ExplicitPacking<3>{};
   auto study = within(1.0, 2.0, Mixing::series);
   study.tests.boundaries = {Boundary::traction};
   EXPECT_THAT(warnings_on(study, stage, equal_spheres(1e-3, 1e-6, 1e-6)), IsEmpty());
@@ -109,7 +109,7 @@ TEST(WarningThresholds, OfGapsBetweenSpheresAndWalls) {
 // Films between grains take the same cells in two and three dimensions.
 TEST(WarningThresholds, OfFilmsInSpace) {
   auto stage = stage_with({1e-3});
-  stage.dimensions = 3;
+  stage.packing = ExplicitPacking<3>{};
   auto packed = packed_with(120e-6);
   packed.box = Grains<3>{};
   auto study = within(1.0, 2.0, Mixing::series);
@@ -222,7 +222,7 @@ TEST(WarningThresholds, OfListedSitesOfGrains) {
   auto& grains = study.stages[1];
   grains.side = 10e-3;
   grains.fillers[0].sizes.reset();
-  grains.packing = LaguerrePacking{.film = 1e-3, .sites = {{{3.75e-3, 5e-3}, 0.0}, {{8.75e-3, 5e-3}, -12.5e-6}}};
+  grains.packing = LaguerrePacking<2>{.film = 1e-3, .sites = {{{3.75e-3, 5e-3}, 0.0}, {{8.75e-3, 5e-3}, -12.5e-6}}};
   EXPECT_THAT(warning_of_separation(study, grains, packed_with(1.0)),
               Optional(HasSubstr("its smallest particles, 5.64 mm, are only 2.8 times as wide as the largest of its "
                                  "matrix small, 2 mm")));

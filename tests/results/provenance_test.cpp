@@ -174,7 +174,7 @@ TEST_F(WriteProvenance, TellsThePackingOfAStage) {
   EXPECT_EQ(regular.at("largest_diameter_m"), 2e-3);
   EXPECT_EQ(regular.at("size_distribution_deviation"), 0.01);
   EXPECT_FALSE(regular.contains("seed"));
-  study.stages[0].packing = LubachevskyStillingerPacking{Walls::hard, 7};
+  study.stages[0].packing = LubachevskyStillingerPacking<2>{Walls::hard, 7};
   const auto random = written({{stage}, {}}).at("stages").at(0).at("microstructure");
   EXPECT_EQ(random.at("seed"), 7);
   EXPECT_EQ(random.at("events"), 99);

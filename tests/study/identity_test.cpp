@@ -56,15 +56,15 @@ TEST(ContentOf, EveryChangeOfWhatIsAskedMakesAnother) {
         study.stages[0].packing = RegularPacking{1, 4};
       },
       [](Study& study) {
-        study.stages[0].packing = LubachevskyStillingerPacking{Walls::hard, 1};
+        study.stages[0].packing = LubachevskyStillingerPacking<2>{Walls::hard, 1};
       },
       [](Study& study) {
-        study.stages[0].packing = LubachevskyStillingerPacking{Walls::hard, 2};
+        study.stages[0].packing = LubachevskyStillingerPacking<2>{Walls::hard, 2};
       },
       [](Study& study) {
-        study.stages[0].packing = ExplicitPacking{"", {{{1e-3, 1e-3}, 1e-3}}, Walls::hard};
+        study.stages[0].packing = ExplicitPacking<2>{"", std::vector{Disc{{1e-3, 1e-3}, 1e-3}}};
       },
-      [](Study& study) { study.stages[0].packing = RandomSequentialPacking{}; },
+      [](Study& study) { study.stages[0].packing = RandomSequentialPacking<2>{}; },
       [](Study& study) {
         study.stages[0].fillers[0].shape = FillerShape{EllipticOutline{1.5}, {}};
       },
@@ -78,9 +78,8 @@ TEST(ContentOf, EveryChangeOfWhatIsAskedMakesAnother) {
         study.stages[0].fillers[0].shape = FillerShape{PolygonalOutline{"", {{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}}}, {}};
       },
       [](Study& study) {
-        ExplicitPacking listed;
-        listed.particles = {{Ellipse{{2e-3, 1e-3}}, Pose({2e-3, 2e-3}, 0.0)}};
-        study.stages[0].packing = listed;
+        study.stages[0].packing =
+            ExplicitPacking<2>{"", std::vector{Particle{Ellipse{{2e-3, 1e-3}}, Pose({2e-3, 2e-3}, 0.0)}}};
       },
       [](Study& study) { study.tests.last_time *= 2.0; },
       [](Study& study) { study.tests.loads = {Load::bulk}; },

@@ -21,7 +21,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-ImagePacking packing_of(LabelImage<2> image) {
+ImagePacking<2> packing_of(LabelImage<2> image) {
   return {.file = "scan.png", .image = std::make_shared<const LabelImage<2>>(std::move(image))};
 }
 
@@ -44,7 +44,7 @@ TEST(ImageSoundness, EachMistakeIsTold) {
     std::string message;
   };
   const std::vector<Case> cases = {
-      {[](Stage& stage) { stage.packing = ImagePacking{}; }, "expected an image"},
+      {[](Stage& stage) { stage.packing = ImagePacking<2>{}; }, "expected an image"},
       {[](Stage& stage) {
          stage.packing = packing_of({{2, 2}, 0.5 * stage.side, Walls::hard, {0, 1, 2, 0}});
        },

@@ -52,7 +52,7 @@ Filler& filler_of(Study& study) {
 Study with_random_packing(Sizes sizes) {
   auto study = test::two_stages();
   auto& filler = filler_of(study);
-  study.stages[0].packing = LubachevskyStillingerPacking{};
+  study.stages[0].packing = LubachevskyStillingerPacking<2>{};
   filler.sizes = std::move(sizes);
   filler.fraction = 0.3;
   return study;
@@ -222,7 +222,7 @@ TEST(RequireSound, NamesEachMistakeOfSeveralFillersAndCoatings) {
         "fine, packing: expected one filler for a regular packing, got 2"},
        {[&](Study& study) {
           for (auto& filler : study.stages[0].fillers) filler = {.material = filler.material};
-          study.stages[0].packing = ExplicitPacking{"", {{{2e-3, 2e-3}, 1e-3}}, Walls::hard, {2}};
+          study.stages[0].packing = ExplicitPacking<2>{"", std::vector{Disc{{2e-3, 2e-3}, 1e-3}}, Walls::hard, {2}};
         },
         "fine, packing: a particle is of filler 2, counted from 0, but there are only 2"}},
       sound);
@@ -230,7 +230,7 @@ TEST(RequireSound, NamesEachMistakeOfSeveralFillersAndCoatings) {
 
 TEST(RequireSound, NamesEachMistakeOfShapes) {
   auto sound = with_random_packing(SingleSize{1e-3});
-  sound.stages[0].packing = RandomSequentialPacking{};
+  sound.stages[0].packing = RandomSequentialPacking<2>{};
   filler_of(sound).shape = FillerShape{EllipticOutline{1.5}, {}};
   EXPECT_NO_THROW(require_sound(sound));
   const auto with_outline = [](auto outline) {
@@ -239,7 +239,7 @@ TEST(RequireSound, NamesEachMistakeOfShapes) {
   expect_each({{with_outline(EllipticOutline{0.0}), "fine, filler: expected an aspect from 0.05 to 20, got 0"},
                {with_outline(PolygonalOutline{"", {{0.0, 0.0}, {1.0, 0.0}}}), "three corners or more"},
                {[](Study& study) { filler_of(study).shape->angle = std::nan(""); }, "expected a finite angle"},
-               {[](Study& study) { study.stages[0].packing = LubachevskyStillingerPacking{}; },
+               {[](Study& study) { study.stages[0].packing = LubachevskyStillingerPacking<2>{}; },
                 "only a random sequential packing places other shapes than discs"}},
               sound);
 }
@@ -247,33 +247,27 @@ TEST(RequireSound, NamesEachMistakeOfShapes) {
 TEST(RequireSound, NamesEachMistakeOfListedParticles) {
   auto sound = test::two_stages();
   filler_of(sound).sizes.reset();
-  ExplicitPacking listed;
-  listed.particles = {{Ellipse{{2e-3, 1e-3}}, Pose({2e-3, 2e-3}, 0.0)}};
-  sound.stages[0].packing = listed;
+  sound.stages[0].packing =
+      ExplicitPacking<2>{"", std::vector{Particle{Ellipse{{2e-3, 1e-3}}, Pose({2e-3, 2e-3}, 0.0)}}};
   EXPECT_NO_THROW(require_sound(sound));
-  const auto packing_of = [](Study& study) -> ExplicitPacking& {
-    return std::get<ExplicitPacking>(study.stages[0].packing);
+  const auto particles_of = [](Study& study) -> std::vector<Particle>& {
+    return std::get<std::vector<Particle>>(study.stages[0].packed_by<ExplicitPacking<2>>()->particles);
   };
-  expect_each({{[&](Study& study) {
-                  packing_of(study).discs = {{{2e-3, 2e-3}, 1e-3}};
-                },
-                "expected discs, or particles of other shapes, or spheres, and nothing beside them"}},
-              sound);
   auto flat = sound;
-  packing_of(flat).particles[0].shape = Ellipse{{0.0, 1e-3}};
+  particles_of(flat)[0].shape = Ellipse{{0.0, 1e-3}};
   EXPECT_THAT(mistakes_of(flat), HasSubstr("its axes must be positive"));
   auto twice = sound;
-  packing_of(twice).particles.push_back(packing_of(twice).particles[0]);
+  particles_of(twice).push_back(particles_of(twice)[0]);
   EXPECT_THAT(mistakes_of(twice), HasSubstr("overlap by 0.001 m"));
 }
 
 TEST(RequireSound, NamesEachMistakeOfFillersInExplicitPackings) {
   auto sound = test::two_stages();
   filler_of(sound).sizes.reset();
-  sound.stages[0].packing = ExplicitPacking{"", {{{2e-3, 2e-3}, 1e-3}}};
+  sound.stages[0].packing = ExplicitPacking<2>{"", std::vector{Disc{{2e-3, 2e-3}, 1e-3}}};
   EXPECT_NO_THROW(require_sound(sound));
   const auto with_discs = [](const std::vector<Disc>& discs) {
-    return [discs](Study& study) { std::get<ExplicitPacking>(study.stages[0].packing).discs = discs; };
+    return [discs](Study& study) { study.stages[0].packed_by<ExplicitPacking<2>>()->particles = discs; };
   };
   expect_each({{with_discs({}), "fine, filler: expected at least one particle"},
                {[](Study& study) { filler_of(study).sizes = SingleSize{1e-3}; },

@@ -1,15 +1,12 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
-#include <type_traits>
 #include <variant>
 
-#include "breccia/microstructure/ellipsoid_box.hpp"
 #include "breccia/microstructure/label_image.hpp"
 #include "breccia/microstructure/laguerre_sites.hpp"
 #include "breccia/microstructure/microstructure.hpp"
-#include "breccia/microstructure/particle_box.hpp"
+#include "breccia/microstructure/shaped_particles.hpp"
 
 namespace breccia {
 
@@ -37,14 +34,6 @@ struct Grains {
   LaguerreSites<dim> sites;
   GrainStatistics statistics = {};
 };
-
-/// Particles of which not all are balls, with their coatings.
-template <int dim>
-using ShapedParticles = std::conditional_t<dim == 2, ParticleBox, EllipsoidBox>;
-
-/// An image that fills a box; shared, since it is large.
-template <int dim>
-using SharedImage = std::shared_ptr<const LabelImage<dim>>;
 
 /// A square or cubic box by what fills it. Each content knows the side and the walls of its box.
 template <int dim>

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "breccia/microstructure/index.hpp"
@@ -29,6 +30,10 @@ struct LabelImage {
 
   friend bool operator==(const LabelImage&, const LabelImage&) = default;
 };
+
+/// An image that its holders share, since it is large.
+template <int dim>
+using SharedImage = std::shared_ptr<const LabelImage<dim>>;
 
 extern template struct LabelImage<2>;
 extern template struct LabelImage<3>;

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
-#include "breccia/microstructure/ellipsoid_box.hpp"
-#include "breccia/microstructure/particle_box.hpp"
+#include "breccia/microstructure/particle.hpp"
+#include "breccia/microstructure/vector.hpp"
 #include "breccia/study/stage.hpp"
 
 namespace breccia {
@@ -26,11 +27,5 @@ std::string in_words(const FillerShape& shape, int dimensions);
 
 /// Thickness of the coating of each particle [m] of these fillers; empty where none has one.
 std::vector<double> coatings_of(const Stage& stage, const std::vector<std::size_t>& fillers, std::size_t particles);
-
-/// The listed particles of a stage, of shapes other than discs, with their coatings.
-ParticleBox particle_box(const Stage& stage, const ExplicitPacking& listed);
-
-/// The listed ellipsoids of a stage with their coatings.
-EllipsoidBox ellipsoid_box(const Stage& stage, const ExplicitPacking& listed);
 
 }  // namespace breccia

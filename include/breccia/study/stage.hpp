@@ -6,7 +6,9 @@
 #include <variant>
 #include <vector>
 
+#include "breccia/nested_variant.hpp"
 #include "breccia/study/filler.hpp"
+#include "breccia/study/packing_method.hpp"
 #include "breccia/viscoelasticity/material.hpp"
 
 namespace breccia {
@@ -26,39 +28,40 @@ const std::string& name_of(const StageMatrix& matrix);
 struct Stage {
   std::string name;  ///< name of the stage and of its directory
   StageMatrix matrix;
-  double side = 0.0;                       ///< side of the square or cubic box [m]
-  int cells = 0;                           ///< cells per side of the finest grid
-  std::vector<int> coarser_cells = {};     ///< cells per side of the coarser grids, rising, for extrapolation
-  std::vector<Filler> fillers = {};        ///< the kinds of particles in the box
-  PackingMethod packing = {};              ///< of the particles of all fillers together; unused without a filler
+  double side = 0.0;                    ///< side of the square or cubic box [m]
+  int cells = 0;                        ///< cells per side of the finest grid
+  std::vector<int> coarser_cells = {};  ///< cells per side of the coarser grids, rising, for extrapolation
+  std::vector<Filler> fillers = {};     ///< the kinds of particles in the box
+  /// Of the particles of all fillers together. Without a filler only its dimensions count, PackingMethod<2>() for a
+  /// square (plane strain) or PackingMethod<3>() for a cube; they are the same for all stages of a study.
+  StagePacking packing = {};
   std::vector<std::string> warnings = {};  ///< warnings about the deck, without the name of the stage
-  int dimensions = 2;                      ///< of the box: 2 (plane strain) or 3; the same for all stages of a study
 
+  /// Dimensions of the box, 2 or 3.
+  [[nodiscard]] int dimensions() const;
   /// Side of a cell of the finest grid [m].
   [[nodiscard]] double cell_size() const { return side / cells; }
-  /// The particles of a list (an explicit packing), which have no sizes; nullptr for any other packing.
-  [[nodiscard]] const ExplicitPacking* listed() const { return std::get_if<ExplicitPacking>(&packing); }
-  /// The grains that fill the box; nullptr for particles.
-  [[nodiscard]] const LaguerrePacking* grains() const { return std::get_if<LaguerrePacking>(&packing); }
-  /// The image that fills a box of two dimensions; nullptr for particles and grains.
-  [[nodiscard]] const LabelImage<2>* image() const {
-    const auto* packing_of_pixels = std::get_if<ImagePacking>(&packing);
-    return packing_of_pixels == nullptr ? nullptr : packing_of_pixels->image.get();
+  /// The packing, if it is of this method, such as RegularPacking; nullptr for any other.
+  template <class Method>
+  [[nodiscard]] const Method* packed_by() const {
+    return find_alternative<Method>(packing);
   }
-  /// The image that fills a box of three dimensions; nullptr for particles and grains.
-  [[nodiscard]] const LabelImage<3>* stack() const {
-    const auto* packing_of_voxels = std::get_if<ImagePacking>(&packing);
-    return packing_of_voxels == nullptr ? nullptr : packing_of_voxels->stack.get();
+  template <class Method>
+  [[nodiscard]] Method* packed_by() {
+    return find_alternative<Method>(packing);
   }
-  /// Whether the box is filled by an image of either kind.
-  [[nodiscard]] bool has_image() const { return image() != nullptr || stack() != nullptr; }
+  /// The method of the packing.
+  [[nodiscard]] PackingName packing_name() const;
+  /// Whether the particles are those of a list, which have no sizes.
+  [[nodiscard]] bool is_listed() const { return packing_name() == PackingName::listed; }
+  /// Whether grains fill the box.
+  [[nodiscard]] bool has_grains() const { return packing_name() == PackingName::laguerre; }
+  /// Whether an image fills the box.
+  [[nodiscard]] bool has_image() const { return packing_name() == PackingName::image; }
   /// Whether grains fill the box and half a film runs along its hard walls.
   [[nodiscard]] bool has_films_along_walls() const;
-  /// Whether the particles are packed at random.
-  [[nodiscard]] bool is_random() const {
-    return std::holds_alternative<LubachevskyStillingerPacking>(packing) ||
-           std::holds_alternative<RandomSequentialPacking>(packing);
-  }
+  /// Whether the particles are packed at random, so that they keep gaps.
+  [[nodiscard]] bool is_random() const;
   /// Whether particles or grains are placed at random, by a seed.
   [[nodiscard]] bool has_seed() const { return seed().has_value(); }
   /// The seed; nothing where particles or grains are not placed at random.

@@ -21,7 +21,7 @@ std::vector<std::string> mistakes_of_gap(const Filler& filler, double side);
 
 /// Particles with their coating must be smaller than the box, of the given side [m]; those of a regular packing must
 /// not touch.
-std::vector<std::string> mistakes_of_diameters(const Filler& filler, const PackingMethod& packing, double side);
+std::vector<std::string> mistakes_of_diameters(const Filler& filler, const StagePacking& packing, double side);
 
 /// The fractions of the fillers of a stage must add up to less than 1.
 std::vector<std::string> mistakes_of_fractions(const Stage& stage);
@@ -29,9 +29,6 @@ std::vector<std::string> mistakes_of_fractions(const Stage& stage);
 /// The phases of a stage are told apart by the names of their materials where there are several fillers or coatings
 /// (phase_names), so that no such material may have the name of another phase.
 std::vector<std::string> mistakes_of_phases(const Stage& stage);
-
-/// A packing must be one that places particles in a box of so many dimensions.
-std::vector<std::string> mistakes_of_packing(const Stage& stage);
 
 /// Two or three grids, with rising numbers of cells per side, are needed for an extrapolation.
 bool can_be_extrapolated(const std::vector<int>& grids);

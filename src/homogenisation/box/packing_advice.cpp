@@ -1,4 +1,4 @@
-#include "packing_advice.hpp"
+#include "box/packing_advice.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,29 +19,22 @@ PackingRequest with_gap(const Stage& stage, PackingRequest request, double gap) 
   return request;
 }
 
-double inflated_fraction_of(const Stage& stage, const PackingRequest& request) {
-  return stage.dimensions == 3 ? inflated_fraction<3>(request) : inflated_fraction<2>(request);
-}
-
-/// Area of a disc, or volume of a sphere, of diameter 1.
-double unit_ball(const Stage& stage) {
-  return stage.dimensions == 3 ? ball_volume<3>(1.0) : ball_volume<2>(1.0);
-}
-
 /// Mean (diameter + gap) over the side of the box, that of the mean area or volume [-].
-double relative_size(const Stage& stage, const PackingRequest& request) {
+template <int dim>
+double relative_size(const PackingRequest& request) {
   const auto count = static_cast<double>(request.diameters.size());
-  return std::pow(inflated_fraction_of(stage, request) / (unit_ball(stage) * count), 1.0 / stage.dimensions);
+  return std::pow(inflated_fraction<dim>(request) / (ball_volume<dim>(1.0) * count), 1.0 / dim);
 }
 
 /// The fraction of particles, each with half the gap around it, that can be packed with near certainty: after a jam
 /// slightly less than the jammed fraction; otherwise an empirical fraction for random discs (from jams of 4 to 128
 /// discs) or spheres, which is smaller in a small box because of its walls.
+template <int dim>
 double safe_fraction(const Stage& stage, const PackingRequest& request, const PackingError& error) {
   if (request.diameters.size() == 1) return 1.0;  // a single particle packs if it fits into the box
   if (error.obstacle() == PackingObstacle::jam) return 0.96 * error.attainable_fraction();
-  const double in_large_box = stage.dimensions == 3 ? 0.62 : 0.82;
-  return std::max(0.0, in_large_box - 0.4 * relative_size(stage, request));
+  const double in_large_box = dim == 3 ? 0.62 : 0.82;
+  return std::max(0.0, in_large_box - 0.4 * relative_size<dim>(request));
 }
 
 bool has_coatings(const Stage& stage) {
@@ -49,12 +42,13 @@ bool has_coatings(const Stage& stage) {
 }
 
 /// The widest gap with which the particles fill at most a fraction of the box and the largest particle fits into it.
+template <int dim>
 std::optional<double> widest_gap(const Stage& stage, const PackingRequest& request, double fraction) {
   constexpr double roundoff = 1e-6;
   const double largest = std::ranges::max(request.diameters) + 2.0 * stage.fillers.front().coating_thickness();
   const auto fits = [&](double gap) {
     const auto other = with_gap(stage, request, gap);
-    return largest + gap <= (1.0 - roundoff) * other.side && inflated_fraction_of(stage, other) <= fraction;
+    return largest + gap <= (1.0 - roundoff) * other.side && inflated_fraction<dim>(other) <= fraction;
   };
   double low = 0.0, high = std::min(request.minimum_gap, stage.side);
   if (!fits(low)) return std::nullopt;
@@ -74,11 +68,11 @@ std::optional<int> cells_for(const Stage& stage, double gap) {
 
 /// The fraction at which the particles with the requested gap fill no more than the safe fraction. The drawn sizes
 /// meet a fraction to within half a particle.
+template <int dim>
 std::optional<double> largest_fraction(const Stage& stage, const PackingRequest& request, double safe) {
   const double largest = std::ranges::max(request.diameters) / stage.side;
-  const double half_a_particle = 0.5 * unit_ball(stage) * std::pow(largest, stage.dimensions);
-  const double fraction =
-      *stage.fillers.front().fraction * safe / inflated_fraction_of(stage, request) - half_a_particle;
+  const double half_a_particle = 0.5 * ball_volume<dim>(1.0) * std::pow(largest, dim);
+  const double fraction = *stage.fillers.front().fraction * safe / inflated_fraction<dim>(request) - half_a_particle;
   return fraction > 0.0 ? std::optional(rounded_down_to_two_digits(fraction)) : std::nullopt;
 }
 
@@ -121,21 +115,23 @@ const Filler& widest_filler(const Stage& stage) {
 
 }  // namespace
 
+template <int dim>
 PackingAdvice packing_advice(const Stage& stage, const PackingRequest& request, const PackingError& error) {
   PackingAdvice advice;
   // With several fillers there is no one gap and no one fraction to change.
   if (stage.fillers.size() > 1) return advice;
   const auto& filler = stage.fillers.front();
-  const double safe = safe_fraction(stage, request, error);
-  advice.gap = widest_gap(stage, request, safe);
+  const double safe = safe_fraction<dim>(stage, request, error);
+  advice.gap = widest_gap<dim>(stage, request, safe);
   if (advice.gap && filler.gap_source == GapSource::points) advice.cells = cells_for(stage, *advice.gap);
   const bool has_fraction = filler.fraction && error.obstacle() != PackingObstacle::size;
-  if (has_fraction) advice.fraction = largest_fraction(stage, request, safe);
+  if (has_fraction) advice.fraction = largest_fraction<dim>(stage, request, safe);
   return advice;
 }
 
+template <int dim>
 std::string message_on(const Stage& stage, const PackingRequest& request, const PackingError& error) {
-  const auto advice = in_words(packing_advice(stage, request, error));
+  const auto advice = in_words(packing_advice<dim>(stage, request, error));
   if (error.obstacle() == PackingObstacle::size) {
     const auto& widest = widest_filler(stage);
     const auto coating =
@@ -148,16 +144,21 @@ std::string message_on(const Stage& stage, const PackingRequest& request, const 
   const bool has_gap = request.minimum_gap > 0.0;
   const auto gap = has_gap ? fmt::format("a gap of {}", gaps_in_words(stage)) : "no gap between them";
   const auto how = fmt::format("{}they would fill {:.1f} % of {}", shells_in_words(stage, has_gap),
-                               100.0 * inflated_fraction_of(stage, request),
+                               100.0 * inflated_fraction<dim>(request),
                                request.walls == Walls::hard ? "the room between the walls" : "the box");
   const double attainable = 100.0 * error.attainable_fraction();
   const bool jams = error.obstacle() == PackingObstacle::jam;
   return fmt::format("{} with {} {}: {}, and {} {:.1f} %; {}", particles_of(stage, request), gap,
                      jams ? "jam" : "cannot be packed", how,
-                     jams                    ? "are stuck at"
-                     : stage.dimensions == 3 ? "such spheres fill at most"
-                                             : "such discs fill at most",
+                     jams       ? "are stuck at"
+                     : dim == 3 ? "such spheres fill at most"
+                                : "such discs fill at most",
                      attainable, advice);
 }
+
+template PackingAdvice packing_advice<2>(const Stage&, const PackingRequest&, const PackingError&);
+template PackingAdvice packing_advice<3>(const Stage&, const PackingRequest&, const PackingError&);
+template std::string message_on<2>(const Stage&, const PackingRequest&, const PackingError&);
+template std::string message_on<3>(const Stage&, const PackingRequest&, const PackingError&);
 
 }  // namespace breccia

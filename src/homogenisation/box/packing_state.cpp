@@ -1,4 +1,4 @@
-#include "packing_state.hpp"
+#include "box/packing_state.hpp"
 
 #include <array>
 #include <cmath>

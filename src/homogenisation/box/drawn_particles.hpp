@@ -15,7 +15,8 @@ struct DrawnParticles {
   std::vector<std::optional<double>> size_deviations = {};  ///< of each filler [-]
 };
 
-/// Draws the diameters of all fillers of a stage. Throws as draw_diameters() does.
+/// Draws the diameters of all fillers of a stage. Throws as draw_diameters() does. Instantiated for 2 and 3 dimensions.
+template <int dim>
 DrawnParticles draw_particles(const Stage& stage);
 
 }  // namespace breccia

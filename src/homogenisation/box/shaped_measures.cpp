@@ -1,4 +1,4 @@
-#include "shaped_measures.hpp"
+#include "box/shaped_measures.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,6 +1,8 @@
-#include "packed_grains.hpp"
+#include "box/laguerre_packing.hpp"
 
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -14,19 +16,17 @@
 namespace breccia {
 namespace {
 
-/// The sites of the grains: listed, or at random for the sizes of the filler.
+/// Sites at random for the sizes of the filler. Adds the deviation of these sizes.
 template <int dim>
-LaguerreSites<dim> sites_of(const Stage& stage, const LaguerrePacking& method, StageMicrostructure& result) {
-  if (!method.is_random()) {
-    return {stage.side, method.walls, method.sites_in<dim>(), method.wall_film, method.film_shares};
-  }
+LaguerreSites<dim> random_sites_of(const Stage& stage, const LaguerrePacking<dim>& method,
+                                   std::vector<std::optional<double>>& size_deviations) {
   const auto& filler = stage.fillers.front();
   RandomTessellationRequest request = {.side = stage.side, .walls = method.walls, .diameters = {}, .seed = method.seed};
   if (const auto distribution = distribution_of(filler)) {
     // The cells, grains with half of the films around them, have these sizes.
     constexpr double whole_box = 1.0 - 1e-12;
     request.diameters = draw_diameters<dim>(*distribution, whole_box, stage.side);
-    result.fillers.push_back({.size_deviation = largest_deviation<dim>(*distribution, request.diameters)});
+    size_deviations.emplace_back(largest_deviation<dim>(*distribution, request.diameters));
   } else {
     request.diameters = std::get<ListedSizes>(filler.sizes.value()).diameters;
   }
@@ -37,7 +37,7 @@ LaguerreSites<dim> sites_of(const Stage& stage, const LaguerrePacking& method, S
 
 /// The thickness of the films [m].
 template <int dim>
-double film_between(const LaguerreSites<dim>& sites, const Stage& stage, const LaguerrePacking& method) {
+double film_between(const LaguerreSites<dim>& sites, const Stage& stage, const LaguerrePacking<dim>& method) {
   const Tessellation<dim> tessellation(sites);
   const double film = method.film ? *method.film : film_thickness(tessellation, stage.fillers.front().fraction.value());
   if (grain_fraction(tessellation, film) > 0.0) return film;
@@ -49,13 +49,20 @@ double film_between(const LaguerreSites<dim>& sites, const Stage& stage, const L
 }  // namespace
 
 template <int dim>
-Grains<dim> make_grains(const Stage& stage, const LaguerrePacking& method, StageMicrostructure& result) {
-  Grains<dim> grains = {sites_of<dim>(stage, method, result)};
+PlacedBox<dim> placed(const Stage& stage, const LaguerrePacking<dim>& method, PackingRunner&) {
+  PlacedBox<dim> result;
+  Grains<dim> grains;
+  if (method.is_random()) {
+    grains.sites = random_sites_of(stage, method, result.size_deviations);
+  } else {
+    grains.sites = {stage.side, method.walls, method.sites, method.wall_film, method.film_shares};
+  }
   grains.statistics.film = film_between(grains.sites, stage, method);
-  return grains;
+  result.box = std::move(grains);
+  return result;
 }
 
-template Grains<2> make_grains(const Stage&, const LaguerrePacking&, StageMicrostructure&);
-template Grains<3> make_grains(const Stage&, const LaguerrePacking&, StageMicrostructure&);
+template PlacedBox<2> placed(const Stage&, const LaguerrePacking<2>&, PackingRunner&);
+template PlacedBox<3> placed(const Stage&, const LaguerrePacking<3>&, PackingRunner&);
 
 }  // namespace breccia

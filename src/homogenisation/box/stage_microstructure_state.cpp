@@ -14,8 +14,8 @@
 #include "breccia/error.hpp"
 #include "breccia/study/filler_shapes.hpp"
 
-#include "microstructure_measures.hpp"
-#include "shaped_state.hpp"
+#include "box/microstructure_measures.hpp"
+#include "box/shaped_state.hpp"
 
 namespace breccia {
 
@@ -154,7 +154,8 @@ ShapedParticles<dim> read_shaped(const StateReader& state, const Stage& stage) {
 template <int dim>
 Grains<dim> read_grains(const StateReader& state, const Stage& stage) {
   const auto [side, walls] = read_sides(state, "grains and films");
-  const auto wall_film = stage.grains() == nullptr ? WallFilm::half : stage.grains()->wall_film;
+  const auto* const method = stage.packed_by<LaguerrePacking<dim>>();
+  const auto wall_film = method == nullptr ? WallFilm::half : method->wall_film;
   Grains<dim> grains = {{side, walls, {}, wall_film}, {.film = state.number(name_of_film)}};
   if (!(grains.statistics.film >= 0.0 && std::isfinite(grains.statistics.film))) throw FileError(refusal_of_grains);
   auto& sites = grains.sites.sites;
@@ -169,8 +170,8 @@ Grains<dim> read_grains(const StateReader& state, const Stage& stage) {
 }
 
 template <int dim>
-Box<dim> read_box(const StateReader& state, const Stage& stage, const SharedImage<dim>& image) {
-  if (image) return image;
+Box<dim> read_box(const StateReader& state, const Stage& stage) {
+  if (const auto* pixels = stage.packed_by<ImagePacking<dim>>()) return pixels->image;
   if (state.has(name_of_film)) return read_grains<dim>(state, stage);
   if (dim == 2 ? has_particles(state) : has_ellipsoids(state)) return read_shaped<dim>(state, stage);
   return read_balls<dim>(state, stage);
@@ -190,11 +191,10 @@ void save(StateWriter& state, const StageMicrostructure& microstructure) {
 
 StageMicrostructure read_stage_microstructure(const StateReader& state, const Stage& stage) {
   StageMicrostructure result;
-  const auto* const pixels = std::get_if<ImagePacking>(&stage.packing);
-  if (stage.dimensions == 3) {
-    result.box = read_box<3>(state, stage, pixels == nullptr ? nullptr : pixels->stack);
+  if (stage.dimensions() == 3) {
+    result.box = read_box<3>(state, stage);
   } else {
-    result.box = read_box<2>(state, stage, pixels == nullptr ? nullptr : pixels->image);
+    result.box = read_box<2>(state, stage);
   }
   result.fillers.resize(stage.fillers.size());
   for (std::size_t number = 0; number < stage.fillers.size(); ++number) {

@@ -1,4 +1,4 @@
-#include "stage_labelling.hpp"
+#include "box/stage_labelling.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "microstructure_measures.hpp"
+#include "box/microstructure_measures.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@
 #include "breccia/microstructure/tessellation_statistics.hpp"
 #include "breccia/study/coatings.hpp"
 
-#include "shaped_measures.hpp"
+#include "box/shaped_measures.hpp"
 
 namespace breccia {
 

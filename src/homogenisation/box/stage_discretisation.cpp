@@ -18,7 +18,7 @@
 #include "breccia/parallel/common_failure.hpp"
 #include "breccia/parallel/machine.hpp"
 
-#include "stage_labelling.hpp"
+#include "box/stage_labelling.hpp"
 
 namespace breccia {
 
@@ -144,7 +144,7 @@ int cells_along(const StageDiscretisation& discretisation) {
 }
 
 std::size_t point_count(const Stage& stage, int cells) {
-  if (stage.dimensions == 3) {
+  if (stage.dimensions() == 3) {
     return Grid<3>{.cells = {cells, cells, cells}}.cell_count() * Discretisation<3>::points_per_cell;
   }
   return Grid<2>{.cells = {cells, cells}}.cell_count() * Discretisation<2>::points_per_cell;

@@ -16,9 +16,12 @@ struct PackingAdvice {
 };
 
 /// Advice on a packing request that failed; numbers are rounded to two digits, to the safe side.
+/// Templates are instantiated for 2 and 3 dimensions.
+template <int dim>
 PackingAdvice packing_advice(const Stage& stage, const PackingRequest& request, const PackingError& error);
 
 /// The message of the error in the terms of the deck, with the requested fraction and gap, and with the advice.
+template <int dim>
 std::string message_on(const Stage& stage, const PackingRequest& request, const PackingError& error);
 
 }  // namespace breccia

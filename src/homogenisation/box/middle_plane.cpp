@@ -1,6 +1,6 @@
 #include "breccia/homogenisation/middle_plane.hpp"
 
-#include "stage_labelling.hpp"
+#include "box/stage_labelling.hpp"
 
 namespace breccia {
 namespace {

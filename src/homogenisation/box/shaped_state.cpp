@@ -1,4 +1,4 @@
-#include "shaped_state.hpp"
+#include "box/shaped_state.hpp"
 
 #include <algorithm>
 #include <array>

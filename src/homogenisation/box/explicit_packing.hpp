@@ -1,0 +1,15 @@
+#pragma once
+
+#include "breccia/study/stage.hpp"
+
+#include "box/packing_runner.hpp"
+#include "box/placed_box.hpp"
+
+namespace breccia {
+
+/// The particles of a list. Throws InputError where they, with their coatings, overlap or cross a wall. Instantiated
+/// for 2 and 3 dimensions.
+template <int dim>
+PlacedBox<dim> placed(const Stage& stage, const ExplicitPacking<dim>& listed, PackingRunner& runner);
+
+}  // namespace breccia

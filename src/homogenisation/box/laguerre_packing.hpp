@@ -1,0 +1,15 @@
+#pragma once
+
+#include "breccia/study/stage.hpp"
+
+#include "box/packing_runner.hpp"
+#include "box/placed_box.hpp"
+
+namespace breccia {
+
+/// Grains of listed sites, or of sites at random for the sizes of the filler. Throws InputError where the films leave
+/// nothing of any grain. Instantiated for 2 and 3 dimensions.
+template <int dim>
+PlacedBox<dim> placed(const Stage& stage, const LaguerrePacking<dim>& method, PackingRunner& runner);
+
+}  // namespace breccia

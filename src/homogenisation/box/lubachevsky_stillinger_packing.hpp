@@ -1,0 +1,15 @@
+#pragma once
+
+#include "breccia/study/stage.hpp"
+
+#include "box/packing_runner.hpp"
+#include "box/placed_box.hpp"
+
+namespace breccia {
+
+/// Discs or spheres that grow until they have their sizes. Throws NumericalError where they jam. Instantiated for 2 and
+/// 3 dimensions.
+template <int dim>
+PlacedBox<dim> placed(const Stage& stage, const LubachevskyStillingerPacking<dim>& method, PackingRunner& runner);
+
+}  // namespace breccia

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "breccia/study/stage.hpp"
+
+#include "box/packing_runner.hpp"
+#include "box/placed_box.hpp"
+
+namespace breccia {
+
+/// Particles of any shape, placed one after the other. Throws NumericalError where they jam. Instantiated for 2 and 3
+/// dimensions.
+template <int dim>
+PlacedBox<dim> placed(const Stage& stage, const RandomSequentialPacking<dim>& method, PackingRunner& runner);
+
+}  // namespace breccia

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "breccia/study/stage.hpp"
+
+#include "box/packing_runner.hpp"
+#include "box/placed_box.hpp"
+
+namespace breccia {
+
+/// Discs in columns and rows.
+PlacedBox<2> placed(const Stage& stage, const RegularPacking& array, PackingRunner& runner);
+
+/// Spheres on a cubic lattice.
+PlacedBox<3> placed(const Stage& stage, const LatticePacking& cubic, PackingRunner& runner);
+
+}  // namespace breccia
