@@ -14,12 +14,6 @@ from ._quantities import PathLike, Quantity, si
 
 Sweep = Tuple[Union[str, float], ArrayLike, ArrayLike, ArrayLike]
 
-#: What the library says of unknown columns, and what a caller of this module can do.
-_ADVICE = {
-    "breccia fit --columns tells which column is which, as in --columns storage=NAME --columns loss=NAME":
-        'columns={"storage": NAME, "loss": NAME} tells which column is which',
-}
-
 
 def read_measured(file: PathLike, kind: str | None = None, *,
                   columns: Mapping[str, str] | None = None) -> dict[str, NDArray[np.float64]]:
@@ -41,13 +35,7 @@ def read_sweeps(file: PathLike, kind: str | None = None, *, columns: Mapping[str
     frequencies [rad/s], storage and loss moduli [Pa]; temperatures within 0.5 K count as one. Raises InputError with
     every mistake, and FileError.
     """
-    try:
-        return list(_native.read_sweeps(os.fspath(file), kind, _pairs(columns)))
-    except InputError as error:
-        message = str(error)
-        for of_command, of_module in _ADVICE.items():
-            message = message.replace(of_command, of_module)
-        raise InputError(message) from None
+    return list(_native.read_sweeps(os.fspath(file), kind, _pairs(columns)))
 
 
 def _pairs(columns: Mapping[str, str] | None) -> list[tuple[str, str]]:

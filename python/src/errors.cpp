@@ -14,6 +14,7 @@
 #include "breccia/homogenisation/not_covered.hpp"
 #include "breccia/io/display.hpp"
 #include "breccia/io/foreign_results.hpp"
+#include "breccia/tables/unknown_columns.hpp"
 
 namespace breccia::python {
 namespace {
@@ -45,6 +46,9 @@ std::string with_advice(const Error& error) {
   std::string message = error.what();
   if (dynamic_cast<const LackingMemory*>(&error) != nullptr) message += " (ignore_memory=True runs them nevertheless)";
   if (dynamic_cast<const Interrupted*>(&error) != nullptr) message += ", and resume=True continues from it";
+  if (dynamic_cast<const UnknownColumns*>(&error) != nullptr) {
+    message += "\ncolumns={\"storage\": NAME, \"loss\": NAME} tells which column is which";
+  }
   if (dynamic_cast<const NotVaried*>(&error) != nullptr) {
     message += "; a study built in Python has this table as Tests(quasistatic={\"vary\": {...}})";
   }

@@ -11,6 +11,8 @@
 #include "breccia/io/directory_lock.hpp"
 #include "breccia/io/display.hpp"
 #include "breccia/io/foreign_results.hpp"
+#include "breccia/results/stored_composite.hpp"
+#include "breccia/tables/unknown_columns.hpp"
 
 namespace breccia::cli {
 namespace {
@@ -29,6 +31,12 @@ std::string advice_on(const Error& error, const CLI::App& command) {
   }
   if (dynamic_cast<const Interrupted*>(&error) != nullptr && has(command, "--resume")) {
     return ", and --resume continues from it";
+  }
+  if (dynamic_cast<const UnknownColumns*>(&error) != nullptr && has(command, "--columns")) {
+    return "\n--columns tells which column is which, as in --columns storage=NAME --columns loss=NAME";
+  }
+  if (dynamic_cast<const AnsweredResults*>(&error) != nullptr && has(command, "--temperature")) {
+    return ", with --temperature";
   }
   const auto* const not_covered = dynamic_cast<const NotCovered*>(&error);
   if (not_covered != nullptr && not_covered->times() && has(command, "--times")) {

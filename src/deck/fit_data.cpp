@@ -7,6 +7,7 @@
 #include "breccia/deck/prony_file.hpp"
 #include "breccia/error.hpp"
 #include "breccia/tables/complex_modulus.hpp"
+#include "breccia/tables/unknown_columns.hpp"
 
 #include "frequency_sweeps.hpp"
 #include "measured_rows.hpp"
@@ -39,7 +40,7 @@ ModulusKind kind_of(const MeasuredTable& table, ModulusKind given) {
   using enum Quantity;
   table.refuse_unknown_units({time, relaxation_time, modulus, compliance, storage_modulus, loss_modulus,
                               absolute_modulus, phase_angle, loss_tangent, angular_frequency, temperature});
-  throw InputError(fmt::format(
+  throw UnknownColumns(fmt::format(
       "{}: expected the columns of one of\n"
       "  a relaxation modulus  time_s, modulus_Pa\n"
       "  a creep compliance    time_s, compliance_1_per_Pa\n"
@@ -47,8 +48,7 @@ ModulusKind kind_of(const MeasuredTable& table, ModulusKind given) {
       "                        for a master curve, temperature_K or temperature_degC; phase_angle_deg or tan_delta\n"
       "                        may stand for one of the moduli, \"|G*| [Pa]\" for the other\n"
       "  a Prony series        relaxation_time_s, modulus_Pa\n"
-      "with any unit at the end of a name, or in brackets as in \"Storage modulus [MPa]\"; it has {}\n"
-      "breccia fit --columns tells which column is which, as in --columns storage=NAME --columns loss=NAME",
+      "with any unit at the end of a name, or in brackets as in \"Storage modulus [MPa]\"; it has {}",
       table.path().string(), table.list_of_names()));
 }
 

@@ -59,39 +59,56 @@ std::string words_of(double relative) {
   return ratio < 100.0 ? fmt::format("a factor of {:.2g}", ratio) : fmt::format("a factor of {:.0f}", ratio);
 }
 
-/// The time, under all loads, at which the upper bound is furthest below the lower one; nothing where it never is.
-std::optional<BoundsAtTime> worst_crossing(std::span<const LoadQuality> loads) {
+/// The time at which the upper bound is furthest below the lower one; nothing where it never is.
+std::optional<BoundsAtTime> worst_crossing(const LoadQuality& load) {
   std::optional<BoundsAtTime> worst;
-  for (const auto& load : loads) {
-    for (const auto& at : load.times) {
-      if (at.crossing() && (!worst || *at.crossing() > *worst->crossing())) worst = at;
-    }
+  for (const auto& at : load.times) {
+    if (at.crossing() && (!worst || *at.crossing() > *worst->crossing())) worst = at;
   }
   return worst;
+}
+
+/// The load and method of bounds among those of several: "bounds under shear", "bounds under shear, dynamic".
+std::string name_of_bounds(const LoadQuality& bounds, std::span<const LoadQuality> all) {
+  if (all.size() == 1) return "bounds";
+  const bool is_one_method = std::ranges::all_of(all, [&](const auto& other) { return other.method == bounds.method; });
+  return fmt::format("bounds under {}{}", name_of(bounds.load),
+                     is_one_method ? "" : fmt::format(", {}", name_of(bounds.method)));
+}
+
+/// The bounds that a summary speaks of: those that are crossed by most, or else the first.
+const LoadQuality& shown_bounds(std::span<const LoadQuality> loads) {
+  return *std::ranges::max_element(loads, {}, [](const LoadQuality& load) {
+    const auto crossed = worst_crossing(load);
+    return crossed ? *crossed->crossing() : 0.0;
+  });
 }
 
 /// The distance of the bounds at the first and the last time.
 std::string words_on_bounds(const StageQuality& quality) {
   if (quality.loads.empty() && quality.is_periodic) return "periodic boundary: no bounds";
-  if (quality.loads.empty() || quality.loads.front().times.empty()) return "bounds: not tested";
-  if (const auto crossed = worst_crossing(quality.loads)) {
-    return fmt::format("bounds: the upper one is {} below the lower one at {}", words_of(*crossed->crossing()),
+  if (quality.loads.empty()) return "bounds: not tested";
+  const auto& shown = shown_bounds(quality.loads);
+  if (shown.times.empty()) return "bounds: not tested";
+  const auto bounds = name_of_bounds(shown, quality.loads);
+  if (const auto crossed = worst_crossing(shown)) {
+    return fmt::format("{}: the upper one is {} below the lower one at {}", bounds, words_of(*crossed->crossing()),
                        display_time(crossed->time));
   }
-  const auto& times = quality.loads.front().times;
+  const auto& times = shown.times;
   const auto first = times.front().distance(), last = times.back().distance();
   if (quality.has_films_along_walls) return "bounds: only the upper one, the other would take no films along the walls";
   if (!first || !last) {
-    return fmt::format(R"(bounds: only the {} one, distance unknown (tests.boundaries = ["displacement", "traction"]))",
-                       times.front().upper ? "upper" : "lower");
+    return fmt::format(R"({}: only the {} one, distance unknown (tests.boundaries = ["displacement", "traction"]))",
+                       bounds, times.front().upper ? "upper" : "lower");
   }
   const auto text = words_of(std::abs(*first)), later = words_of(std::abs(*last));
-  return fmt::format("bounds {}{} at {}, {} at {}", text, text.starts_with('a') ? "" : " apart",
+  return fmt::format("{} {}{} at {}, {} at {}", bounds, text, text.starts_with('a') ? "" : " apart",
                      display_time(times.front().time), later, display_time(times.back().time));
 }
 
 std::string words_on_grid(const StageQuality& quality) {
-  if (quality.grids.empty()) return "films: error of the mesh unknown (--set tests.films.face_share=0.15 halves it)";
+  if (quality.grids.empty()) return "films: error of the mesh unknown (tests.films.face_share = 0.15 halves it)";
   if (quality.grid_share) return fmt::format("grid: error up to {}", words_of(*quality.grid_share));
   if (quality.grids.size() > 1) return "grid: error unknown until every grid is tested";
   const int cells = quality.grids.back();
@@ -206,7 +223,7 @@ std::string summary_of(const StageQuality& quality) {
 std::vector<std::string> warnings_on_bounds(const StageQuality& quality) {
   std::vector<std::string> warnings;
   for (const auto& load : quality.loads) {
-    const auto crossed = worst_crossing(std::span(&load, 1));
+    const auto crossed = worst_crossing(load);
     if (!crossed) continue;
     std::string gaps;
     for (const int grid : std::isfinite(quality.gap_cells) ? quality.grids : std::vector<int>()) {

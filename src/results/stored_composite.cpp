@@ -98,14 +98,14 @@ void require_stored_study(const fs::path& directory) {
     throw InputError(fmt::format("{}: the results of a sweep; name the directory of one of its tasks", name));
   }
   if (fs::exists(directory / "respond.json") && !fs::exists(directory / "study.json")) {
-    throw InputError(
-        fmt::format("{}: curves of `breccia respond`, without what the composite is made of; name the results of "
-                    "`breccia run`, from which `breccia export --temperature` computes them, too",
+    throw AnsweredResults(
+        fmt::format("{}: curves of an answered response, without what the composite is made of; name the results that "
+                    "they were answered from",
                     name));
   }
   for (const auto* file : {"prony.csv", "study.json"}) {
     if (fs::exists(directory / file)) continue;
-    throw InputError(fmt::format("{}: no {}, which `breccia run` writes after the first test", name, file));
+    throw InputError(fmt::format("{}: no {}, which a run writes after its first test", name, file));
   }
 }
 

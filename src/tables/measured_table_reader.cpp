@@ -242,8 +242,7 @@ class MeasuredTableReader {
         return a == b || std::abs(a - b) <= (is_temperature ? kelvins : rounding * std::max(std::abs(a), std::abs(b)));
       });
       if (are_equal) continue;
-      mistakes_.add("", fmt::format("{} says the same as {}, with other values; leave one of them out, or choose it "
-                                    "(breccia fit --columns)",
+      mistakes_.add("", fmt::format("{} says the same as {}, with other values; leave one of them out, or choose one",
                                     shown_value(other.name), shown_value(one.name)));
     }
     for (auto twin = twins_.rbegin(); twin != twins_.rend(); ++twin) {

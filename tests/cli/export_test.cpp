@@ -308,8 +308,8 @@ TEST_F(Export, SaysWhereTheCardOfOtherCurvesIsFrom) {
   ASSERT_EQ(respond.exit_code, 0) << respond.errors;
   const auto outcome = run_breccia(study->path(), {"export", "warm", "--format", "csv"});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(outcome.errors, HasSubstr("warm: curves of `breccia respond`"));
-  EXPECT_THAT(outcome.errors, HasSubstr("--temperature"));
+  EXPECT_THAT(outcome.errors, HasSubstr("warm: curves of an answered response"));
+  EXPECT_THAT(outcome.errors, HasSubstr("name the results that they were answered from, with --temperature"));
 }
 
 /// The times of the run cover more than 100 K on one side of its temperature.

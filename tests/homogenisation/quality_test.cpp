@@ -73,6 +73,34 @@ TEST(Quality, ReportsAFactorIfBoundsAreFarApart) {
   EXPECT_THAT(summary, HasSubstr("bounds a factor of 15 at 10 ms, a factor of 15 at 1 s;"));
 }
 
+TEST(Quality, NamesTheLoadAndTheMethodOfTheBoundsAmongSeveral) {
+  const auto other = [](TestResult test, Load load, Method method) {
+    test.id.load = load;
+    test.id.method = method;
+    return test;
+  };
+  const auto upper = constant(Boundary::displacement, TestGrid(100), 118.0),
+             lower = constant(Boundary::traction, TestGrid(100), 100.0),
+             lowest = constant(Boundary::displacement, TestGrid(100), 80.0);
+  const auto summary_with = [&](const TestResult& further) {
+    return summary_of(quality_of(random_stage(), result_of({upper, lower, further})));
+  };
+  EXPECT_THAT(summary_with(other(upper, Load::bulk, Method::quasistatic)),
+              StartsWith("bounds under shear 18 % apart at"));
+  EXPECT_THAT(summary_with(other(upper, Load::shear, Method::dynamic)),
+              StartsWith("bounds under shear, quasistatic 18 % apart at"));
+  const auto crossed = result_of(
+      {upper, lower, other(lowest, Load::bulk, Method::quasistatic), other(lower, Load::bulk, Method::quasistatic)});
+  EXPECT_THAT(summary_of(quality_of(random_stage(), crossed)),
+              StartsWith("bounds under bulk: the upper one is 20 % below the lower one at 10 ms"));
+}
+
+TEST(Quality, SaysOfFilmsWhichKeyHalvesTheirMesh) {
+  StageQuality films{.particles = 40, .fraction = 0.9};
+  EXPECT_THAT(summary_of(films),
+              HasSubstr("films: error of the mesh unknown (tests.films.face_share = 0.15 halves it)"));
+}
+
 TEST(Quality, TellsDistancesWithTwoDigits) {
   const auto bounds_of = [](double upper, double lower) {
     const auto summary =

@@ -283,8 +283,7 @@ TEST_F(MeasuredTableTest, TwoColumnsOfOneQuantityAreOneIfTheyAgree) {
   EXPECT_EQ(table.columns().size(), 2);
   EXPECT_EQ(
       mistakes("time_s,time_ms\n1,2\n"),
-      "table.csv: \"time_ms\" says the same as \"time_s\", with other values; leave one of them out, or choose it "
-      "(breccia fit --columns)");
+      "table.csv: \"time_ms\" says the same as \"time_s\", with other values; leave one of them out, or choose one");
 }
 
 TEST_F(MeasuredTableTest, ColumnsPartedByBlanks) {

@@ -55,8 +55,8 @@ std::vector<LoadQuality> bounds_of_tests(const StageResult& result);
 StageQuality quality_of(const Stage& stage, const StageResult& result);
 
 /// The quality in words: "bounds 18 % apart at 1 ms, 34 % at 100 s; grid: one grid, error unknown (give cells =
-/// [150, 300]); narrowest gap: 3 cells; packing: one seed, scatter unknown (--seeds 3)". Empty for a box without
-/// particles.
+/// [150, 300]); narrowest gap: 3 cells; packing: one seed, scatter unknown". Of several loads or methods it speaks of
+/// the bounds that are crossed by most, or else of the first, and says which. Empty for a box without particles.
 std::string summary_of(const StageQuality& quality);
 
 /// A warning, without the name of the stage, for each load and method whose upper bound is below the lower one beyond

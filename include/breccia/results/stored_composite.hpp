@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "breccia/error.hpp"
 #include "breccia/results/composite.hpp"
 
 namespace breccia {
@@ -14,6 +15,12 @@ std::vector<StageSeries> read_stored_series(const std::filesystem::path& directo
 /// Reads what is known of a study beside its moduli from `study.json` in a directory of results. Throws FileError when
 /// the file is not as `breccia run` writes it.
 StudyContent read_stored_content(const std::filesystem::path& directory);
+
+/// Error: a directory has curves that were answered from the responses of other results, and nothing else of these.
+class AnsweredResults : public InputError {
+ public:
+  using InputError::InputError;
+};
 
 /// Throws InputError where a directory does not have the results of a study with at least one finished test.
 void require_stored_study(const std::filesystem::path& directory);

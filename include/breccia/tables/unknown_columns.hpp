@@ -1,0 +1,13 @@
+#pragma once
+
+#include "breccia/error.hpp"
+
+namespace breccia {
+
+/// Error: the names of a table's columns do not say what it has. A choice of columns (ColumnChoice) helps.
+class UnknownColumns : public InputError {
+ public:
+  using InputError::InputError;
+};
+
+}  // namespace breccia
