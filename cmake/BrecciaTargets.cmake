@@ -113,7 +113,7 @@ function(breccia_test module)
   target_link_libraries(${module}_test PRIVATE
     breccia_options breccia_test_options breccia::breccia GTest::gtest_main GTest::gmock ${test_LIBRARIES})
   target_precompile_headers(${module}_test REUSE_FROM breccia_test_headers)
-  gtest_discover_tests(${module}_test TEST_PREFIX ${module}. DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+  gtest_discover_tests(${module}_test TEST_PREFIX ${module}. NO_PRETTY_TYPES NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
 endfunction()
 
 # breccia_mpirun_test(<name> <processes> <target> [<argument>...]): a program that several processes run together. Root in

@@ -67,6 +67,7 @@ std::string stage_of_labels(std::string_view file, std::string_view walls, std::
 
 /// A microstructure, and the labels that it has beside that of the matrix.
 struct Original {
+  std::string name;
   std::string stage;
   std::string periodic;
   std::string labels;
@@ -77,7 +78,7 @@ class LabelsOf : public testing::TestWithParam<Original> {};
 
 // The image has the same points, and so the same bits of G(t).
 TEST_P(LabelsOf, AMicrostructureAreReadBack) {
-  const auto& [stage, periodic, labels, array] = GetParam();
+  const auto& [name, stage, periodic, labels, array] = GetParam();
   const StudyDirectory original(deck_of(stage));
   const auto run = original.breccia("run");
   ASSERT_EQ(run.exit_code, 0) << run.errors;
@@ -99,17 +100,21 @@ INSTANTIATE_TEST_SUITE_P(
     Image, LabelsOf,
     testing::Values(
         Original{
+            "Discs",
             "box = \"1 mm\"\ncells = 33\nfiller = { material = \"hmx\", fraction = 0.5, sizes = { diameter = \"0.25 "
             "mm\" } }\npacking = { method = \"lubachevsky-stillinger\" }",
             "false", "{ value = 1, material = \"hmx\" }", "particle"},
         Original{
+            "CoatedDiscs",
             "box = \"1 mm\"\ncells = 40\nfiller = { material = \"hmx\", fraction = 0.4, sizes = { diameter = \"0.25 "
             "mm\" }, coating = { material = \"interphase\", thickness = \"30 um\" } }\npacking = { method = "
             "\"lubachevsky-stillinger\", walls = false }",
             "true", "{ value = 1, material = \"hmx\" }, { value = 2, material = \"interphase\" }", "particle"},
-        Original{"box = \"1 mm\"\ncells = 48\nfiller = { material = \"hmx\", fraction = 0.85, sizes = { diameter = "
+        Original{"Grains",
+                 "box = \"1 mm\"\ncells = 48\nfiller = { material = \"hmx\", fraction = 0.85, sizes = { diameter = "
                  "\"0.3 mm\" } }\npacking = { method = \"laguerre\" }",
-                 "true", "{ value = 1, material = \"hmx\" }", "grain"}));
+                 "true", "{ value = 1, material = \"hmx\" }", "grain"}),
+    [](const auto& chosen) { return chosen.param.name; });
 
 /// A picture in which the pixels whose middle is in one of two discs have the colour 1 of the palette.
 std::string picture_of_discs(int pixels) {

@@ -8,6 +8,8 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include "test_names.hpp"
+
 namespace breccia {
 namespace {
 
@@ -46,7 +48,7 @@ typename CellShape<dim>::PointModuli uniform_moduli(const Moduli& of_all) {
 template <class Dimension>
 class CellShapeOf : public testing::Test {};
 using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
-TYPED_TEST_SUITE(CellShapeOf, Dimensions);
+TYPED_TEST_SUITE(CellShapeOf, Dimensions, breccia::test::DimensionNames);
 
 TYPED_TEST(CellShapeOf, WeightsSumToOneAndReproduceThePositionOfThePoint) {
   constexpr int dim = TypeParam::value;

@@ -61,7 +61,9 @@ TEST_P(LevelGridTest, FindsEveryBallInReach) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Walls, LevelGridTest, ::testing::Values(Walls::hard, Walls::periodic));
+INSTANTIATE_TEST_SUITE_P(Walls, LevelGridTest, ::testing::Values(Walls::hard, Walls::periodic), [](const auto& chosen) {
+  return std::string(chosen.param == Walls::hard ? "Hard" : "Periodic");
+});
 
 TEST(PeriodicImages, OppositesCancel) {
   const PeriodicImages<3> images(side);

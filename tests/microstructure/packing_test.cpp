@@ -8,6 +8,7 @@
 #include <ostream>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
@@ -241,16 +242,18 @@ double in_square(double distance) {
   return distance / (1.0 + distance);
 }
 
+constexpr auto by_number = [](const auto& chosen) { return fmt::format("{}_discs", chosen.param.discs); };
 INSTANTIATE_TEST_SUITE_P(Square, PackDensest,
                          ::testing::Values(DensestPacking{2, Walls::hard, in_square(std::sqrt(2.0))},
                                            DensestPacking{3, Walls::hard, in_square(std::sqrt(6.0) - std::sqrt(2.0))},
                                            DensestPacking{4, Walls::hard, in_square(1.0)},
-                                           DensestPacking{5, Walls::hard, in_square(std::sqrt(0.5))}));
+                                           DensestPacking{5, Walls::hard, in_square(std::sqrt(0.5))}),
+                         by_number);
 INSTANTIATE_TEST_SUITE_P(Torus, PackDensest,
                          ::testing::Values(DensestPacking{2, Walls::periodic, std::sqrt(0.5)},
                                            DensestPacking{3, Walls::periodic, 0.5 * (std::sqrt(6.0) - std::sqrt(2.0))},
-                                           DensestPacking{4, Walls::periodic,
-                                                          0.5 * (std::sqrt(6.0) - std::sqrt(2.0))}));
+                                           DensestPacking{4, Walls::periodic, 0.5 * (std::sqrt(6.0) - std::sqrt(2.0))}),
+                         by_number);
 
 TEST(Packing, KeepsShellsApart) {
   PackingRequest request;

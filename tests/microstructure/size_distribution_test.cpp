@@ -15,6 +15,7 @@
 
 #include "expect_error.hpp"
 #include "hmx_sizes.hpp"
+#include "test_names.hpp"
 
 namespace breccia {
 namespace {
@@ -190,7 +191,8 @@ INSTANTIATE_TEST_SUITE_P(Distributions, DrawDiameters,
                                            Draw{hmx().truncated(14e-6, 100e-6), 0.63, 420e-6},
                                            Draw{hmx().truncated(100e-6, 600e-6), 0.52, 2.75e-3},
                                            Draw{hmx().truncated(1e-6, 100e-6), 0.85, 1e-3}, Draw{sieves(), 0.7, 500e-6},
-                                           Draw{SizeDistribution::monodisperse(3e-6), 0.6, 100e-6}));
+                                           Draw{SizeDistribution::monodisperse(3e-6), 0.6, 100e-6}),
+                         test::by_value);
 
 TEST(DrawDiameters, MonodisperseIsRoundedToTheNearestNumber) {
   const double side = 100e-6;

@@ -6,6 +6,7 @@
 #include <ostream>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
@@ -167,8 +168,8 @@ double in_cube(double distance) {
 
 INSTANTIATE_TEST_SUITE_P(Cube, PackDensestSpheres,
                          ::testing::Values(DensestPacking{2, in_cube(std::sqrt(3.0))},
-                                           DensestPacking{4, in_cube(std::sqrt(2.0))},
-                                           DensestPacking{8, in_cube(1.0)}));
+                                           DensestPacking{4, in_cube(std::sqrt(2.0))}, DensestPacking{8, in_cube(1.0)}),
+                         [](const auto& chosen) { return fmt::format("{}_spheres", chosen.param.spheres); });
 
 }  // namespace
 }  // namespace breccia

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "properties/random_composite.hpp"
+#include "test_names.hpp"
 
 namespace breccia {
 namespace {
@@ -136,7 +137,7 @@ TEST_P(QuasistaticInvariance, OfTheOrderOfParticlesIsExact) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, QuasistaticInvariance, testing::Values(1, 2, 3, 4));
+INSTANTIATE_TEST_SUITE_P(Seeds, QuasistaticInvariance, testing::Values(1, 2, 3, 4), test::by_value);
 
 class DynamicInvariance : public testing::TestWithParam<Boundary> {
  protected:
@@ -165,7 +166,7 @@ TEST_P(DynamicInvariance, OfTheOrderOfParticlesIsExact) {
   EXPECT_EQ(curve_of(in_another_order(composite)), curve_of(composite));
 }
 
-INSTANTIATE_TEST_SUITE_P(Boundaries, DynamicInvariance, testing::ValuesIn(test::boundaries));
+INSTANTIATE_TEST_SUITE_P(Boundaries, DynamicInvariance, testing::ValuesIn(test::boundaries), test::by_words);
 
 }  // namespace
 }  // namespace breccia

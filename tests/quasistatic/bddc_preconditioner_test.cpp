@@ -9,6 +9,7 @@
 
 #include "operator/elastic_operator.hpp"
 #include "quasistatic/composites.hpp"
+#include "test_names.hpp"
 
 namespace breccia::quasistatic {
 namespace {
@@ -102,7 +103,7 @@ TEST_P(Bddc, HasASmallConditionNumberForAnyContrastAndSize) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Boundaries, Bddc, testing::ValuesIn(breccia::test::boundaries));
+INSTANTIATE_TEST_SUITE_P(Boundaries, Bddc, testing::ValuesIn(breccia::test::boundaries), breccia::test::by_words);
 
 TEST(BddcOfOneBlock, IsTheInverse) {
   parallel::start();

@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "test_names.hpp"
+
 namespace breccia::quasistatic {
 namespace {
 
@@ -139,7 +141,8 @@ TEST_P(Grids, AnEdgeKnowsTheBlocksOnBothSides) {
 
 INSTANTIATE_TEST_SUITE_P(Boxes, Grids,
                          testing::Values(Cells{20, 9, false}, Cells{1, 1, false}, Cells{64, 33, false},
-                                         Cells{20, 17, true}, Cells{2, 2, true}, Cells{40, 16, true}));
+                                         Cells{20, 17, true}, Cells{2, 2, true}, Cells{40, 16, true}),
+                         breccia::test::by_value);
 
 }  // namespace
 }  // namespace breccia::quasistatic

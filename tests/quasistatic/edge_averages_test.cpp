@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "quasistatic/random_blocks.hpp"
+#include "test_names.hpp"
 
 namespace breccia::quasistatic {
 namespace {
@@ -98,7 +99,7 @@ TEST_P(RandomEdge, LeavesNoJumpWhoseEnergyAveragingMultipliesByMoreThanTheTolera
   for (std::uint64_t seed = 1; seed <= 3; ++seed) expect_sufficient_constraints(random_pair(GetParam(), seed));
 }
 
-INSTANTIATE_TEST_SUITE_P(Contrasts, RandomEdge, testing::Values(1.0, 1e2, 1e4));
+INSTANTIATE_TEST_SUITE_P(Contrasts, RandomEdge, testing::Values(1.0, 1e2, 1e4), breccia::test::by_value);
 
 /// Stiffness of a cell of one isotropic material.
 CellShape<2>::Stiffness uniform_cell(double bulk, double shear) {

@@ -15,6 +15,7 @@
 #include "operator/cube_forces.hpp"
 #include "operator/square_forces.hpp"
 #include "operator/vector_values.hpp"
+#include "test_names.hpp"
 
 namespace breccia::quasistatic {
 namespace {
@@ -43,7 +44,7 @@ Discretisation<2> of_different_cells(int side, int materials) {
 template <class Dimension>
 class ElasticOperatorOf : public testing::Test {};
 using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
-TYPED_TEST_SUITE(ElasticOperatorOf, Dimensions);
+TYPED_TEST_SUITE(ElasticOperatorOf, Dimensions, breccia::test::DimensionNames);
 
 /// Cells of one material, not as many along one axis as along another.
 template <int dim>

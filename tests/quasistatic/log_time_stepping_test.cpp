@@ -14,6 +14,7 @@
 
 #include "quasistatic/composites.hpp"
 #include "temporary_directory.hpp"
+#include "test_names.hpp"
 
 namespace breccia {
 namespace {
@@ -55,7 +56,9 @@ TEST_P(ModelComposite, AgreesWithAnIndependentComputation) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Grids, ModelComposite, testing::ValuesIn(model_values));
+INSTANTIATE_TEST_SUITE_P(Grids, ModelComposite, testing::ValuesIn(model_values), [](const auto& chosen) {
+  return fmt::format("{}_{}_cells", test::words_of(chosen.param.volumetric), chosen.param.cells);
+});
 
 /// Both moduli relax, at different times.
 const Material polymer = {"polymer", 1000.0, PronySeries(2e6, {{3e-3, 1e6}}),

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "test_names.hpp"
+
 namespace breccia::quasistatic {
 namespace {
 
@@ -37,7 +39,7 @@ class AnyMixedCell : public testing::Test {
 };
 
 using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
-TYPED_TEST_SUITE(AnyMixedCell, Dimensions);
+TYPED_TEST_SUITE(AnyMixedCell, Dimensions, breccia::test::DimensionNames);
 
 // The modes of a cell are those of its stiffness.
 TYPED_TEST(AnyMixedCell, ModesGiveTheStiffnessOfOneMaterial) {

@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "test_names.hpp"
+
 namespace breccia::quasistatic {
 namespace {
 
@@ -119,7 +121,8 @@ TEST_P(DividedBlocks, KnowWhereTheUnknownsOfOthersAre) {
 INSTANTIATE_TEST_SUITE_P(Boxes, DividedBlocks,
                          testing::Values(Case{1, {24, 24}, true}, Case{2, {24, 24}, true}, Case{2, {24, 24}, false},
                                          Case{3, {40, 17}, false}, Case{4, {40, 40}, true}, Case{6, {33, 50}, false},
-                                         Case{8, {64, 40}, true}, Case{9, {64, 40}, false}, Case{4, {4, 40}, false}));
+                                         Case{8, {64, 40}, true}, Case{9, {64, 40}, false}, Case{4, {4, 40}, false}),
+                         breccia::test::by_value);
 
 // The cuts are those of the blocks of the first process of each row.
 TEST(BlockDivision, HasLargerBlocksForMoreProcesses) {

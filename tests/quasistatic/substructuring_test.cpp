@@ -8,6 +8,7 @@
 #include "breccia/quasistatic/sampling.hpp"
 
 #include "quasistatic/composites.hpp"
+#include "test_names.hpp"
 
 namespace breccia {
 namespace {
@@ -61,7 +62,8 @@ TEST_P(Substructuring, AgreesWithCholeskyFactorsForAnyContrastInFewIterations) {
 
 INSTANTIATE_TEST_SUITE_P(Boxes, Substructuring,
                          testing::Combine(testing::ValuesIn(test::boundaries),
-                                          testing::Values(Volumetric::averaged, Volumetric::standard)));
+                                          testing::Values(Volumetric::averaged, Volumetric::standard)),
+                         test::by_words);
 
 // The solution for nearly the same moduli is the guess for the second system: three decades of ten are left to it.
 TEST(SubstructuringWithAGuess, TakesFewIterationsUnderEveryBoundary) {

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "test_names.hpp"
+
 namespace breccia::quasistatic {
 namespace {
 
@@ -97,7 +99,7 @@ TEST_P(WallTransforms, AreTheirOwnInversesButForAFactor) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Cells, WallTransforms, testing::Values(1, 2, 3, 5, 8, 12, 31));
+INSTANTIATE_TEST_SUITE_P(Cells, WallTransforms, testing::Values(1, 2, 3, 5, 8, 12, 31), breccia::test::by_value);
 
 }  // namespace
 }  // namespace breccia::quasistatic

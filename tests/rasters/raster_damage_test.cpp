@@ -13,6 +13,7 @@
 #include "breccia/rasters/raster_reader.hpp"
 
 #include "temporary_directory.hpp"
+#include "test_names.hpp"
 
 namespace breccia {
 namespace {
@@ -69,14 +70,16 @@ INSTANTIATE_TEST_SUITE_P(Formats, CutOffRaster,
                          testing::Values("plane-interlaced.png", "plane-16bit.png", "plane-group4-mod2.tif",
                                          "plane-bigtiff.tif", "stack-tiled-deflate.tif", "plane-fortran.npy",
                                          "stack.npy", "plane-ascii.vti", "plane-inline-zlib.vti",
-                                         "stack-two-base64.vti", "plane-raw-zlib.vti", "plane.h5"));
+                                         "stack-two-base64.vti", "plane-raw-zlib.vti", "plane.h5"),
+                         test::by_value);
 
 // HDF5 is left out, because its library leaks memory when it refuses a damaged file.
 INSTANTIATE_TEST_SUITE_P(Formats, FlippedRaster,
                          testing::Values("plane-interlaced.png", "plane-16bit.png", "plane-group4-mod2.tif",
                                          "plane-bigtiff.tif", "stack-tiled-deflate.tif", "plane-fortran.npy",
                                          "stack.npy", "plane-ascii.vti", "plane-inline-zlib.vti",
-                                         "stack-two-base64.vti", "plane-raw-zlib.vti"));
+                                         "stack-two-base64.vti", "plane-raw-zlib.vti"),
+                         test::by_value);
 
 }  // namespace
 }  // namespace breccia

@@ -15,6 +15,7 @@
 
 #include "messages.hpp"
 #include "temporary_directory.hpp"
+#include "test_names.hpp"
 
 namespace breccia {
 namespace {
@@ -79,7 +80,7 @@ std::vector<ImageOfAnotherProgram> sound_images() {
   return sound;
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, ReadRaster, testing::ValuesIn(sound_images()));
+INSTANTIATE_TEST_SUITE_P(Files, ReadRaster, testing::ValuesIn(sound_images()), test::by_value);
 
 TEST(ReadRasterFiles, AreAllThere) {
   EXPECT_EQ(sound_images().size(), 70U);

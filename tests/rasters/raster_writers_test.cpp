@@ -18,6 +18,7 @@
 
 #include "messages.hpp"
 #include "temporary_directory.hpp"
+#include "test_names.hpp"
 
 namespace breccia {
 namespace {
@@ -67,7 +68,8 @@ TEST_P(RasterWriters, VtiIsReadBack) {
 
 INSTANTIATE_TEST_SUITE_P(Shapes, RasterWriters,
                          testing::Values(Extents{1, 1}, Extents{5, 4}, Extents{3, 7}, Extents{300, 400},
-                                         Extents{3, 4, 5}, Extents{60, 50, 70}));
+                                         Extents{3, 4, 5}, Extents{60, 50, 70}),
+                         test::by_value);
 
 TEST(RasterWriter, PngOfPaletteIsReadBack) {
   const test::TemporaryDirectory directory;

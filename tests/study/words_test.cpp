@@ -1,5 +1,6 @@
 #include "breccia/words.hpp"
 
+#include <array>
 #include <set>
 #include <string>
 #include <type_traits>
@@ -16,7 +17,15 @@ template <class Enum>
 class Words : public testing::Test {};
 using Enumerations =
     testing::Types<Load, Boundary, Method, Volumetric, Solver, SampledRange, LinearMethod, Formulation, Start>;
-TYPED_TEST_SUITE(Words, Enumerations);
+struct EnumerationNames {
+  template <class Enum>
+  static std::string GetName(int number) {
+    constexpr std::array names = {"Load",         "Boundary",     "Method",      "Volumetric", "Solver",
+                                  "SampledRange", "LinearMethod", "Formulation", "Start"};
+    return names.at(static_cast<std::size_t>(number));
+  }
+};
+TYPED_TEST_SUITE(Words, Enumerations, EnumerationNames);
 
 TYPED_TEST(Words, LeadThereAndBack) {
   std::set<std::string> names;
