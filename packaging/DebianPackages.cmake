@@ -34,7 +34,6 @@ This package has the command breccia, its library, example decks, the
 documentation, the manual page and the completion for bash and zsh.")
 # MUMPS and LAPACK take the time of a calculation with the BLAS, of which OpenBLAS is the fast one.
 set(CPACK_DEBIAN_COMMAND_PACKAGE_DEPENDS "libopenblas0-pthread | libopenblas0")
-set(CPACK_DEBIAN_COMMAND_PACKAGE_RECOMMENDS gnuplot-nox)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SUGGESTS "python3-breccia, openmpi-bin, paraview")
 # Which package has the library, and that the cache of the linker is to be renewed.
 configure_file(${CMAKE_CURRENT_LIST_DIR}/command/shlibs.in ${PROJECT_BINARY_DIR}/packaging/shlibs @ONLY)

@@ -154,9 +154,7 @@ void DirectorySink::write_record(const StudyResult& result) const {
 void DirectorySink::write_finished_stage(const Stage& stage, const StudyResult& result) const {
   write_comparisons(directory_, result);
   write_record(result);
-  for (const auto& note : write_plots(directory_ / stage.name, study_, stage, result)) {
-    observer_.tell(Note{note});
-  }
+  write_plots(directory_ / stage.name, study_, stage, result);
   write_study_report(directory_);
 }
 

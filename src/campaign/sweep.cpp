@@ -185,14 +185,8 @@ class SweepRun {
     if (parallel::groups() > 1) look_at_others();
     write_sweep_tables(directory_, sweep_, result_);
     write_record();
-    note_of_plot(write_sweep_plot(directory_, sweep_, result_));
+    write_sweep_plot(directory_, sweep_, result_);
     write_sweep_report(directory_, result_);
-  }
-
-  /// The plot is written after each task; what is wrong with it is told once.
-  void note_of_plot(const std::optional<std::string>& note) {
-    if (note && note != last_note_) observer_.tell(Note{*note});
-    last_note_ = note;
   }
 
   void write_record() const {
@@ -208,7 +202,6 @@ class SweepRun {
   SharedStages shared_;
   std::vector<RunOptions> options_of_;  ///< options of each task
   SweepResult result_;
-  std::optional<std::string> last_note_;  ///< why the plot is left out
 };
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "command.hpp"
 
 #include <chrono>
-#include <cstdio>
 #include <string>
 
 #include <fmt/format.h>
@@ -9,7 +8,6 @@
 #include "breccia/error.hpp"
 #include "breccia/io/units.hpp"
 #include "breccia/parallel/session.hpp"
-#include "breccia/report/modulus_plot.hpp"
 
 #include "help.hpp"
 #include "interruption.hpp"
@@ -100,12 +98,6 @@ double option_quantity(const std::string& option, const std::string& text, Dimen
   }();
   if (accepts(range, value)) return value;
   throw InputError(fmt::format("{}: expected {}, got \"{}\"", option, described(range, dimension), text));
-}
-
-void warn_of_missing_plots(const std::string& addition) {
-  if (!parallel::is_first()) return;
-  const auto reason = why_no_plots();
-  if (reason) fmt::print(stderr, "warning: SVG plots are left out: {}{}\n", *reason, addition);
 }
 
 }  // namespace breccia::cli

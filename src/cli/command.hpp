@@ -54,10 +54,6 @@ void add_run_arguments(CLI::App& command, RunArguments& arguments);
 double option_quantity(const std::string& option, const std::string& text, Dimension dimension,
                        const Range& range = {});
 
-/// If gnuplot cannot draw, prints a warning with the reason on standard error: its plots are left out. The addition is
-/// appended with its own punctuation.
-void warn_of_missing_plots(const std::string& addition);
-
 /// The subcommands: each function adds its subcommand to the application, with a callback that does the work.
 void add_bench(CLI::App& application);
 void add_check(CLI::App& application);

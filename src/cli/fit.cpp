@@ -287,7 +287,6 @@ std::string options_of(const FitArguments& arguments, const FitResult& result) {
 }
 
 void fit(const FitArguments& arguments) {
-  warn_of_missing_plots("");
   const auto given = arguments.modulus.empty() ? ModulusKind::unspecified : modulus_kinds.at(arguments.modulus);
   const Fitter fitter(arguments);
   const auto table_of_data = read_measured_table(arguments.file, columns_of(arguments));

@@ -205,14 +205,7 @@ class Writer {
     write_prony_file(results_.place() / name, series, kind, comment);
     names_.push_back(name);
   }
-  void picture(const std::string& name, const ModulusPlot& plot) {
-    if (why_no_plots()) return;
-    if (const auto reason = write_modulus_plot(results_.place() / name, plot)) {
-      fmt::print(stderr, "warning: {} is left out: {}\n", name, *reason);
-    } else {
-      names_.push_back(name);
-    }
-  }
+  void picture(const std::string& name, const ModulusPlot& plot) { text(name, modulus_plot(plot)); }
   void text(const std::string& name, const std::string& text) {
     write_text(results_.place() / name, text);
     names_.push_back(name);

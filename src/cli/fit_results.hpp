@@ -51,9 +51,9 @@ struct FitDestination {
   bool overwrite;                ///< whether a fit of other data or with other options may be replaced
 };
 
-/// Writes all files of a fit to a directory, which is created if it is missing, and returns their names; without
-/// gnuplot there are no pictures. Throws InputError if files would be replaced that are not of an earlier fit of the
-/// same data with the same options (unless `overwrite`), and FileError.
+/// Writes all files of a fit to a directory, which is created if it is missing, and returns their names. Throws
+/// InputError if files would be replaced that are not of an earlier fit of the same data with the same options (unless
+/// `overwrite`), and FileError.
 std::vector<std::string> write_fit(const FitDestination& destination, const FitData& data, const FitResult& result,
                                    CurveKind kind);
 

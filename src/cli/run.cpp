@@ -106,7 +106,6 @@ void add_run(CLI::App& application) {
       parallel::divide(arguments->processes_per_task);
     }
     if (!arguments->petsc_options.empty()) parallel::set_petsc_options(arguments->petsc_options);
-    warn_of_missing_plots("; report.html draws every curve without it");
     ProgressLine progress(arguments->quiet || !parallel::is_first());
     if (sweep.keys.empty()) {
       run_single(sweep.tasks.front().study, *arguments, options, progress);

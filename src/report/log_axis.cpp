@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include <fmt/format.h>
 
@@ -9,12 +10,13 @@ namespace breccia {
 
 namespace {
 
-constexpr double rounding = 1e-9;  // relative; keeps ticks that lie on the ends
+constexpr double rounding_of_ticks = 1e-9;  // relative; keeps ticks that lie on the ends
 
-/// The label of a tick: "0.2", "500" or, with powers, "10^{-6}", "2×10^{-6}".
-std::string tick_label(int digit, int exponent, bool powers) {
-  if (!powers) return fmt::format("{:g}", digit * std::pow(10.0, exponent));
-  return digit == 1 ? fmt::format("10^{{{}}}", exponent) : fmt::format("{}×10^{{{}}}", digit, exponent);
+/// A tick with a label, which is a power of ten or has the value in digits.
+Tick labelled_tick(double at, int digit, int exponent, bool is_power) {
+  if (!is_power) return {at, fmt::format("{:g}", at), ""};
+  return {at, digit == 1 ? "10" : fmt::format("{}×10", digit),
+          fmt::format("{}{}", exponent < 0 ? "−" : "", std::abs(exponent))};
 }
 
 }  // namespace
@@ -25,19 +27,19 @@ LogAxis log_axis(double smallest, double largest, double margin) {
 
   const double decades = std::log10(axis.end / axis.begin);
   const bool labels_two_and_five = decades <= 2.0;
-  const int labelled_exponents = std::max(1, static_cast<int>(std::ceil(decades / 9.0 - rounding)));
+  const int labelled_exponents = std::max(1, static_cast<int>(std::ceil(decades / 9.0 - rounding_of_ticks)));
   const bool powers = axis.begin < 0.999e-3 || axis.end > 1e4;
 
   const int first = static_cast<int>(std::floor(std::log10(axis.begin)));
-  const int last = static_cast<int>(std::floor(std::log10(axis.end) + rounding));
+  const int last = static_cast<int>(std::floor(std::log10(axis.end) + rounding_of_ticks));
   for (int exponent = first; exponent <= last; ++exponent) {
     for (int digit = 1; digit <= 9; ++digit) {
       const double at = digit * std::pow(10.0, exponent);
-      if (at < axis.begin * (1.0 - rounding) || at > axis.end * (1.0 + rounding)) continue;
+      if (at < axis.begin * (1.0 - rounding_of_ticks) || at > axis.end * (1.0 + rounding_of_ticks)) continue;
       if (digit > 1 && labelled_exponents > 1) continue;
       const bool labelled =
           (digit == 1 && exponent % labelled_exponents == 0) || (labels_two_and_five && (digit == 2 || digit == 5));
-      axis.ticks.push_back({at, labelled ? tick_label(digit, exponent, powers) : ""});
+      axis.ticks.push_back(labelled ? labelled_tick(at, digit, exponent, powers) : Tick{at, "", ""});
     }
   }
   return axis;

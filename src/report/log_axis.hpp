@@ -8,7 +8,8 @@ namespace breccia {
 /// A mark on an axis: long with a label, or short without.
 struct Tick {
   double at;
-  std::string label;  ///< in gnuplot's enhanced text
+  std::string label;     ///< "0.2", "500"; the base and its factor where there is a power: "10", "2×10"
+  std::string exponent;  ///< of that power, empty without one
 };
 
 /// A logarithmic axis from begin to end.

@@ -1,46 +1,41 @@
 #include "breccia/report/modulus_plot.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/text_file.hpp"
 
-#include "child_process.hpp"
 #include "log_axis.hpp"
+#include "markup.hpp"
+#include "plot_area.hpp"
+#include "plot_legend.hpp"
+#include "plot_pen.hpp"
+#include "plot_text.hpp"
 
 namespace breccia {
 
 namespace {
 
-/// Dashes of lines, and of those for lower bounds, in each round of the colours.
-constexpr std::array<std::string_view, 4> line_dashes{"solid", "(9,3,2,3)", "(9,3,2,3,2,3)", "(20,3)"};
-constexpr std::array<std::string_view, 4> lower_dashes{"(12,7)", "(5,7)", "(12,7,3,7)", "(12,7,3,7,3,7)"};
+constexpr double picture_width = 900.0;
+constexpr double left_of_area = 102.0, right_of_area = 870.0, height_of_area = 420.0;
+constexpr double above_area = 18.0, title_above_area = 46.0;
+constexpr double below_area = 68.0;  // labels at the ticks and the name of the axis
+constexpr double below_legend = 14.0;
+constexpr double row_of_windows = 16.0;  // height of a row of their labels
 
-/// Colours that remain distinct to the colour-blind (Okabe and Ito, 2008), without the yellow, which is lost on white.
-constexpr std::array<std::string_view, 7> palette{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                                  "#e69f00", "#56b4e9", "#000000"};
-
-struct Point {
-  double time;     // [s]
-  double modulus;  // in the unit of the plot
-};
-
-/// The points of a curve that logarithmic axes can show.
-std::vector<Point> visible_points(const PlotCurve& curve, double unit) {
+/// The points of a curve that logarithmic axes can show, and their values [s, unit of the plot].
+std::vector<PlotPoint> visible_points(const PlotCurve& curve, double unit) {
   if (curve.times.size() != curve.moduli.size()) {
     throw InputError(fmt::format("plot: the curve \"{}\" has {} times but {} moduli", curve.label, curve.times.size(),
                                  curve.moduli.size()));
   }
   const auto can_show = [](double x) { return x > 0.0 && std::isfinite(x); };
-  std::vector<Point> points;
+  std::vector<PlotPoint> points;
   for (std::size_t i = 0; i < curve.times.size(); ++i) {
     if (can_show(curve.times[i]) && can_show(curve.moduli[i])) {
       points.push_back({curve.times[i], curve.moduli[i] / unit});
@@ -49,176 +44,148 @@ std::vector<Point> visible_points(const PlotCurve& curve, double unit) {
   return points;
 }
 
-/// A text as a string of gnuplot's language. Every sign with which a label could leave its quotes or start a command
-/// is given by its octal code, and so is every digit, which gnuplot would take as part of a code before it.
-/// Replaces control characters, such as line breaks, by spaces.
-std::string gnuplot_text(std::string_view text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    const bool is_control = code < 0x20 || code == 0x7f;
-    const bool is_plain = std::isalpha(code) != 0 || code >= 0x80;
-    result += is_control ? " " : is_plain ? std::string(1, c) : fmt::format("\\{:03o}", code);
+/// A curve that has points to show.
+struct VisibleCurve {
+  std::string label;
+  PlotPen pen;
+  std::vector<PlotPoint> points;  ///< values [s, unit of the plot]
+};
+
+std::vector<VisibleCurve> visible_curves(const ModulusPlot& plot) {
+  std::vector<VisibleCurve> curves;
+  for (std::size_t i = 0; i < plot.curves.size(); ++i) {
+    const auto& curve = plot.curves[i];
+    auto points = visible_points(curve, plot.unit_size);
+    if (points.empty()) continue;
+    curves.push_back({curve.label, pen_of(curve.style, curve.colour.value_or(i)), std::move(points)});
   }
-  return result + "\"";
+  if (curves.empty()) throw InputError(fmt::format("plot \"{}\": there is no point to show", plot.title));
+  return curves;
 }
 
-std::string tick_list(const LogAxis& axis) {
-  std::string list;
-  for (const auto& tick : axis.ticks) {
-    list += fmt::format("{}'{}' {:.17g} {}", list.empty() ? "" : ", ", tick.label, tick.at, tick.label.empty() ? 1 : 0);
-  }
-  return list;
-}
+/// The part of a window that the axis of times shows, and where its label goes, in the drawing.
+struct Band {
+  std::string label;
+  double begin;
+  double end;
+  double middle_of_label;
+  std::size_t row;  ///< of the label, from the top: the first in which it does not touch the one before
+};
 
-std::string axes(const ModulusPlot& plot, const LogAxis& time, const LogAxis& modulus) {
-  return fmt::format(
-      "set logscale xy\n"
-      "set xrange [{:.17g}:{:.17g}]\nset yrange [{:.17g}:{:.17g}]\n"
-      "set xtics ({})\nset ytics ({})\n"
-      "set xlabel {} noenhanced offset 0,0.5\nset ylabel {} noenhanced\nset title {} noenhanced\n",
-      time.begin, time.end, modulus.begin, modulus.end, tick_list(time), tick_list(modulus),
-      gnuplot_text(plot.abscissa), gnuplot_text(fmt::format("{} / {}", plot.quantity, plot.unit)),
-      gnuplot_text(plot.title));
-}
-
-/// Position of a label centred between two times, as a share of the width of the graph, such that it stays in the
-/// graph.
-double label_position(const PlotWindow& window, double begin, double end, const LogAxis& time) {
-  constexpr double width_of_a_sign = 0.0085;
-  const double half_width = std::min(0.5, 0.5 * width_of_a_sign * static_cast<double>(window.label.size()));
-  const double middle = std::log(std::sqrt(begin * end) / time.begin) / std::log(time.end / time.begin);
-  return std::clamp(middle, half_width, 1.0 - half_width);
-}
-
-/// Transparent bands of alternating colour and height of label, so that both can be seen where two windows overlap.
-std::string bands(const std::vector<PlotWindow>& windows, const LogAxis& time) {
-  std::string script;
-  for (std::size_t i = 0; i < windows.size(); ++i) {
-    const double begin = std::clamp(windows[i].begin, time.begin, time.end);
-    const double end = std::clamp(windows[i].end, time.begin, time.end);
-    if (!(begin < end)) continue;
-    const bool is_even = i % 2 == 0;
-    script += fmt::format(
-        "set object rectangle from first {0:.17g}, graph 0 to first {1:.17g}, graph 1 behind "
-        "fillcolor rgb '{2}' fillstyle transparent solid 0.12 noborder\n"
-        "set label {3} at graph {4:.17g}, graph {5} center noenhanced textcolor rgb '#606060' font ',11'\n",
-        begin, end, is_even ? "#4477aa" : "#998866", gnuplot_text(windows[i].label),
-        label_position(windows[i], begin, end, time), is_even ? 0.96 : 0.92);
-  }
-  return script;
-}
-
-std::string drawing(const PlotCurve& curve, std::size_t position) {
-  const std::size_t colour = curve.colour.value_or(position);
-  // Each round of the colours has its own dashes.
-  const auto round = colour / palette.size();
-  const auto with_line = [&](std::string_view what, std::string_view dashes) {
-    return fmt::format("with {} linewidth 2 dashtype {} pointtype 6 pointsize 0.7 linecolor rgb '{}'", what, dashes,
-                       palette[colour % palette.size()]);
-  };
-  const auto plain = line_dashes[round % line_dashes.size()];
-  switch (curve.style) {
-    case PlotStyle::line:
-      return with_line("lines", plain);
-    case PlotStyle::dashed:
-      return with_line("lines", lower_dashes[round % lower_dashes.size()]);
-    case PlotStyle::dotted:
-      return with_line("lines", "(3,4)");
-    case PlotStyle::points:
-      return with_line("points", plain);
-    case PlotStyle::line_and_points:
-      return with_line("linespoints", plain);
-  }
-  return {};
-}
-
-/// The data as blocks of the script, and the command that draws them.
-std::string curves(const std::vector<PlotCurve>& curves, const std::vector<std::vector<Point>>& points) {
-  std::string data;
-  std::string command;
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    if (points[i].empty()) continue;
-    data += fmt::format("$curve{} << END\n", i);
-    for (const auto& [time, modulus] : points[i]) {
-      fmt::format_to(std::back_inserter(data), "{:.9g} {:.9g}\n", time, modulus);
-    }
-    data += "END\n";
-    command += fmt::format("{} $curve{} using 1:2 {} title {}", command.empty() ? "plot" : ",", i,
-                           drawing(curves[i], i), gnuplot_text(curves[i].label));
-  }
-  return data + command + "\n";
-}
-
-std::string gnuplot_script(const ModulusPlot& plot) {
-  std::vector<std::vector<Point>> points;
-  auto smallest = Point{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  auto largest = Point{0.0, 0.0};
-  for (const auto& curve : plot.curves) {
-    points.push_back(visible_points(curve, plot.unit_size));
-    for (const auto& [time, modulus] : points.back()) {
-      smallest = {std::min(smallest.time, time), std::min(smallest.modulus, modulus)};
-      largest = {std::max(largest.time, time), std::max(largest.modulus, modulus)};
+std::vector<Band> bands_of(const std::vector<PlotWindow>& windows, const PlotArea& area) {
+  std::vector<Band> bands;
+  std::vector<double> ends_of_rows;
+  for (const auto& [label, begin, end] : windows) {
+    const double from = area.x(std::clamp(begin, area.abscissa.begin, area.abscissa.end));
+    const double to = area.x(std::clamp(end, area.abscissa.begin, area.abscissa.end));
+    if (!(from < to)) continue;
+    const double half_width = 0.5 * std::min(plot_text_width(label, small_plot_font_size), area.width());
+    const double middle = std::clamp(0.5 * (from + to), area.left + half_width, area.right - half_width);
+    const auto row = std::ranges::find_if(ends_of_rows, [&](double taken) { return taken <= middle - half_width; });
+    bands.push_back({label, from, to, middle, static_cast<std::size_t>(row - ends_of_rows.begin())});
+    if (row == ends_of_rows.end()) {
+      ends_of_rows.push_back(middle + half_width);
+    } else {
+      *row = middle + half_width;
     }
   }
-  if (!(largest.time > 0.0)) throw InputError(fmt::format("plot \"{}\": there is no point to show", plot.title));
-
-  const auto time = log_axis(smallest.time, largest.time);
-  // Room for the labels of the windows above the curves.
-  const double headroom = plot.windows.empty() ? 1.0 : std::pow(1.7 * largest.modulus / smallest.modulus, 0.12);
-  const auto modulus = log_axis(smallest.modulus, largest.modulus * headroom, 1.3);
-  return "set encoding utf8\n"
-         "set terminal svg enhanced size 900,600 dynamic rounded background rgb 'white' font 'sans-serif,15'\n"
-         "set border linecolor rgb '#404040'\n"
-         "set tics nomirror out\n"
-         "set grid xtics ytics mxtics mytics linecolor rgb '#c8c8c8' linewidth 1, linecolor rgb '#e4e4e4' linewidth 1\n"
-         "set key outside bottom center horizontal Left reverse noenhanced samplen 2.5 height 0.8\n" +
-         axes(plot, time, modulus) + bands(plot.windows, time) + curves(plot.curves, points);
+  return bands;
 }
 
-/// The output of a program as one line.
-std::string in_one_line(std::string text) {
-  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())) != 0) text.pop_back();
-  std::ranges::replace(text, '\n', ' ');
-  return text;
+std::size_t rows_of(const std::vector<Band>& bands) {
+  std::size_t rows = 0;
+  for (const auto& band : bands) rows = std::max(rows, band.row + 1);
+  return rows;
 }
 
-ProcessResult run_gnuplot(const std::string& script) {
-  const std::string remedy = "plots need gnuplot (Debian: apt-get install gnuplot-nox)";
-  try {
-    auto result = run_program({"gnuplot", "--default-settings"}, script);
-    if (result.exit_status == 0) return result;
-    throw FileError(fmt::format("gnuplot failed with status {}: {}", result.exit_status, in_one_line(result.errors)));
-  } catch (const FileError& error) {
-    throw FileError(fmt::format("{}; {}", error.what(), remedy));
+/// Transparent bands of alternating colour: where two windows overlap both can be seen.
+std::string drawn_bands(const std::vector<Band>& bands, const PlotArea& area) {
+  std::string svg;
+  for (std::size_t i = 0; i < bands.size(); ++i) {
+    svg += fmt::format(
+        "<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"{}\" fill-opacity=\"0.12\"/>\n",
+        bands[i].begin, area.top, bands[i].end - bands[i].begin, area.height(), i % 2 == 0 ? "#4477aa" : "#998866");
   }
+  return svg;
+}
+
+std::string labels_of(const std::vector<Band>& bands, const PlotArea& area) {
+  if (bands.empty()) return "";
+  std::string labels;
+  for (const auto& band : bands) {
+    labels += plot_text(band.middle_of_label, area.top + row_of_windows * static_cast<double>(band.row + 1), band.label,
+                        area.width(), "", small_plot_font_size);
+  }
+  return fmt::format("<g font-size=\"{:g}\" fill=\"#606060\" text-anchor=\"middle\">\n{}</g>\n", small_plot_font_size,
+                     labels);
+}
+
+/// Logarithmic axes that show all curves, with room for the labels of the windows above them.
+struct Layout {
+  PlotArea area;
+  std::vector<Band> bands;
+};
+
+Layout layout_of(const ModulusPlot& plot, const std::vector<VisibleCurve>& curves) {
+  auto smallest = PlotPoint{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  auto largest = PlotPoint{0.0, 0.0};
+  for (const auto& curve : curves) {
+    for (const auto& [time, modulus] : curve.points) {
+      smallest = {std::min(smallest.x, time), std::min(smallest.y, modulus)};
+      largest = {std::max(largest.x, time), std::max(largest.y, modulus)};
+    }
+  }
+  const double top = plot.title.empty() ? above_area : title_above_area;
+  PlotArea area{left_of_area, right_of_area, top, top + height_of_area, log_axis(smallest.x, largest.x), {}};
+  auto bands = bands_of(plot.windows, area);
+
+  constexpr double widening = 1.3;
+  const double range = widening * widening * largest.y / smallest.y;
+  const double share_of_labels = row_of_windows * static_cast<double>(rows_of(bands)) / height_of_area;
+  const double headroom = std::pow(range, share_of_labels / (1.0 - share_of_labels));
+  area.ordinate = log_axis(smallest.y, largest.y * headroom, widening);
+  return {std::move(area), std::move(bands)};
+}
+
+std::string drawn_curves(const std::vector<VisibleCurve>& curves, const PlotArea& area) {
+  std::string svg;
+  for (const auto& curve : curves) {
+    std::vector<PlotPoint> places;
+    places.reserve(curve.points.size());
+    for (const auto& [time, modulus] : curve.points) places.push_back({area.x(time), area.y(modulus)});
+    svg += drawn_by(curve.pen, places, places);
+  }
+  return fmt::format("<g fill=\"none\" stroke-linejoin=\"round\">\n{}</g>\n", svg);
+}
+
+PlotLegend legend_of(const std::vector<VisibleCurve>& curves) {
+  std::vector<LegendEntry> entries;
+  for (const auto& curve : curves) {
+    if (!curve.label.empty()) entries.push_back({curve.pen, curve.label});
+  }
+  return {std::move(entries), picture_width};
+}
+
+std::string drawn_title(const std::string& title, const PlotArea& area) {
+  if (title.empty()) return "";
+  return plot_text(0.5 * (area.left + area.right), 0.6 * area.top, title, area.width(), "text-anchor=\"middle\"");
 }
 
 }  // namespace
 
 std::string modulus_plot(const ModulusPlot& plot) {
-  return run_gnuplot(gnuplot_script(plot)).output;
-}
-
-std::optional<std::string> write_modulus_plot(const std::filesystem::path& file, const ModulusPlot& plot) {
-  std::string picture;
-  try {
-    picture = modulus_plot(plot);
-  } catch (const FileError& error) {
-    remove_files(file.parent_path(), std::vector{file.filename().string()});
-    return error.what();
-  }
-  write_text(file, picture);
-  return std::nullopt;
-}
-
-std::optional<std::string> why_no_plots() {
-  try {
-    run_gnuplot("exit\n");
-    return std::nullopt;
-  } catch (const FileError& error) {
-    return error.what();
-  }
+  const auto curves = visible_curves(plot);
+  const auto [area, bands] = layout_of(plot, curves);
+  const auto legend = legend_of(curves);
+  const double top_of_legend = area.bottom + below_area;
+  const double height = top_of_legend + legend.height() + below_legend;
+  return fmt::format(
+             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:g} {:g}\" font-family=\"sans-serif\" "
+             "font-size=\"{:g}\">\n<rect width=\"{:g}\" height=\"{:g}\" fill=\"#ffffff\"/>\n",
+             picture_width, height, plot_font_size, picture_width, height) +
+         drawn_bands(bands, area) + grid_of(area) + labels_of(bands, area) +
+         axes_of(area, plot.abscissa, fmt::format("{} / {}", plot.quantity, plot.unit)) + drawn_curves(curves, area) +
+         drawn_title(plot.title, area) + legend.drawn_at(top_of_legend) + "</svg>\n";
 }
 
 }  // namespace breccia

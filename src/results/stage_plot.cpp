@@ -9,6 +9,7 @@
 
 #include "breccia/homogenisation/stage_materials.hpp"
 #include "breccia/io/display.hpp"
+#include "breccia/io/text_file.hpp"
 #include "breccia/report/modulus_plot.hpp"
 
 namespace breccia {
@@ -21,7 +22,6 @@ struct ReferenceCurve {
   std::optional<Boundary> boundary;  ///< of the tests that it belongs to; none: of no test, but measured
 };
 
-/// "1030", not "1.03e+03".
 /// Places in the palette: blue, red and green for the boundaries, others for the second shear test, black for what was
 /// measured.
 std::size_t colour_of(Boundary boundary, Load load) {
@@ -97,30 +97,10 @@ std::vector<ReferenceCurve> references(const Study& study, const Stage& stage, c
   return curves;
 }
 
-/// Writes plots to the directory of a stage.
-class PlotWriter {
- public:
-  PlotWriter(const std::filesystem::path& directory, const Stage& stage) : directory_(directory), stage_(stage) {}
-
-  void write(const std::string& name, const ModulusPlot& plot) {
-    const auto reason = write_modulus_plot(directory_ / name, plot);
-    if (reason) notes_.push_back(fmt::format("{}/{} is left out: {}", stage_.name, name, *reason));
-  }
-  /// Why plots were left out.
-  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
-
- private:
-  const std::filesystem::path& directory_;
-  const Stage& stage_;
-  std::vector<std::string> notes_;
-};
-
 }  // namespace
 
-std::vector<std::string> write_plots(const std::filesystem::path& directory, const Study& study, const Stage& stage,
-                                     const StudyResult& study_result) {
-  if (why_no_plots()) return {};
-  PlotWriter writer(directory, stage);
+void write_plots(const std::filesystem::path& directory, const Study& study, const Stage& stage,
+                 const StudyResult& study_result) {
   const auto& result = study_result.stages.back();
   auto shear = plot_of(study, stage, result, [](const TestResult& test) { return test.id.load != Load::bulk; });
   if (!shear.curves.empty()) {
@@ -130,14 +110,13 @@ std::vector<std::string> write_plots(const std::filesystem::path& directory, con
       if (boundary) curve.style = PlotStyle::dotted;
     }
     shear.quantity = "Relaxation modulus G(t)";
-    writer.write("modulus.svg", shear);
+    write_text(directory / "modulus.svg", modulus_plot(shear));
   }
   auto bulk = plot_of(study, stage, result, [](const TestResult& test) { return test.id.load == Load::bulk; });
   if (!bulk.curves.empty()) {
     bulk.quantity = stage.dimensions() == 3 ? "Bulk modulus K(t)" : "Plane-strain bulk modulus K(t) + G(t)/3";
-    writer.write("bulk_modulus.svg", bulk);
+    write_text(directory / "bulk_modulus.svg", modulus_plot(bulk));
   }
-  return writer.notes();
 }
 
 }  // namespace breccia

@@ -42,9 +42,7 @@ PlotCurve plotted(const TaskCurve& curve) {
 
 }  // namespace
 
-std::optional<std::string> write_sweep_plot(const std::filesystem::path& directory, const Sweep& sweep,
-                                            const SweepResult& result) {
-  if (why_no_plots()) return std::nullopt;
+void write_sweep_plot(const std::filesystem::path& directory, const Sweep& sweep, const SweepResult& result) {
   const auto names = names_of_colours(sweep);
   const auto shown = last_stage_of(result);
   ModulusPlot plot;
@@ -66,11 +64,10 @@ std::optional<std::string> write_sweep_plot(const std::filesystem::path& directo
   }
   if (plot.curves.empty()) {
     remove_files(directory, std::vector<std::string>{"sweep.svg"});
-    return std::nullopt;
+    return;
   }
   if (has_lower_bound) plot.title += ", lower bound dashed";
-  const auto reason = write_modulus_plot(directory / "sweep.svg", plot);
-  return reason ? std::optional(fmt::format("sweep.svg is left out: {}", *reason)) : std::nullopt;
+  write_text(directory / "sweep.svg", modulus_plot(plot));
 }
 
 }  // namespace breccia

@@ -1,5 +1,4 @@
 #include <csignal>
-#include <cstdlib>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +8,6 @@
 #include "good_deck.hpp"
 #include "messages.hpp"
 #include "model_deck.hpp"
-#include "scoped_path.hpp"
 #include "study_directory.hpp"
 
 namespace breccia {
@@ -49,31 +47,6 @@ TEST_P(Interruption, KeepsAPackingOnItsWay) {
   EXPECT_EQ(outcome.exit_code, 130);
   EXPECT_EQ(outcome.errors, "interrupted; the state is saved, and --resume continues from it\n");
   EXPECT_THAT(study.results(), testing::ElementsAre("A/packing.checkpoint.h5", "study.json"));
-}
-
-TEST_P(Interruption, DoesNotReachGnuplot) {
-  const StudyDirectory study(test::homogeneous_deck);
-  const char* const before = std::getenv("PATH");
-  ASSERT_NE(before, nullptr);
-  const std::string path(before);
-  study.write("gnuplot",
-              "#!/bin/sh\n"
-              "if [ -e out/A/fields.vtkhdf ]; then\n"
-              "  touch drawing\n"
-              "  while [ ! -e signalled ]; do sleep 0.01; done\n"
-              "fi\n"
-              "PATH='" +
-                  path + "' exec gnuplot \"$@\"\n");
-  std::filesystem::permissions(study.path() / "gnuplot", std::filesystem::perms::owner_all);
-  const test::ScopedPath with_slow_gnuplot(study.path().string() + ":" + path);
-  test::RunningCommand run(study.path(), StudyDirectory::arguments("run", {"--set", "stages.A.cells=8"}));
-  ASSERT_TRUE(run.reaches([&] { return std::filesystem::exists(study.path() / "drawing"); })) << run.wait().errors;
-  run.send(GetParam());
-  study.write("signalled", "");
-  const auto outcome = run.wait();
-  EXPECT_EQ(outcome.errors, "");
-  EXPECT_EQ(outcome.exit_code, 0) << "nothing was left to interrupt";
-  EXPECT_TRUE(std::filesystem::exists(study.result("A/modulus.svg")));
 }
 
 INSTANTIATE_TEST_SUITE_P(Signals, Interruption, testing::Values(SIGINT, SIGTERM), [](const auto& chosen) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,18 +44,8 @@ struct ModulusPlot {
   std::string abscissa = "Time / s";
 };
 
-/// SVG of a plot, drawn by gnuplot. Points that logarithmic axes cannot show (time or modulus not positive and finite)
-/// are left out. Throws InputError if a curve has not as many moduli as times or if no point is left, and FileError if
-/// gnuplot is missing or fails.
+/// SVG of a plot. Points that logarithmic axes cannot show (time or modulus not positive and finite) are left out.
+/// Throws InputError if a curve has not as many moduli as times or if no point is left.
 std::string modulus_plot(const ModulusPlot& plot);
-
-/// Writes a plot to a file. Where gnuplot cannot draw it, returns the reason, and no file of that name is left: results
-/// are complete without their plots. Throws InputError as the function above, and FileError where the file cannot be
-/// written.
-std::optional<std::string> write_modulus_plot(const std::filesystem::path& file, const ModulusPlot& plot);
-
-/// The reason why gnuplot cannot draw, with the package to install; nothing if it can. For callers that leave out their
-/// plots in that case.
-std::optional<std::string> why_no_plots();
 
 }  // namespace breccia
