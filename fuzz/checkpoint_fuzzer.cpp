@@ -13,7 +13,7 @@
 #include "breccia/quasistatic/quasistatic_problem.hpp"
 #include "breccia/virtual_test/quasistatic_test_state.hpp"
 
-#include "homogenisation/packing_state.hpp"
+#include "homogenisation/box/packing_state.hpp"
 #include "input_folder.hpp"
 #include "refusal.hpp"
 #include "virtual_test/dynamic_state.hpp"

@@ -87,7 +87,8 @@ void bind_test(py::module_& module) {
           },
           "Half width of the error band of an extrapolated curve at these times [Pa]; else empty.")
       .def_property_readonly(
-          "seconds", [](const TestResult& test) { return test.seconds; }, "Wall time, of all loads together [s]; None of an extrapolation.")
+          "seconds", [](const TestResult& test) { return test.seconds; },
+          "Wall time, of all loads together [s]; None of an extrapolation.")
       .def_property_readonly(
           "fields", &fields_of_test,
           "Fields at the field times, a dictionary each: time [s], phase, and per unit of the load displacement [m], "

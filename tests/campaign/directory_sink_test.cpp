@@ -37,7 +37,7 @@ StudyResult solved() {
   stage.microstructure.box = Microstructure<2>{6e-3, Walls::hard, {{{1e-3, 1e-3}, 2e-3}}};
   QuasistaticRecord record;
   record.reduced = test::one_vector_response(Load::shear, Boundary::displacement, {3.0, 2.0, 0.0},
-                                                      {{{{.bulk = 1e9, .shear = 1e6}}, 0.0}});
+                                             {{{{.bulk = 1e9, .shear = 1e6}}, 0.0}});
   stage.tests.front().record = std::move(record);
   return result;
 }

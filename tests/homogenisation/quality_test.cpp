@@ -96,7 +96,9 @@ TEST(Quality, NamesTheLoadAndTheMethodOfTheBoundsAmongSeveral) {
 }
 
 TEST(Quality, SaysOfFilmsWhichKeyHalvesTheirMesh) {
-  StageQuality films{.particles = 40, .fraction = 0.9};
+  StageQuality films;
+  films.particles = 40;
+  films.fraction = 0.9;
   EXPECT_THAT(summary_of(films),
               HasSubstr("films: error of the mesh unknown (tests.films.face_share = 0.15 halves it)"));
 }

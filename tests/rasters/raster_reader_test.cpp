@@ -80,7 +80,15 @@ std::vector<ImageOfAnotherProgram> sound_images() {
   return sound;
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, ReadRaster, testing::ValuesIn(sound_images()), test::by_value);
+/// Arrays are named by a path or without it.
+std::string name_of_image(const testing::TestParamInfo<ImageOfAnotherProgram>& image) {
+  const auto& [file, array] = image.param;
+  const auto name = test::as_test_name(file);
+  if (array.empty()) return name;
+  return name + (array.starts_with('/') ? "_path_" : "_array_") + test::as_test_name(array);
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, ReadRaster, testing::ValuesIn(sound_images()), name_of_image);
 
 TEST(ReadRasterFiles, AreAllThere) {
   EXPECT_EQ(sound_images().size(), 70U);

@@ -43,9 +43,9 @@ struct TestResult {
   /// Largest estimated relative error of the reduced basis, over its training set, or of the time steps [-]; NaN where
   /// it is unknown.
   double error_estimate = std::numeric_limits<double>::quiet_NaN();
-  std::vector<double> half_bands = {};   ///< half width of the error band of an extrapolated modulus at each time [Pa]
-  std::optional<double> seconds = {};    ///< wall time, of all loads of a quasi-static test together; else none
-  TestFields fields = {};                ///< without times where a sink has stored them
+  std::vector<double> half_bands = {};  ///< half width of the error band of an extrapolated modulus at each time [Pa]
+  std::optional<double> seconds = {};   ///< wall time, of all loads of a quasi-static test together; else none
+  TestFields fields = {};               ///< without times where a sink has stored them
   /// Nothing where it is not known: in results that were read from their files.
   std::variant<std::monostate, QuasistaticRecord, DynamicRecord, ExtrapolationRecord> record = {};
 };

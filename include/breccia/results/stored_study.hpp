@@ -16,7 +16,7 @@ struct StoredStudy {
   /// Without fields, the stages as materials, and records of the computation. Of the series there are those of the
   /// preferred tests (is_preferred); those of others are empty.
   std::vector<StageFindings> stages = {};
-  std::optional<double> seconds = {};  ///< wall time of the complete study [s]
+  std::optional<double> seconds = {};           ///< wall time of the complete study [s]
   std::vector<StoredResponses> responses = {};  ///< of the stages that have left some
 };
 

@@ -30,7 +30,7 @@ double relative_size(const PackingRequest& request) {
 /// slightly less than the jammed fraction; otherwise an empirical fraction for random discs (from jams of 4 to 128
 /// discs) or spheres, which is smaller in a small box because of its walls.
 template <int dim>
-double safe_fraction(const Stage& stage, const PackingRequest& request, const PackingError& error) {
+double safe_fraction(const PackingRequest& request, const PackingError& error) {
   if (request.diameters.size() == 1) return 1.0;  // a single particle packs if it fits into the box
   if (error.obstacle() == PackingObstacle::jam) return 0.96 * error.attainable_fraction();
   const double in_large_box = dim == 3 ? 0.62 : 0.82;
@@ -121,7 +121,7 @@ PackingAdvice packing_advice(const Stage& stage, const PackingRequest& request, 
   // With several fillers there is no one gap and no one fraction to change.
   if (stage.fillers.size() > 1) return advice;
   const auto& filler = stage.fillers.front();
-  const double safe = safe_fraction<dim>(stage, request, error);
+  const double safe = safe_fraction<dim>(request, error);
   advice.gap = widest_gap<dim>(stage, request, safe);
   if (advice.gap && filler.gap_source == GapSource::points) advice.cells = cells_for(stage, *advice.gap);
   const bool has_fraction = filler.fraction && error.obstacle() != PackingObstacle::size;

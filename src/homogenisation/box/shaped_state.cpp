@@ -92,8 +92,8 @@ constexpr std::size_t numbers_of_an_ellipsoid = 15;
 
 /// Centre, axes and directions of the axes.
 std::array<Vector<3>*, 5> vectors_of(Ellipsoid& ellipsoid) {
-  auto& [centre, axes, directions] = ellipsoid;
-  return {&centre, &axes, &directions[0], &directions[1], &directions[2]};
+  auto& [centre, half_axes, directions] = ellipsoid;
+  return {&centre, &half_axes, &directions[0], &directions[1], &directions[2]};
 }
 
 }  // namespace
