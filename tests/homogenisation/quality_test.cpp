@@ -99,6 +99,7 @@ TEST(Quality, SaysOfFilmsWhichKeyHalvesTheirMesh) {
   StageQuality films;
   films.particles = 40;
   films.fraction = 0.9;
+  films.gap_cells = std::numeric_limits<double>::infinity();
   EXPECT_THAT(summary_of(films),
               HasSubstr("films: error of the mesh unknown (tests.films.face_share = 0.15 halves it)"));
 }

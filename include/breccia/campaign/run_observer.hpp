@@ -30,7 +30,7 @@ struct StageFromResponses {
   const std::string& task;
 };
 
-/// Something that the user should know: a damaged file that is not used, a plot that gnuplot could not draw.
+/// Something that the user should know: a damaged file that is not used.
 struct Note {
   std::string text;
 };
