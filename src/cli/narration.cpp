@@ -21,18 +21,29 @@
 namespace breccia::cli {
 namespace {
 
-/// "40 particles", "25 grains", "pixels of the filler".
-std::string inclusions_in_words(const Stage& stage, const StageMicrostructure& packed) {
-  const auto pixels = name_of_pixels(stage.dimensions());
-  if (stage.has_image()) return fmt::format("{} of the filler{}", pixels, stage.fillers.size() > 1 ? "s" : "");
-  return fmt::format("{} {}", packed.particles(), packed.grains() != nullptr ? "grains" : "particles");
-}
+/// What fills a box: "40 particles", "25 grains", "pixels of the filler".
+struct InclusionsInWords {
+  const Stage& stage;
+
+  template <int dim>
+  std::string operator()(const SharedImage<dim>&) const {
+    return fmt::format("{} of the filler{}", name_of_pixels(dim), stage.fillers.size() > 1 ? "s" : "");
+  }
+  template <int dim>
+  std::string operator()(const Grains<dim>& grains) const {
+    return fmt::format("{} grains", grains.statistics.count);
+  }
+  template <class Particles>
+  std::string operator()(const Particles& box) const {
+    return fmt::format("{} particles", box.particles.size());
+  }
+};
 
 std::string describe(const Stage& stage, const StageResult& result) {
   const auto& packed = result.microstructure;
   const bool has_points = result.points > 0;
-  auto text = fmt::format("{}: {} fill {:.2f} % of the box", stage.name, inclusions_in_words(stage, packed),
-                          100.0 * packed.fraction);
+  auto text = fmt::format("{}: {} fill {:.2f} % of the box", stage.name,
+                          visit_nested(InclusionsInWords{stage}, packed.box), 100.0 * packed.fraction);
   if (has_points) text += fmt::format(" ({:.2f} % of {} points)", 100.0 * result.point_fraction, result.points);
   if (packed.events > 0) text += fmt::format(", gap {}, packed in {:.2g} s", gaps_in_words(stage), packed.seconds);
   if (const auto* grains = packed.grains()) {

@@ -12,6 +12,7 @@
 
 #include "breccia/error.hpp"
 #include "breccia/io/display.hpp"
+#include "breccia/virtual_test/bulk_test.hpp"
 #include "breccia/viscoelasticity/poisson_ratio.hpp"
 #include "breccia/viscoelasticity/prony_reduction.hpp"
 #include "breccia/viscoelasticity/reference_temperature.hpp"
@@ -76,8 +77,8 @@ BulkOfCard bulk_of_card(const Composite& composite, const CardSettings& settings
                         bulk_over_shear(*settings.poisson), *settings.poisson)};
   }
   return {*composite.bulk(), true,
-          composite.dimensions == 3 ? "K(t) is that of the bulk test"
-                                    : "K(t) is that of the bulk test, K(t) + G(t)/3, less G(t)/3"};
+          is_plane_strain(composite.dimensions) ? "K(t) is that of the bulk test, K(t) + G(t)/3, less G(t)/3"
+                                                : "K(t) is that of the bulk test"};
 }
 
 void refuse_settings(const Composite& composite, const CardSettings& settings) {
@@ -180,7 +181,7 @@ std::vector<std::string> origin_of(const Composite& composite, const CardSetting
   if (card.bulk_deviation) {
     lines.back() += fmt::format(", within {}, by {}", percent(*card.bulk_deviation), terms_in_words(card.bulk));
   }
-  if (composite.dimensions == 2) {
+  if (is_plane_strain(composite.dimensions)) {
     lines.emplace_back("The results are of plane strain; the card takes their G and K for those of a solid");
   }
   if (composite.shift && !card.shift) {

@@ -11,6 +11,7 @@
 #include "breccia/io/display.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/report/modulus_plot.hpp"
+#include "breccia/virtual_test/bulk_test.hpp"
 
 namespace breccia {
 namespace {
@@ -114,7 +115,8 @@ void write_plots(const std::filesystem::path& directory, const Study& study, con
   }
   auto bulk = plot_of(study, stage, result, [](const TestResult& test) { return test.id.load == Load::bulk; });
   if (!bulk.curves.empty()) {
-    bulk.quantity = stage.dimensions() == 3 ? "Bulk modulus K(t)" : "Plane-strain bulk modulus K(t) + G(t)/3";
+    bulk.quantity =
+        is_plane_strain(stage.dimensions()) ? "Plane-strain bulk modulus K(t) + G(t)/3" : "Bulk modulus K(t)";
     write_text(directory / "bulk_modulus.svg", modulus_plot(bulk));
   }
 }

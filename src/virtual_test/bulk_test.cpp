@@ -1,13 +1,6 @@
 #include "breccia/virtual_test/bulk_test.hpp"
 
 namespace breccia {
-namespace {
-
-bool is_plane_strain(int dimensions) {
-  return dimensions == 2;
-}
-
-}  // namespace
 
 double shear_in_bulk_test(int dimensions) {
   return is_plane_strain(dimensions) ? 1.0 / 3.0 : 0.0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,7 +36,8 @@ struct StageQuality {
   std::size_t particles = 0;
   double fraction = 0.0;                 ///< area fraction of the particles [-]
   std::optional<double> fraction_asked;  ///< area fraction in the deck [-]; only for a packing that draws its particles
-  double gap_cells = 0.0;                ///< the narrowest gap in cells of the finest grid; infinite without a gap
+  /// The narrowest gap in cells of the finest grid; infinite without a gap.
+  double gap_cells = std::numeric_limits<double>::infinity();
   std::optional<double> coating_cells = {};  ///< the thinnest coating in cells of the finest grid; nothing without one
   std::vector<int> grids;                    ///< cells per side, rising; empty where films are computed without cells
   bool is_random = false;                    ///< whether the packing depends on a seed

@@ -8,6 +8,11 @@ namespace breccia {
 
 // The bulk test strains a box equally along all axes. In a cube its modulus is K(t), in plane strain K(t) + G(t)/3.
 
+/// Whether bodies of so many dimensions are tested in plane strain.
+[[nodiscard]] constexpr bool is_plane_strain(int dimensions) noexcept {
+  return dimensions == 2;
+}
+
 /// The share of the shear modulus in the modulus of the bulk test [-].
 [[nodiscard]] double shear_in_bulk_test(int dimensions);
 
