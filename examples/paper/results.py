@@ -64,7 +64,7 @@ def wall_time(directory):
 
 
 def runs(directory, stage):
-    """The histories of the dynamic runs of a stage, each with its density factor, from the data of the report."""
+    """The histories of the dynamic runs of a stage, each with its mass scaling factor, from the data of the report."""
     page = (Path(directory) / "report.html").read_text()
     begin = page.index('id="data">') + len('id="data">')
     histories = json.loads(page[begin:page.index("</script>", begin)])["histories"][stage]

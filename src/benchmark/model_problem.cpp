@@ -52,7 +52,7 @@ DynamicProblem<dim> model_problem(int cells, int terms, Mixing mixing) {
   problem.ramp = StrainRamp(1e-3);
   constexpr double courant = 0.9;
   problem.time_step =
-      courant * stable_time_step(problem.discretisation, problem.materials, problem.volumetric, problem.density_factor);
+      courant * stable_time_step(problem.discretisation, problem.materials, problem.volumetric, problem.mass_scaling);
   return problem;
 }
 

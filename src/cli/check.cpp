@@ -69,7 +69,7 @@ Plan dynamic_plan(const Stage& stage, const DynamicTest<dim>& test, int cells, i
   for (const auto& domain : plan.domains) {
     steps += domain.steps;
     text += fmt::format("    density x {:<8.3g} valid {:.3g} to {:.3g} s, {} steps of {:.3g} s, {}\n",
-                        domain.density_factor, domain.window.begin, domain.window.end, domain.steps, domain.time_step,
+                        domain.mass_scaling, domain.window.begin, domain.window.end, domain.steps, domain.time_step,
                         display_count(static_cast<std::size_t>(domain.terms), "term"));
   }
   const double seconds = static_cast<double>(points) * static_cast<double>(steps) / speed;

@@ -94,7 +94,7 @@ std::string line_of(const DomainFinished& event) {
   return fmt::format(
       "{} {}, {}: density x {:<8.3g} valid {:.3g} to {:.3g} s, {} steps, {}, {:.1f} s, {:.0f} million "
       "points x steps/s",
-      event.stage.name, name_of(event.test.load), bound_of(event.test.boundary), domain.density_factor,
+      event.stage.name, name_of(event.test.load), bound_of(event.test.boundary), domain.mass_scaling,
       domain.window.begin, domain.window.end, domain.steps, display_count(domain.terms, "term"), domain.seconds,
       domain.point_steps_per_second(points) / 1e6);
 }

@@ -171,12 +171,13 @@ std::string describe(const DynamicOptions& options) {
   const auto ramp = options.ramp_time ? time(*options.ramp_time)
                                       : fmt::format("{:.4g} transits of the shear wave", options.ramp_transits);
   return fmt::format(
-      "    method   dynamic, {}, from the {}, courant {:.4g}, {} strain\n    ramp     {}\n    density  factors {}\n",
+      "    method   dynamic, {}, from the {}, courant {:.4g}, {} strain\n    ramp     {}\n    scaling  mass scaling "
+      "factors {}\n",
       options.formulation == Formulation::classical ? "classical" : "total Lagrangian",
       options.start == Start::affine ? "whole field" : "boundary", options.courant,
       options.volumetric == Volumetric::averaged ? "averaged volumetric" : "standard volumetric", ramp,
-      options.density_factors.empty() ? "chosen from the times"
-                                      : fmt::format("{}", fmt::join(options.density_factors, ", ")));
+      options.mass_scaling_factors.empty() ? "chosen from the times"
+                                           : fmt::format("{}", fmt::join(options.mass_scaling_factors, ", ")));
 }
 
 /// The moduli over which elastic materials vary: ", and over interphase with shear 10 MPa .. 1 GPa".

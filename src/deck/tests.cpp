@@ -20,14 +20,18 @@ void refuse_repeats(const Section& section, const std::string& key, const std::v
   if (has_repeats(values)) section.report(key, "the same twice");
 }
 
-std::vector<double> read_density_factors(const Section& section) {
-  if (!section.has("density_factors")) return {};
-  if (section.kind("density_factors") == Kind::text) {
-    static_cast<void>(section.choice<bool>("density_factors", {{"auto", true}}));
+/// Reads the mass scaling factors, also under the earlier name of their key.
+std::vector<double> read_mass_scaling_factors(const Section& section) {
+  const std::string earlier = "density_factors";
+  const std::string key = section.has("mass_scaling_factors") ? "mass_scaling_factors" : earlier;
+  if (key != earlier) section.refuse({earlier}, "the earlier name of mass_scaling_factors, which is given already");
+  if (!section.has(key)) return {};
+  if (section.kind(key) == Kind::text) {
+    static_cast<void>(section.choice<bool>(key, {{"auto", true}}));
     return {};
   }
-  auto factors = section.numbers("density_factors", Range::positive());
-  if (!is_rising(factors)) section.report("density_factors", "expected rising numbers");
+  auto factors = section.numbers(key, Range::positive());
+  if (!is_rising(factors)) section.report(key, "expected rising numbers");
   return factors;
 }
 
@@ -93,7 +97,7 @@ DynamicOptions read_dynamic(const Section& section) {
   options.ramp_transits = section.optional_number("ramp_transits", allowed::ramp).value_or(options.ramp_transits);
   options.creep_ramp_transits =
       section.optional_number("creep_ramp_transits", allowed::ramp).value_or(options.creep_ramp_transits);
-  options.density_factors = read_density_factors(section);
+  options.mass_scaling_factors = read_mass_scaling_factors(section);
   options.overlap = section.optional_number("overlap", allowed::overlap).value_or(options.overlap);
   options.reduction_tolerance = section.optional_number("reduction_tolerance", allowed::reduction_tolerance)
                                     .value_or(options.reduction_tolerance);

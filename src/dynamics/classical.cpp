@@ -76,7 +76,7 @@ void Classical<dim>::add_points(const Index<dim>& cell) {
     if (phase == no_phase) continue;
     Point point{};
     point.position = discretisation.position(cell, p);
-    point.mass = problem().density_factor * problem().materials[phase].density * volume;
+    point.mass = problem().mass_scaling * problem().materials[phase].density * volume;
     point.phase = phase;
     point.cell = static_cast<int>(grid.cell_index(cell));
     point.history = history_.size();

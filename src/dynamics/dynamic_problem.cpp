@@ -68,10 +68,10 @@ void require_complete(const Discretisation<dim>& discretisation, const std::vect
 
 template <int dim>
 double stable_time_step(const Discretisation<dim>& discretisation, const std::vector<Material>& materials,
-                        Volumetric volumetric, double density_factor) {
+                        Volumetric volumetric, double mass_scaling) {
   require_complete(discretisation, materials);
-  if (!(density_factor > 0.0)) {
-    throw InputError(fmt::format("dynamic run: a density factor of {} is not positive", density_factor));
+  if (!(mass_scaling > 0.0)) {
+    throw InputError(fmt::format("dynamic run: a mass scaling factor of {} is not positive", mass_scaling));
   }
   const std::set<CellPhases<dim>> kinds(discretisation.cells().begin(), discretisation.cells().end());
   double largest = 0.0;
@@ -80,7 +80,7 @@ double stable_time_step(const Discretisation<dim>& discretisation, const std::ve
     largest = std::max(largest, largest_cell_eigenvalue<dim>(kind, materials, volumetric));
   }
   if (!(largest > 0.0)) throw InputError("dynamic run: no cell has a point");
-  return 2.0 * discretisation.grid().cell_side * std::sqrt(density_factor / largest);
+  return 2.0 * discretisation.grid().cell_side * std::sqrt(mass_scaling / largest);
 }
 
 template <int dim>
@@ -89,7 +89,7 @@ void require_stable(const DynamicProblem<dim>& problem) {
     throw InputError("dynamic run: expected averaged volumetric strains, which mixed cells have");
   }
   const double limit =
-      stable_time_step(problem.discretisation, problem.materials, problem.volumetric, problem.density_factor);
+      stable_time_step(problem.discretisation, problem.materials, problem.volumetric, problem.mass_scaling);
   if (!(problem.time_step > 0.0 && problem.time_step <= limit)) {
     throw InputError(
         fmt::format("dynamic run: a time step of {} s is not in (0, {}] s, the range in which it is stable",

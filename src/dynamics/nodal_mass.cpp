@@ -38,7 +38,7 @@ double mass_of_cells_around(const DynamicProblem<dim>& problem, const Index<dim>
     const auto& phases = problem.discretisation.cell(cell);
     for (std::size_t p = 0; p < phases.size(); ++p) {
       if (phases[p] == no_phase) continue;
-      const double mass = problem.density_factor * problem.materials[phases[p]].density * point_volume;
+      const double mass = problem.mass_scaling * problem.materials[phases[p]].density * point_volume;
       sum += weights[p][corner] * mass;
     }
   }

@@ -235,7 +235,7 @@ std::vector<std::string> warnings_on_bounds(const StageQuality& quality) {
         "gap{}{}; or particles that the sides of the box cut",
         name_of(load.load), name_of(load.method), words_of(*crossed->crossing()), display_time(crossed->time),
         quality.grids.size() > 1 ? "grids" : "a grid", gaps,
-        load.method == Method::dynamic ? "; ringing of a run with too large a density factor or too short a ramp"
+        load.method == Method::dynamic ? "; ringing of a run with too large a mass scaling factor or too short a ramp"
                                        : ""));
   }
   return warnings;

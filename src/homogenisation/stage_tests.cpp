@@ -137,7 +137,7 @@ std::vector<std::string> warnings_of(const Stage& stage, const TestResult& test)
   for (const auto& [window, mismatch] : dynamic->overlaps) {
     if (mismatch <= tolerance) continue;
     warnings.push_back(fmt::format(
-        "{} {}, {}: two time domains differ by {:.1f} % between {:.3g} and {:.3g} s; smaller density factors "
+        "{} {}, {}: two time domains differ by {:.1f} % between {:.3g} and {:.3g} s; smaller mass scaling factors "
         "or another ramp may reduce the difference",
         stage.name, name_of(test.id.load), bound_of(test.id.boundary), 100.0 * mismatch, window.begin, window.end));
   }

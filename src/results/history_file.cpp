@@ -69,7 +69,7 @@ void write_history(const std::filesystem::path& directory, const Study& study, c
       {"load", name_of(test.load)},
       {"boundary", name_of(test.boundary)},
       {"cells", std::int64_t{cells}},
-      {"density_factor", domain.density_factor},
+      {"density_factor", domain.mass_scaling},
       {"time_step_s", domain.time_step},
       {"ramp_s", domain.ramp},
       {"steps", domain.steps},

@@ -75,7 +75,7 @@ Json finite_or_null(double value) {
 }
 
 Json json_of(const TimeDomain& domain, std::size_t points) {
-  return {{"density_factor", domain.density_factor},
+  return {{"density_factor", domain.mass_scaling},
           {"time_step_s", domain.time_step},
           {"ramp_s", domain.ramp},
           {"valid_s", json_of(domain.window)},

@@ -59,7 +59,7 @@ ModulusPlot plot_of(const Study& study, const Stage& stage, const StageResult& r
       has_windows = true;
       for (const auto& domain : dynamic->domains) {
         plot.windows.push_back(
-            {fmt::format("density x {}", three_digits(domain.density_factor)), domain.window.begin, domain.window.end});
+            {fmt::format("density x {}", three_digits(domain.mass_scaling)), domain.window.begin, domain.window.end});
       }
     }
     if (find_preferred_test(result.tests, test.id.load, test.id.boundary, test.id.method) != &test) continue;

@@ -306,9 +306,9 @@ class Content {
   }
   void add(const DynamicOptions& options) {
     const auto& [formulation, start, volumetric, courant, ramp_transits, creep_ramp_transits, ramp_time,
-                 density_factors, overlap, reduction_tolerance] = options;
-    add_all(formulation, start, volumetric, courant, ramp_transits, creep_ramp_transits, ramp_time, density_factors,
-            overlap, reduction_tolerance);
+                 mass_scaling_factors, overlap, reduction_tolerance] = options;
+    add_all(formulation, start, volumetric, courant, ramp_transits, creep_ramp_transits, ramp_time,
+            mass_scaling_factors, overlap, reduction_tolerance);
   }
 
   std::string bytes_;

@@ -42,10 +42,10 @@ void check_dynamic(const DynamicOptions& options, StudyMistakes& mistakes) {
   if (options.ramp_time) {
     mistakes.check_quantity(part, "time of the ramp", *options.ramp_time, allowed::ramp, Dimension::time);
   }
-  for (const double factor : options.density_factors) {
-    mistakes.check_number(part, "density factor", factor, Range::positive());
+  for (const double factor : options.mass_scaling_factors) {
+    mistakes.check_number(part, "mass scaling factor", factor, Range::positive());
   }
-  if (!is_rising(options.density_factors)) mistakes.add(part, "density factors: expected rising numbers");
+  if (!is_rising(options.mass_scaling_factors)) mistakes.add(part, "mass scaling factors: expected rising numbers");
   mistakes.check_number(part, "overlap", options.overlap, allowed::overlap);
   mistakes.check_number(part, "tolerance of the reduction", options.reduction_tolerance, allowed::reduction_tolerance);
 }

@@ -55,7 +55,7 @@ DomainRules rules_of(const DynamicTest<dim>& test) {
   rules.side = grid.cell_side * std::ranges::max(grid.cells);
   rules.density = mean_density(test.discretisation, test.materials);
   rules.times = test.times;
-  rules.density_factors = test.options.density_factors;
+  rules.mass_scaling_factors = test.options.mass_scaling_factors;
   rules.overlap = test.options.overlap;
   return rules;
 }
@@ -94,7 +94,7 @@ PreparedDomain<dim> prepare(const DynamicTest<dim>& test, const DomainRules& rul
   const double end = std::max(sequence.last_time(), begin);
   constexpr double early = 1.0 / 6.0;
   TimeDomain domain;
-  domain.density_factor = sequence.density_factor();
+  domain.mass_scaling = sequence.mass_scaling();
   std::vector<Material> materials;
   const auto mixtures = test.discretisation.mixtures().size();
   const auto reduce = dim == 2 && mixtures > 0 ? reduced_in_plane_strain : reduced;
@@ -106,16 +106,16 @@ PreparedDomain<dim> prepare(const DynamicTest<dim>& test, const DomainRules& rul
     if (materials.size() + mixtures <= test.materials.size()) domain.terms = std::max(domain.terms, terms);
   }
   domain.time_step = test.options.courant *
-                     stable_time_step(test.discretisation, materials, test.options.volumetric, domain.density_factor);
+                     stable_time_step(test.discretisation, materials, test.options.volumetric, domain.mass_scaling);
   // While the factors rise, the window begins, by definition, after a known number of transits, which gives the
   // duration of one. A factor that falls again is valid long before its window begins. The second estimate is lower,
   // since the composite is stiffer during the ramp.
   const double transit = std::min(begin / (2.0 * there_and_back_transits),
-                                  rules.transit(domain.density_factor, bounds.lower(early * begin)));
+                                  rules.transit(domain.mass_scaling, bounds.lower(early * begin)));
   const double ramp_transits =
       test.boundary == Boundary::traction ? test.options.creep_ramp_transits : test.options.ramp_transits;
   domain.ramp =
-      test.options.ramp_time ? *test.options.ramp_time * std::sqrt(domain.density_factor) : ramp_transits * transit;
+      test.options.ramp_time ? *test.options.ramp_time * std::sqrt(domain.mass_scaling) : ramp_transits * transit;
   constexpr double most_steps = 1e10;
   if (!(end / domain.time_step < most_steps)) {
     throw NumericalError(
@@ -127,7 +127,7 @@ PreparedDomain<dim> prepare(const DynamicTest<dim>& test, const DomainRules& rul
   DynamicProblem<dim> problem = {.discretisation = test.discretisation,
                                  .materials = std::move(materials),
                                  .volumetric = test.options.volumetric,
-                                 .density_factor = domain.density_factor,
+                                 .mass_scaling = domain.mass_scaling,
                                  .time_step = domain.time_step,
                                  .boundary = test.boundary,
                                  .load = unit_strain<dim>(test.load),

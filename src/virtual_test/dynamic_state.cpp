@@ -9,7 +9,7 @@
 namespace breccia {
 
 void save_domain(StateWriter& state, const std::string& group, const TimeDomain& domain) {
-  state.write(group + "/density_factor", domain.density_factor);
+  state.write(group + "/density_factor", domain.mass_scaling);
   state.write(group + "/time_step_s", domain.time_step);
   state.write(group + "/ramp_s", domain.ramp);
   state.write(group + "/window_begin_s", domain.window.begin);
@@ -23,7 +23,7 @@ void save_domain(StateWriter& state, const std::string& group, const TimeDomain&
 
 TimeDomain read_domain(const StateReader& state, const std::string& group) {
   TimeDomain domain;
-  domain.density_factor = state.number(group + "/density_factor");
+  domain.mass_scaling = state.number(group + "/density_factor");
   domain.time_step = state.number(group + "/time_step_s");
   domain.ramp = state.number(group + "/ramp_s");
   domain.window = {state.number(group + "/window_begin_s"), state.number(group + "/window_end_s")};

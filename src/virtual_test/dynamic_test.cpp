@@ -54,7 +54,7 @@ std::size_t memory_of(const DynamicTest<3>& test, const Grid<3>& grid, std::size
 
 /// The window of a domain that is used. A domain that is valid earlier than expected is used from the expected time on,
 /// since the domain before it is better at earlier times. The first domain is used from the beginning, which may be
-/// earlier than expected where its density factor is given.
+/// earlier than expected where its mass scaling factor is given.
 TimeWindow window_wanted(const DomainSequence& sequence) {
   auto window = sequence.window().value_or(TimeWindow{});
   if (!sequence.is_first()) {
@@ -232,7 +232,8 @@ class DynamicRun {
     });
   }
 
-  /// Takes the fields at each time from the first domain that is valid there, since it has the smallest density factor.
+  /// Takes the fields at each time from the first domain that is valid there, since it has the smallest mass scaling
+  /// factor.
   void keep_fields(DomainRun<dim>& domain, std::span<const double> times) {
     auto& fields = domain.fields();
     for (std::size_t i = 0; i < fields.size() && times[i] <= domain.domain().window.end; ++i) {

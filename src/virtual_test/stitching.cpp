@@ -33,7 +33,7 @@ Curve stitch(const std::vector<TimeDomain>& domains, const TimeWindow& times, in
   for (std::size_t i = 0; i + 1 < domains.size(); ++i) {
     if (domains[i + 1].window.begin > domains[i].window.end) {
       throw NumericalError(fmt::format(
-          "time domains: none is valid between {:.3e} and {:.3e} s; give density factors whose windows overlap",
+          "time domains: none is valid between {:.3e} and {:.3e} s; give mass scaling factors whose windows overlap",
           domains[i].window.end, domains[i + 1].window.begin));
     }
   }
@@ -43,7 +43,7 @@ Curve stitch(const std::vector<TimeDomain>& domains, const TimeWindow& times, in
     const auto first = std::ranges::find_if(domains, valid);
     if (first == domains.end()) {
       throw NumericalError(fmt::format(
-          "time domains: none is valid at {:.3e} s; give density factors whose windows cover the times", time));
+          "time domains: none is valid at {:.3e} s; give mass scaling factors whose windows cover the times", time));
     }
     double modulus = modulus_at(*first, time);
     // The weight of each domain rises from 0 to 1 over its overlap with the domain before it.

@@ -12,8 +12,8 @@
 
 namespace breccia {
 
-double DomainRules::transit(double density_factor, double modulus) const {
-  return side / shear_wave_speed(modulus, density_factor * density);
+double DomainRules::transit(double mass_scaling, double modulus) const {
+  return side / shear_wave_speed(modulus, mass_scaling * density);
 }
 
 double DomainRules::admissible_factor(double time, double modulus) const {
@@ -23,30 +23,30 @@ double DomainRules::admissible_factor(double time, double modulus) const {
 
 DomainSequence::DomainSequence(DomainRules rules, double modulus)
     : rules_(std::move(rules)), expected_begin_(rules_.times.begin) {
-  if (rules_.density_factors.empty()) {
+  if (rules_.mass_scaling_factors.empty()) {
     constexpr double margin = 0.9;
     factor_ = margin * rules_.admissible_factor(rules_.times.begin, modulus);
   } else {
-    factor_ = rules_.density_factors.front();
+    factor_ = rules_.mass_scaling_factors.front();
     expected_begin_ = 2.0 * there_and_back_transits * rules_.transit(factor_, modulus);
   }
 }
 
 double DomainSequence::last_time() const {
-  if (!rules_.density_factors.empty()) return rules_.times.end;
+  if (!rules_.mass_scaling_factors.empty()) return rules_.times.end;
   return std::min(rules_.times.end, rules_.longest * expected_begin_);
 }
 
 std::optional<double> DomainSequence::next_factor() const {
-  if (rules_.density_factors.empty()) return rising_ ? factor_ * rules_.factor_ratio : factor_ / rules_.factor_ratio;
-  if (given_ + 1 < rules_.density_factors.size()) return rules_.density_factors[given_ + 1];
-  return std::nullopt;
+  const auto& factors = rules_.mass_scaling_factors;
+  if (factors.empty()) return rising_ ? factor_ * rules_.factor_ratio : factor_ / rules_.factor_ratio;
+  return given_ + 1 < factors.size() ? std::optional(factors[given_ + 1]) : std::nullopt;
 }
 
 void DomainSequence::throw_late(double time) const {
   throw NumericalError(fmt::format(
-      "time domains: with density factor {:.3g} the run is valid from {:.3e} s on, after {:g} there-and-back "
-      "transits of the shear wave, but times begin at {:.3e} s; give a first density factor below {:.2g}",
+      "time domains: with mass scaling factor {:.3g} the run is valid from {:.3e} s on, after {:g} there-and-back "
+      "transits of the shear wave, but times begin at {:.3e} s; give a first mass scaling factor below {:.2g}",
       factor_, time, there_and_back_transits, rules_.times.begin,
       factor_ * rules_.times.begin * rules_.times.begin / (time * time)));
 }
@@ -68,7 +68,7 @@ bool DomainSequence::observe(double time, double modulus) {
   window_->end = time;
   if (time >= rules_.times.end) {
     // If the next given factor is admissible already, its domain runs, too.
-    complete_ = rules_.density_factors.empty() || !next_admissible_;
+    complete_ = rules_.mass_scaling_factors.empty() || !next_admissible_;
     return false;
   }
   // Earlier times are covered by the domain before.
@@ -87,31 +87,31 @@ bool DomainSequence::observe(double time, double modulus) {
 
 void DomainSequence::advance() {
   if (!window_) {
-    throw NumericalError(fmt::format(
-        "time domains: with density factor {:.3g} the run is valid nowhere up to {:.3e} s, which is less than {:g} "
-        "there-and-back transits of the shear wave; give smaller density factors",
-        factor_, rules_.times.end, there_and_back_transits));
+    throw NumericalError(
+        fmt::format("time domains: with mass scaling factor {:.3g} the run is valid nowhere up to {:.3e} s, which is "
+                    "less than {:g} there-and-back transits of the shear wave; give smaller mass scaling factors",
+                    factor_, rules_.times.end, there_and_back_transits));
   }
   if (expired_) {
-    if (!rules_.density_factors.empty()) {
+    if (!rules_.mass_scaling_factors.empty()) {
       throw NumericalError(fmt::format(
-          "time domains: with density factor {:.3g} the run is valid from {:.3e} to {:.3e} s only, since the composite "
-          "relaxes faster than waves cross the box; give a smaller density factor or an earlier last time",
+          "time domains: with mass scaling factor {:.3g} the run is valid from {:.3e} to {:.3e} s only, since the "
+          "composite relaxes faster than waves cross the box; give a smaller mass scaling factor or an earlier last "
+          "time",
           factor_, window_->begin, window_->end));
     }
     rising_ = false;
   }
   if (next_admissible_ || expired_) {
     factor_ = next_factor().value();
-    if (given_ + 1 < rules_.density_factors.size()) ++given_;
+    if (given_ + 1 < rules_.mass_scaling_factors.size()) ++given_;
   }
   const double begin = next_admissible_ ? *next_admissible_ : window_->end / rules_.overlap;
-  if (rules_.density_factors.empty() && window_->end <= furthest_) {
-    throw NumericalError(
-        fmt::format("time domains: none with a smaller density factor goes beyond {:.3e} s; likely causes: ringing "
-                    "after too short a "
-                    "ramp, or a composite that relaxes faster than waves cross the box",
-                    window_->end));
+  if (rules_.mass_scaling_factors.empty() && window_->end <= furthest_) {
+    throw NumericalError(fmt::format(
+        "time domains: none with a smaller mass scaling factor goes beyond {:.3e} s; likely causes: ringing after too "
+        "short a ramp, or a composite that relaxes faster than waves cross the box",
+        window_->end));
   }
   furthest_ = window_->end;
   expected_begin_ = begin;

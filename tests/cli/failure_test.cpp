@@ -126,24 +126,24 @@ TEST(RunFailure, ExplicitDiscsOverlap) {
   EXPECT_THAT(study.breccia("check").errors, HasSubstr("crosses a wall by 0.0005 m"));
 }
 
-/// Times and density factors for a box of the matrix, and why they do not go together.
+/// Times and mass scaling factors for a box of the matrix, and why they do not go together.
 struct BadFactors {
   const char* times;
   const char* factors;
   const char* message;
 };
 
-TEST(RunFailure, DensityFactorsDoNotCoverTheTimes) {
+TEST(RunFailure, MassScalingFactorsDoNotCoverTheTimes) {
   const StudyDirectory study(test::homogeneous_deck);
   const std::vector<BadFactors> cases{
       {R"(["1 ms", "50 ms"])", "[1e6]",
        "factor 1e+06 the run is valid nowhere up to 5.000e-02 s, which is less than 3 there-and-back"},
-      {R"(["15 ms", "50 ms"])", "[15]", "relaxes faster than waves cross the box; give a smaller density factor"},
-      {R"(["1 ms", "15 ms"])", "[5]", "but times begin at 1.000e-03 s; give a first density factor below 0.25"},
+      {R"(["15 ms", "50 ms"])", "[15]", "relaxes faster than waves cross the box; give a smaller mass scaling factor"},
+      {R"(["1 ms", "15 ms"])", "[5]", "but times begin at 1.000e-03 s; give a first mass scaling factor below 0.25"},
   };
   for (const auto& [times, factors, message] : cases) {
     const auto run = study.breccia("run", {"--set", fmt::format("tests.times={}", times), "--set",
-                                           fmt::format("tests.dynamic.density_factors={}", factors)});
+                                           fmt::format("tests.dynamic.mass_scaling_factors={}", factors)});
     EXPECT_EQ(run.exit_code, 3) << factors;
     EXPECT_THAT(run.errors, AllOf(testing::StartsWith("A shear, upper bound, 24 cells, dynamic: "), HasSubstr(message)))
         << factors;

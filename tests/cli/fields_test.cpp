@@ -105,7 +105,7 @@ TEST(Fields, OfBothMethodsAgree) {
   const auto run = study.breccia(
       "run", {"--set", "stages.A.cells=16", "--set", R"(tests.times=["2 ms", "20 ms"])", "--set",
               R"(tests.fields=["5 ms", "20 ms"])", "--set", R"(tests.method=["quasistatic", "dynamic"])", "--set",
-              "tests.dynamic.density_factors=[0.003]", "--set", "tests.dynamic.ramp_transits=6"});
+              "tests.dynamic.mass_scaling_factors=[0.003]", "--set", "tests.dynamic.ramp_transits=6"});
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   for (const auto* number : {"-1", ""}) {
     const Hdf5Reader one(study.result(std::string("A/fields") + number + ".vtkhdf"));

@@ -21,7 +21,7 @@ TEST_P(Interruption, KeepsFinishedTimeDomains) {
   // An elastic box: the second time domain would go on for days.
   auto deck = test::replaced(std::string(test::homogeneous_deck),
                              R"({ terms = [{ time = "10 ms", modulus = "0.5 MPa" }] })", R"("0.5 MPa")");
-  deck = test::replaced(deck, "50 ms", "5000 s") + "[tests.dynamic]\ndensity_factors = [0.1, 1]\n";
+  deck = test::replaced(deck, "50 ms", "5000 s") + "[tests.dynamic]\nmass_scaling_factors = [0.1, 1]\n";
   const StudyDirectory study(deck);
   test::RunningCommand run(study.path(), StudyDirectory::arguments("run"));
   const auto finished = study.result("A/shear-displacement-dynamic-24-1.h5");

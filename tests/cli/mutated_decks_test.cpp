@@ -120,7 +120,7 @@ times  = ["1 ms", "10 ms"]
 method = "dynamic"
 boundaries = ["displacement"]
 points_per_decade = 3
-dynamic = { courant = 0.9, ramp_transits = 2, density_factors = "auto", overlap = 1.5, reduction_tolerance = 0.01 }
+dynamic = { courant = 0.9, ramp_transits = 2, mass_scaling_factors = "auto", overlap = 1.5, reduction_tolerance = 0.01 }
 
 [sweep]
 "stages.A.packing.seed" = [1, 2]

@@ -202,7 +202,7 @@ TEST(Sweep, AnInterruptionKeepsFinishedTasks) {
   const auto slow = test::replaced(std::string(test::homogeneous_deck),
                                    R"({ terms = [{ time = "10 ms", modulus = "0.5 MPa" }] })", R"("0.5 MPa")");
   const StudyDirectory study(slow +
-                             "[tests.dynamic]\ndensity_factors = [0.1, 1]\n"
+                             "[tests.dynamic]\nmass_scaling_factors = [0.1, 1]\n"
                              "[sweep]\n\"tests.times.1\" = [\"2 ms\", \"5000 s\"]\n");
   test::RunningCommand run(study.path(), StudyDirectory::arguments("run"));
   ASSERT_TRUE(run.reaches([&] { return std::filesystem::exists(study.result("times-1-5000-s/A/microstructure.csv")); }))

@@ -39,7 +39,7 @@ TEST_F(DeckTests, Defaults) {
   EXPECT_EQ(defaults.points_per_decade, 20);
   EXPECT_EQ(defaults.dynamic.volumetric, Volumetric::averaged);
   EXPECT_EQ(defaults.dynamic.courant, DynamicOptions().courant);
-  EXPECT_THAT(defaults.dynamic.density_factors, IsEmpty());
+  EXPECT_THAT(defaults.dynamic.mass_scaling_factors, IsEmpty());
   EXPECT_THAT(defaults.field_times, ElementsAre(defaults.last_time));
 }
 
@@ -157,7 +157,7 @@ formulation = "classical"
 start = "affine"
 courant = 1
 ramp = "0.1 ms"
-density_factors = [1, 4, 100]
+mass_scaling_factors = [1, 4, 100]
 overlap = 50
 reduction_tolerance = 1e-4
 )"));
@@ -168,13 +168,19 @@ reduction_tolerance = 1e-4
   EXPECT_EQ(given.dynamic.start, Start::affine);
   EXPECT_EQ(given.dynamic.courant, 1.0);
   EXPECT_DOUBLE_EQ(given.dynamic.ramp_time.value(), 1e-4);
-  EXPECT_THAT(given.dynamic.density_factors, ElementsAre(1.0, 4.0, 100.0));
+  EXPECT_THAT(given.dynamic.mass_scaling_factors, ElementsAre(1.0, 4.0, 100.0));
   EXPECT_EQ(given.dynamic.overlap, 50.0);
   EXPECT_EQ(given.dynamic.reduction_tolerance, 1e-4);
 }
 
-TEST_F(DeckTests, DensityFactorsMayBeLeftToTheProgram) {
-  EXPECT_THAT(tests(test::join(times, "dynamic = { density_factors = \"auto\" }")).dynamic.density_factors, IsEmpty());
+TEST_F(DeckTests, MassScalingFactorsMayBeLeftToTheProgram) {
+  EXPECT_THAT(tests(test::join(times, "dynamic = { mass_scaling_factors = \"auto\" }")).dynamic.mass_scaling_factors,
+              IsEmpty());
+}
+
+TEST_F(DeckTests, MassScalingFactorsMayHaveTheirEarlierName) {
+  const auto given = tests(test::join(times, "dynamic = { density_factors = [1, 4] }"));
+  EXPECT_THAT(given.dynamic.mass_scaling_factors, ElementsAre(1.0, 4.0));
 }
 
 // 1 / (2 pi f), the last frequency first.
@@ -274,9 +280,14 @@ TEST_F(DeckTests, MistakesInTheDynamicMethod) {
               HasSubstr("tests.dynamic.courant: expected a number above 0 and up to 1, got 1.5"));
   EXPECT_THAT(with("ramp = \"1 s\", ramp_transits = 2"),
               HasSubstr("dynamic.ramp_transits: the ramp is given as a time"));
+  EXPECT_THAT(with("mass_scaling_factors = [4, 1]"),
+              HasSubstr("dynamic.mass_scaling_factors: expected rising numbers"));
+  EXPECT_THAT(with("mass_scaling_factors = [0]"),
+              HasSubstr("dynamic.mass_scaling_factors: expected a positive number, got 0"));
+  EXPECT_THAT(with("mass_scaling_factors = \"all\""), HasSubstr("dynamic.mass_scaling_factors: expected \"auto\""));
+  EXPECT_THAT(with("mass_scaling_factors = [1], density_factors = [1]"),
+              HasSubstr("dynamic.density_factors: the earlier name of mass_scaling_factors, which is given already"));
   EXPECT_THAT(with("density_factors = [4, 1]"), HasSubstr("dynamic.density_factors: expected rising numbers"));
-  EXPECT_THAT(with("density_factors = [0]"), HasSubstr("dynamic.density_factors: expected a positive number, got 0"));
-  EXPECT_THAT(with("density_factors = \"all\""), HasSubstr("dynamic.density_factors: expected \"auto\""));
   EXPECT_THAT(with("damping = 1"), HasSubstr("tests.dynamic: unknown key \"damping\""));
 }
 

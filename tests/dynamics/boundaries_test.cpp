@@ -130,7 +130,7 @@ TEST_P(Boundaries, CreepsAsAStandardLinearSolid) {
                             {{"solid", 1000.0, PronySeries(3e6), PronySeries(relaxed, {{slow, unrelaxed - relaxed}})}}};
   problem.boundary = Boundary::traction;
   problem.traction = unit_stress<2>(Load::shear);
-  problem.density_factor = 400.0;
+  problem.mass_scaling = 400.0;
   problem.ramp = StrainRamp(0.05);
   const auto run = solver(problem);
   std::vector<Averages<2>> averages;
@@ -242,7 +242,7 @@ TEST_P(EveryBoundary, BothFormulationsAgree) {
   problem.boundary = GetParam();
   problem.load = {.xx = 0.2, .yy = -0.1, .xy = 0.5};
   problem.traction = {.xx = 0.4, .yy = -0.2, .xy = 1.0};
-  problem.density_factor = 1e-5;
+  problem.mass_scaling = 1e-5;
   problem.ramp = StrainRamp(6e-4);
   problem = with_step(problem, 0.5);
   std::vector<Averages<2>> lagrangian, classical;

@@ -26,7 +26,7 @@ std::unique_ptr<DynamicSolver<2>> travelling_body(const DynamicSolver<2>::Veloci
   problem.boundary = Boundary::traction;
   problem.amplitude = 1.0;
   problem.time_step =
-      courant * stable_time_step(problem.discretisation, problem.materials, problem.volumetric, problem.density_factor);
+      courant * stable_time_step(problem.discretisation, problem.materials, problem.volumetric, problem.mass_scaling);
   auto run = make_dynamic_solver(Formulation::classical, problem);
   run->set_velocities(velocity);
   return run;
@@ -110,7 +110,7 @@ TEST_P(Agreement, BothFormulationsGiveTheSameModulus) {
   DynamicProblem<2> problem{testing_materials::disc_in_box(20), {relaxing, stiff}};
   problem.volumetric = GetParam();
   problem.load = {.xy = 0.5};
-  problem.density_factor = 1e-5;
+  problem.mass_scaling = 1e-5;
   problem.ramp = StrainRamp(2e-4);
   problem.time_step = 0.5 * stable_time_step(problem.discretisation, problem.materials, problem.volumetric, 1e-5);
   std::vector<Averages<2>> lagrangian, classical;

@@ -73,7 +73,7 @@ TEST_P(Cubes, TractionDeformsAHomogeneousBoxByItsCompliance) {
     DynamicProblem<3> problem{Discretisation<3>(Grid<3>{{3, 2, 4}, 0.1}), {damped(2e6, 0.3e6)}};
     problem.boundary = Boundary::traction;
     problem.traction = unit_stress<3>(load);
-    problem.density_factor = 0.1;
+    problem.mass_scaling = 0.1;
     problem.ramp = StrainRamp(0.1);
     const auto averages = at_rest(problem, 1.0);
     EXPECT_NEAR(compliance_of(load, averages.strain) * modulus_under(load, 2e6, 0.3e6), 1.0, 1e-4);
@@ -203,7 +203,7 @@ TEST_P(CubesUnderEveryBoundary, GiveTheSameBitsOnEveryInstructionSet) {
 // Single samples of runs that still ring; SphereInACube compares curves.
 TEST_P(CubesUnderEveryBoundary, BothFormulationsAgree) {
   auto problem = loaded({sphere_in_box(6), {relaxing, stiff}});
-  problem.density_factor = 3e-4;
+  problem.mass_scaling = 3e-4;
   problem.ramp = StrainRamp(1e-3);
   problem = with_step(problem, 0.5);
   std::vector<Averages<3>> lagrangian, classical;

@@ -75,12 +75,12 @@ double highest_frequency(const DynamicProblem<2>& problem) {
 
 TEST(StableTimeStep, IsBelowAndCloseToTheLimitOfTheAssembledSystem) {
   for (const auto volumetric : {Volumetric::averaged, Volumetric::standard}) {
-    for (const double density_factor : {1.0, 1e4}) {
+    for (const double mass_scaling : {1.0, 1e4}) {
       DynamicProblem<2> problem{testing_materials::disc_in_box(10), {soft, stiff}};
       problem.volumetric = volumetric;
-      problem.density_factor = density_factor;
+      problem.mass_scaling = mass_scaling;
       const double limit = 2.0 / highest_frequency(problem);
-      const double step = stable_time_step(problem.discretisation, problem.materials, volumetric, density_factor);
+      const double step = stable_time_step(problem.discretisation, problem.materials, volumetric, mass_scaling);
       EXPECT_LE(step, limit);
       EXPECT_GE(step, 0.7 * limit);
     }
@@ -114,13 +114,13 @@ TEST(DynamicProblem, RefusesATimeStepAboveTheStableOne) {
   }
 }
 
-TEST(DynamicProblem, RefusesADensityFactorThatIsNotPositive) {
+TEST(DynamicProblem, RefusesAMassScalingFactorThatIsNotPositive) {
   DynamicProblem<2> problem{testing_materials::disc_in_box(10), {soft, stiff}};
   problem.time_step = 1e-9;
   for (const double factor : {-1.0, 0.0, std::nan("")}) {
-    problem.density_factor = factor;
+    problem.mass_scaling = factor;
     EXPECT_THAT(test::message_of<InputError>([&] { require_stable(problem); }),
-                testing::HasSubstr("density factor of"));
+                testing::HasSubstr("mass scaling factor of"));
   }
 }
 

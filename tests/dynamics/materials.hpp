@@ -44,7 +44,7 @@ inline DynamicProblem<3> mixed_sphere_in_box(int cells, std::vector<Material> ma
 template <int dim>
 DynamicProblem<dim> with_step(DynamicProblem<dim> problem, double courant = 0.9) {
   problem.time_step =
-      courant * stable_time_step(problem.discretisation, problem.materials, problem.volumetric, problem.density_factor);
+      courant * stable_time_step(problem.discretisation, problem.materials, problem.volumetric, problem.mass_scaling);
   return problem;
 }
 

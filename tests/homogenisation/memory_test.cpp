@@ -180,10 +180,10 @@ TEST(Memory, OfTheDynamicMethodInCubesIsThatOfItsHistories) {
                                                          "method, and 1 GB are left; cells = 13[0-9] would fit")));
 }
 
-// Density factors that are never valid have no plan, and so no estimate.
+// Mass scaling factors that are never valid have no plan, and so no estimate.
 TEST(Memory, WithoutAnEstimateNothingIsLacking) {
   auto study = study_of(100, {Method::dynamic});
-  study.tests.dynamic.density_factors = {1e12};
+  study.tests.dynamic.mass_scaling_factors = {1e12};
   EXPECT_THAT(lacking_memory(study, -1.0), testing::IsEmpty());
 }
 

@@ -73,7 +73,7 @@ const TestId creep{Load::bulk, Boundary::traction, Method::dynamic, TestGrid(24)
 
 TimeDomain domain_with(Curve history) {
   TimeDomain domain;
-  domain.density_factor = 1e6;
+  domain.mass_scaling = 1e6;
   domain.time_step = 1e-7;
   domain.ramp = 3e-5;
   domain.window = {1e-4, 2e-3};

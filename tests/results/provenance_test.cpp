@@ -117,7 +117,7 @@ TEST_F(WriteProvenance, TellsTheTimeDomainsOfADynamicTest) {
   auto test = test::test_with({.method = Method::dynamic, .grid = TestGrid(24)}, {{1.0, 1.0}});
   DynamicRecord record;
   auto& domain = record.domains.emplace_back();
-  domain.density_factor = 1e4;
+  domain.mass_scaling = 1e4;
   domain.steps = 1000;
   domain.seconds = 2.0;
   domain.window = {1e-5, 1e-3};

@@ -78,7 +78,7 @@ TEST_F(StagePlot, NamesTheMethodsAndTheirTimeDomains) {
   DynamicRecord record;
   for (const double factor : {1.0, 1030.0}) {
     auto& domain = record.domains.emplace_back();
-    domain.density_factor = factor;
+    domain.mass_scaling = factor;
     domain.window = {1e-3, 1e-2};
   }
   dynamic.record = std::move(record);

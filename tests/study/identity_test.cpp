@@ -84,7 +84,7 @@ TEST(ContentOf, EveryChangeOfWhatIsAskedMakesAnother) {
       [](Study& study) { study.tests.last_time *= 2.0; },
       [](Study& study) { study.tests.loads = {Load::bulk}; },
       [](Study& study) { study.tests.quasistatic.sampling.tolerance = 1e-4; },
-      [](Study& study) { study.tests.dynamic.density_factors = {1.0}; },
+      [](Study& study) { study.tests.dynamic.mass_scaling_factors = {1.0}; },
       [](Study& study) { study.measurements = {{.label = "a", .stage = "fine", .shear = PronySeries(1e6)}}; },
   };
   std::set<std::string> contents;

@@ -324,13 +324,13 @@ TEST(RequireSound, NamesEachMistakeOfTheOptionsOfMethods) {
        {[](Study& study) { study.tests.dynamic.creep_ramp_transits = -1.0; }, "method: transits of the traction ramp:"},
        {[](Study& study) { study.tests.dynamic.ramp_time = -1.0; }, "method: time of the ramp:"},
        {[](Study& study) {
-          study.tests.dynamic.density_factors = {0.0, 1.0};
+          study.tests.dynamic.mass_scaling_factors = {0.0, 1.0};
         },
-        "method: density factor:"},
+        "method: mass scaling factor:"},
        {[](Study& study) {
-          study.tests.dynamic.density_factors = {4.0, 1.0};
+          study.tests.dynamic.mass_scaling_factors = {4.0, 1.0};
         },
-        "density factors: expected rising"},
+        "mass scaling factors: expected rising"},
        {[](Study& study) { study.tests.dynamic.overlap = 1.0; }, "method: overlap:"},
        {[](Study& study) { study.tests.dynamic.reduction_tolerance = not_a_number; },
         "method: tolerance of the reduction:"}},

@@ -96,7 +96,7 @@ TEST(DynamicTestInSpace, AMaxwellLaminateHasTheSeriesModulus) {
   test.boundary = Boundary::periodic;
   test.load = Load::shear_yz;
   // A laminate is softer along its layers than the bounds of isotropic composites let the program expect.
-  test.options.density_factors = {20.0, 200.0};
+  test.options.mass_scaling_factors = {20.0, 200.0};
   // The period of its slowest wave is about two transits, so that a ramp of four transits excites little ringing.
   test.options.ramp_transits = 4.0;
   const auto series = series_material<3>({{0, 0.5}, {1, 0.5}}, test.materials).shear;

@@ -31,7 +31,7 @@ double at(const Curve& curve, double time) {
 }
 
 TEST(RunDynamicTest, HomogeneousBoxRelaxesAsItsMaterial) {
-  // Late times, at which the material has relaxed faster than waves cross the box, take falling density factors.
+  // Late times, at which the material has relaxed faster than waves cross the box, take falling mass scaling factors.
   for (const auto start : {Start::boundary, Start::affine}) {
     auto test = relaxation(model_composite(24), {binder, binder}, {1e-3, 0.12});
     test.options.start = start;
@@ -123,18 +123,18 @@ TEST(RunDynamicTest, AveragedPointsAgreeWithTheQuasiStaticLimit) {
   for (const auto& [time, modulus] : known) EXPECT_NEAR(at(result.curve, time) / modulus, 1.0, 0.01) << "at " << time;
 }
 
-TEST(RunDynamicTest, GivenDensityFactorsAreUsed) {
+TEST(RunDynamicTest, GivenMassScalingFactorsAreUsed) {
   auto test = relaxation(model_composite(24), {binder, particle}, {2e-3, 0.02});
-  test.options.density_factors = {1.0, 5.0};
+  test.options.mass_scaling_factors = {1.0, 5.0};
   const auto result = run_dynamic_test(test);
   ASSERT_EQ(result.domains.size(), 2U);
-  EXPECT_EQ(result.domains[0].density_factor, 1.0);
-  EXPECT_EQ(result.domains[1].density_factor, 5.0);
+  EXPECT_EQ(result.domains[0].mass_scaling, 1.0);
+  EXPECT_EQ(result.domains[1].mass_scaling, 5.0);
 }
 
-TEST(RunDynamicTest, DensityFactorsThatStartTooLateAreRefused) {
+TEST(RunDynamicTest, MassScalingFactorsThatStartTooLateAreRefused) {
   auto test = relaxation(model_composite(24), {binder, particle}, {1e-4, 0.02});
-  test.options.density_factors = {1.0};
+  test.options.mass_scaling_factors = {1.0};
   EXPECT_THROW(run_dynamic_test(test), NumericalError);
 }
 
@@ -220,7 +220,7 @@ TEST(PlanDynamicTest, HomogeneousPlanAgreesWithTheRun) {
   const auto result = run_dynamic_test(test);
   ASSERT_EQ(plan.domains.size(), result.domains.size());
   for (std::size_t i = 0; i < plan.domains.size(); ++i) {
-    EXPECT_DOUBLE_EQ(plan.domains[i].density_factor, result.domains[i].density_factor);
+    EXPECT_DOUBLE_EQ(plan.domains[i].mass_scaling, result.domains[i].mass_scaling);
     EXPECT_NEAR(static_cast<double>(plan.domains[i].steps) / static_cast<double>(result.domains[i].steps), 1.0, 0.05);
   }
   EXPECT_GT(plan.bytes, 0U);

@@ -12,13 +12,13 @@
 namespace breccia {
 namespace {
 
-/// A box of 1 m with 1 kg/m^3: at modulus G the shear wave crosses it in 1 / sqrt(G) s at density factor 1.
+/// A box of 1 m with 1 kg/m^3: at modulus G the shear wave crosses it in 1 / sqrt(G) s at mass scaling factor 1.
 DomainRules unit_box(TimeWindow times, std::vector<double> factors = {}) {
   DomainRules rules;
   rules.side = 1.0;
   rules.density = 1.0;
   rules.times = times;
-  rules.density_factors = std::move(factors);
+  rules.mass_scaling_factors = std::move(factors);
   return rules;
 }
 
@@ -34,7 +34,7 @@ std::vector<Visited> walk(const DomainRules& rules, const std::function<double(d
   for (;;) {
     double t = 1e-3 * rules.times.begin;
     while (sequence.observe(t, modulus(t))) t *= 1.002;
-    if (sequence.window()) domains.push_back({sequence.density_factor(), *sequence.window()});
+    if (sequence.window()) domains.push_back({sequence.mass_scaling(), *sequence.window()});
     if (sequence.is_complete()) return domains;
     sequence.advance();
   }

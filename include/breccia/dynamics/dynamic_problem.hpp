@@ -55,8 +55,8 @@ struct DynamicProblem {
   Discretisation<dim> discretisation;
   std::vector<Material> materials;  ///< by PhaseIndex
   Volumetric volumetric = Volumetric::averaged;
-  double density_factor = 1.0;  ///< mass scaling factor: multiplies all masses [-]
-  double time_step = 0.0;       ///< [s]; at most stable_time_step
+  double mass_scaling = 1.0;  ///< mass scaling factor: multiplies all masses [-]
+  double time_step = 0.0;     ///< [s]; at most stable_time_step
   Boundary boundary = Boundary::displacement;
   Strain<dim> load = {};      ///< mean strain at the end of the ramp [-]; without meaning under a traction boundary
   Stress<dim> traction = {};  ///< under a traction boundary: the stress that pulls on it at the end of the ramp [Pa]
@@ -69,10 +69,10 @@ struct DynamicProblem {
 /// Largest time step [s] for which central differences are stable: 2 / omega, with omega^2 the largest eigenvalue of
 /// any cell with its share of the lumped mass, an upper bound for the assembled system (Irons and Fried; theory, Eq.
 /// 12). Moduli count unrelaxed. Throws InputError when a point has no material, a material no stiffness or no density,
-/// or the density factor is not positive. Instantiated for 2 and 3 dimensions.
+/// or the mass scaling factor is not positive. Instantiated for 2 and 3 dimensions.
 template <int dim>
 [[nodiscard]] double stable_time_step(const Discretisation<dim>& discretisation, const std::vector<Material>& materials,
-                                      Volumetric volumetric, double density_factor);
+                                      Volumetric volumetric, double mass_scaling);
 
 /// Throws InputError when mixed cells have standard volumetric strains, and when the time step of the problem is not
 /// positive or above the stable one, naming both. That limit

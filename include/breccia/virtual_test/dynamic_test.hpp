@@ -33,16 +33,16 @@ struct DynamicTest {
   int threads = 0;  ///< number of threads; 0: all cores
 };
 
-/// One dynamic run with one density factor (mass scaling).
+/// One dynamic run with one mass scaling factor.
 struct TimeDomain {
-  double density_factor = 1.0;  ///< [-]
-  double time_step = 0.0;       ///< [s]
-  double ramp = 0.0;            ///< duration of the ramp [s]
-  TimeWindow window;            ///< times at which the run is valid [s]
+  double mass_scaling = 1.0;  ///< [-]
+  double time_step = 0.0;     ///< [s]
+  double ramp = 0.0;          ///< duration of the ramp [s]
+  TimeWindow window;          ///< times at which the run is valid [s]
   std::int64_t steps = 0;
   std::size_t terms = 0;  ///< largest number of integrated Prony terms of a material
   /// Bound on the relative error of the moduli without the other Prony terms [-], from the expected start of the
-  /// validity of the run on. A first run with a given density factor may be used earlier (theory, section 4).
+  /// validity of the run on. A first run with a given mass scaling factor may be used earlier (theory, section 4).
   double reduction_error = 0.0;
   double seconds = 0.0;  ///< wall time [s]
   /// The modulus [Pa] from the start of the ramp on, or the reciprocal of the creep compliance, 1 / J(t), from the end

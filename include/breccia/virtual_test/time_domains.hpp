@@ -12,24 +12,24 @@ namespace breccia {
 /// There-and-back transits of the shear wave after which a dynamic run is taken as quasi-static (the paper's three).
 constexpr double there_and_back_transits = 3.0;
 
-/// The parameters by which density factors (mass scaling) are chosen for a curve.
+/// The parameters by which mass scaling factors are chosen for a curve.
 struct DomainRules {
-  double side = 0.0;                    ///< side of the box [m]
-  double density = 0.0;                 ///< mean density before scaling [kg/m^3]
-  TimeWindow times;                     ///< requested times [s]
-  std::vector<double> density_factors;  ///< rising factors given by the user [-]; empty: chosen by the program
-  double factor_ratio = 10.0;           ///< ratio of neighbouring factors if the program chooses them [-]
-  double overlap = 1.5;                 ///< ratio of times over which two neighbouring runs overlap [-]
-  double longest = 100.0;               ///< largest ratio of end time to expected begin of validity of a run [-]
+  double side = 0.0;                         ///< side of the box [m]
+  double density = 0.0;                      ///< mean density before scaling [kg/m^3]
+  TimeWindow times;                          ///< requested times [s]
+  std::vector<double> mass_scaling_factors;  ///< rising factors given by the user [-]; empty: chosen by the program
+  double factor_ratio = 10.0;                ///< ratio of neighbouring factors if the program chooses them [-]
+  double overlap = 1.5;                      ///< ratio of times over which two neighbouring runs overlap [-]
+  double longest = 100.0;                    ///< largest ratio of end time to expected begin of validity of a run [-]
 
-  /// Largest density factor with which a run is valid at a time when the composite's shear modulus is `modulus` [Pa]:
-  /// (t / 6 L)^2 G(t) / density (theory, Eq. 14).
+  /// Largest mass scaling factor with which a run is valid at a time when the composite's shear modulus is `modulus`
+  /// [Pa]: (t / 6 L)^2 G(t) / density (theory, Eq. 14).
   [[nodiscard]] double admissible_factor(double time, double modulus) const;
   /// Time [s] that the shear wave takes through the box.
-  [[nodiscard]] double transit(double density_factor, double modulus) const;
+  [[nodiscard]] double transit(double mass_scaling, double modulus) const;
 };
 
-/// Chooses density factors one after the other from the curve while it is computed.
+/// Chooses mass scaling factors one after the other from the curve while it is computed.
 ///
 /// A domain is valid while its factor is at most the admissible factor. It ends when the next factor has been
 /// admissible for the ratio of times `overlap`. If the composite relaxes so fast that the admissible factor falls
@@ -39,7 +39,7 @@ class DomainSequence {
   /// `modulus` is a lower estimate of the composite's shear modulus at the first requested time [Pa].
   DomainSequence(DomainRules rules, double modulus);
 
-  [[nodiscard]] double density_factor() const noexcept { return factor_; }
+  [[nodiscard]] double mass_scaling() const noexcept { return factor_; }
   /// Time [s] at which the present domain is expected to become valid.
   [[nodiscard]] double expected_begin() const noexcept { return expected_begin_; }
   /// Latest time [s] to which the present domain can run.

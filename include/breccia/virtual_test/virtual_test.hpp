@@ -13,13 +13,13 @@ struct DynamicOptions {
   Formulation formulation = Formulation::total_lagrangian;
   Start start = Start::boundary;
   Volumetric volumetric = Volumetric::averaged;
-  double courant = 0.9;                      ///< time step over the stable limit of the discretisation [-]
-  double ramp_transits = 2.0;                ///< duration of the strain ramp in transits of the shear wave [-]
-  double creep_ramp_transits = 5.0;          ///< the same for a traction ramp; longer, as a free boundary rings longer
-  std::optional<double> ramp_time = {};      ///< duration of the ramp at density factor 1 [s]; overrides ramp_transits
-  std::vector<double> density_factors = {};  ///< mass scaling, rising [-]; empty: chosen from the requested times
-  double overlap = 1.5;                      ///< ratio of times over which two neighbouring runs overlap [-]
-  double reduction_tolerance = 1e-3;         ///< tolerated relative error of G(t) by neglected Prony terms [-]
+  double courant = 0.9;                  ///< time step over the stable limit of the discretisation [-]
+  double ramp_transits = 2.0;            ///< duration of the strain ramp in transits of the shear wave [-]
+  double creep_ramp_transits = 5.0;      ///< the same for a traction ramp; longer, as a free boundary rings longer
+  std::optional<double> ramp_time = {};  ///< duration of the ramp at mass scaling factor 1 [s]; overrides ramp_transits
+  std::vector<double> mass_scaling_factors = {};  ///< rising [-]; empty: chosen from the requested times
+  double overlap = 1.5;                           ///< ratio of times over which two neighbouring runs overlap [-]
+  double reduction_tolerance = 1e-3;              ///< tolerated relative error of G(t) by neglected Prony terms [-]
 };
 
 }  // namespace breccia

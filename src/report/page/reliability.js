@@ -29,8 +29,8 @@ const words = [
   ["quasi-static", "Without inertia: equilibrium at every time.", "quasistatic"],
   ["reduced basis, snapshots", "The relaxation of the box, as a combination of a few elastic solutions (snapshots), " +
     "each with another stiffness of the matrix. Its error is estimated from the equilibrium that is missing.", "reduced"],
-  ["dynamic, density factor", "Stress waves run through the box until it is at rest. All densities are multiplied by " +
-    "the density factor ρ so that long times need fewer steps; each run counts in its time domain.", "dynamic"],
+  ["dynamic, mass scaling factor", "Stress waves run through the box until it is at rest. All densities are multiplied by " +
+    "the mass scaling factor so that long times need fewer steps; each run counts in its time domain.", "dynamic"],
 ];
 
 /// Shows the words that the page uses.

@@ -5,7 +5,7 @@ import {study} from "./data.js";
 import {isNarrow} from "./figure.js";
 import {shortNumber} from "./numbers.js";
 
-/// Marks the times at which each run of a dynamic test is valid, with the density factor of the run. The test is the
+/// Marks the times at which each run of a dynamic test is valid, with the mass scaling factor of the run. The test is the
 /// first dynamic one of the last stage that is shown.
 export function addTimeDomains(layout, shown) {
   const stage = study.stages.findLast((one) => shown.stages.has(one.name) && shown.methods.has("dynamic") &&
