@@ -22,8 +22,10 @@ function(breccia_library_versions variable)
     "PETSc ${petsc_VERSION}"
     "MUMPS ${mumps}"
     "METIS ${metis}"
-    "LAPACKE ${lapacke_VERSION}"
-    "FFTW ${fftw_VERSION}")
+    "LAPACKE ${lapacke_VERSION}")
+  if(BRECCIA_FFTW)
+    list(APPEND versions "FFTW ${fftw_VERSION}")
+  endif()
   list(JOIN versions ", " versions)
   set(${variable} "${versions}" PARENT_SCOPE)
 endfunction()

@@ -1,10 +1,7 @@
 #include "solvers/lattice/nodal_field.hpp"
 
 #include <algorithm>
-#include <new>
 #include <numeric>
-
-#include <fftw3.h>
 
 #include "breccia/error.hpp"
 #include "breccia/parallel/reduction.hpp"
@@ -39,12 +36,7 @@ Index<3> NodeLattice::own_cells() const noexcept {
   return {cells[0], cells[1], std::min(planes, cells[2] - first_plane)};
 }
 
-void NodalField::Free::operator()(double* values) const noexcept {
-  fftw_free(values);
-}
-
-NodalField::NodalField(const NodeLattice& lattice) : size_(lattice.size()), values_(fftw_alloc_real(3 * size_)) {
-  if (values_ == nullptr) throw std::bad_alloc();
+NodalField::NodalField(const NodeLattice& lattice) : size_(lattice.size()), values_(allocate_waves(3 * size_ / 2)) {
   std::ranges::fill(all(), 0.0);
 }
 

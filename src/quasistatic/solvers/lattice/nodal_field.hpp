@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <functional>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -11,6 +10,7 @@
 
 #include "operator/cell_sweep.hpp"
 #include "operator/node_layout.hpp"
+#include "solvers/lattice/fourier_transform.hpp"
 
 namespace breccia::quasistatic {
 
@@ -42,25 +42,21 @@ class NodalField {
  public:
   explicit NodalField(const NodeLattice& lattice);
 
-  [[nodiscard]] double* component(std::size_t component) noexcept { return values_.get() + component * size_; }
-  [[nodiscard]] const double* component(std::size_t component) const noexcept {
-    return values_.get() + component * size_;
-  }
+  [[nodiscard]] double* component(std::size_t component) noexcept { return first() + component * size_; }
+  [[nodiscard]] const double* component(std::size_t component) const noexcept { return first() + component * size_; }
   [[nodiscard]] std::array<double*, 3> components() noexcept { return {component(0), component(1), component(2)}; }
   [[nodiscard]] std::array<const double*, 3> components() const noexcept {
     return {component(0), component(1), component(2)};
   }
   /// The entries of all components.
-  [[nodiscard]] std::span<double> all() noexcept { return {values_.get(), 3 * size_}; }
-  [[nodiscard]] std::span<const double> all() const noexcept { return {values_.get(), 3 * size_}; }
+  [[nodiscard]] std::span<double> all() noexcept { return {first(), 3 * size_}; }
+  [[nodiscard]] std::span<const double> all() const noexcept { return {first(), 3 * size_}; }
 
  private:
-  struct Free {
-    void operator()(double* values) const noexcept;
-  };
+  [[nodiscard]] double* first() const noexcept { return reinterpret_cast<double*>(values_.get()); }
 
   std::size_t size_;
-  std::unique_ptr<double, Free> values_;  ///< aligned for the transforms
+  Waves values_;  ///< two entries, of which rows have an even number, to a wave
 };
 
 /// Calls work(first index) for all components of the planes of this process, by several threads.

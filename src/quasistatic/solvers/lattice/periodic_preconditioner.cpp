@@ -8,11 +8,8 @@
 namespace breccia::quasistatic {
 namespace {
 
-fftw_complex* as_complex(double* values) noexcept {
-  return reinterpret_cast<fftw_complex*>(values);
-}
-fftw_complex* as_complex(std::complex<double>* values) noexcept {
-  return reinterpret_cast<fftw_complex*>(values);
+std::complex<double>* as_complex(double* values) noexcept {
+  return reinterpret_cast<std::complex<double>*>(values);
 }
 
 }  // namespace
@@ -23,27 +20,20 @@ PeriodicPreconditioner::PeriodicPreconditioner(const NodeLattice& lattice, int t
   for (std::size_t axis = 0; axis < angles_.size(); ++axis) {
     angles_[axis] = half_angles(nodes[axis], 2.0 * std::numbers::pi / nodes[axis]);
   }
-  NodalField field(lattice_);
-  double* real = field.component(0);
-  std::vector<Complex> depth(waves_ * static_cast<std::size_t>(nodes[2]));
-  const int width = static_cast<int>(lattice_.arrays.row), waves = static_cast<int>(waves_);
-  const int apart = static_cast<int>(exchange_.plane() / 2);
-  along_first_ = made_plan(fftw_plan_many_dft_r2c(1, &nodes[0], nodes[1], real, nullptr, 1, width, as_complex(real),
-                                                  nullptr, 1, waves, plan_flags));
-  back_along_first_ = made_plan(fftw_plan_many_dft_c2r(1, &nodes[0], nodes[1], as_complex(real), nullptr, 1, waves,
-                                                       real, nullptr, 1, width, plan_flags));
-  const auto complex_plan = [&](const int& count, fftw_complex* in, int in_apart, fftw_complex* out, int out_apart,
-                                int sign) {
-    return made_plan(
-        fftw_plan_many_dft(1, &count, waves, in, nullptr, in_apart, 1, out, nullptr, out_apart, 1, sign, plan_flags));
+  const int waves = static_cast<int>(waves_), apart = static_cast<int>(exchange_.plane() / 2);
+  along_first_ = real_transform({.length = nodes[0], .rows = nodes[1], .width = static_cast<int>(lattice_.arrays.row)});
+  const auto along = [&](WaveDirection direction, std::size_t axis, int before, int after) {
+    return wave_transform(
+        direction,
+        {.length = nodes[axis], .rows = waves, .apart = before, .apart_after = after, .is_in_place = axis == 1});
   };
-  auto* in_place = as_complex(real);
-  auto* compact = as_complex(depth.data());
-  along_second_ = complex_plan(nodes[1], in_place, waves, in_place, waves, FFTW_FORWARD);
-  back_along_second_ = complex_plan(nodes[1], in_place, waves, in_place, waves, FFTW_BACKWARD);
-  along_third_ = complex_plan(nodes[2], in_place, apart, compact, waves, FFTW_FORWARD);
-  back_along_third_ = complex_plan(nodes[2], compact, waves, in_place, apart, FFTW_BACKWARD);
-  for (int thread = 0; thread < threads; ++thread) rows_of_waves_.push_back(allocate_waves(3 * depth.size()));
+  along_second_ = along(WaveDirection::forward, 1, waves, waves);
+  back_along_second_ = along(WaveDirection::backward, 1, waves, waves);
+  // The waves of a row across the planes are kept close together.
+  along_third_ = along(WaveDirection::forward, 2, apart, waves);
+  back_along_third_ = along(WaveDirection::backward, 2, waves, apart);
+  const auto depth = waves_ * static_cast<std::size_t>(nodes[2]);
+  for (int thread = 0; thread < threads; ++thread) rows_of_waves_.push_back(allocate_waves(3 * depth));
 }
 
 void PeriodicPreconditioner::apply(const Moduli& reference, const NodalField& forces, NodalField& displacement) {
@@ -58,8 +48,8 @@ void PeriodicPreconditioner::transform_planes(const NodalField& forces, NodalFie
   for_planes(lattice_, threads_, [&](std::size_t first) {
     double* values = waves.all().data() + first;
     std::copy_n(forces.all().data() + first, lattice_.arrays.plane, values);
-    fftw_execute_dft_r2c(along_first_.get(), values, as_complex(values));
-    fftw_execute_dft(along_second_.get(), as_complex(values), as_complex(values));
+    along_first_->apply(values);
+    along_second_->apply(as_complex(values), as_complex(values));
   });
 }
 
@@ -68,17 +58,15 @@ void PeriodicPreconditioner::divide_by_symbol(const Moduli& reference, NodalFiel
 #pragma omp parallel num_threads(threads_)
   {
     const auto thread = static_cast<std::size_t>(omp_get_thread_num());
-    auto* depth = reinterpret_cast<Complex*>(rows_of_waves_[thread].get());
+    auto* depth = rows_of_waves_[thread].get();
 #pragma omp for
     for (int row = 0; row < exchange_.rows(); ++row) {
       for (std::size_t component = 0; component < 3; ++component) {
-        fftw_execute_dft(along_third_.get(), as_complex(exchange_.row(waves, component, row)),
-                         as_complex(depth + component * size));
+        along_third_->apply(as_complex(exchange_.row(waves, component, row)), depth + component * size);
       }
       divide_row(reference, exchange_.first_row() + row, depth);
       for (std::size_t component = 0; component < 3; ++component) {
-        fftw_execute_dft(back_along_third_.get(), as_complex(depth + component * size),
-                         as_complex(exchange_.row(waves, component, row)));
+        back_along_third_->apply(depth + component * size, as_complex(exchange_.row(waves, component, row)));
       }
     }
   }
@@ -112,8 +100,8 @@ void PeriodicPreconditioner::transform_planes_back(NodalField& waves) const {
   const auto row = lattice_.arrays.row;
   for_planes(lattice_, threads_, [&](std::size_t first) {
     double* values = waves.all().data() + first;
-    fftw_execute_dft(back_along_second_.get(), as_complex(values), as_complex(values));
-    fftw_execute_dft_c2r(back_along_first_.get(), as_complex(values), values);
+    back_along_second_->apply(as_complex(values), as_complex(values));
+    along_first_->apply_back(values);
     for (int second = 0; second < lattice_.nodes[1]; ++second) {
       double* of_row = values + static_cast<std::size_t>(second) * row;
       std::fill(of_row + lattice_.nodes[0], of_row + row, 0.0);

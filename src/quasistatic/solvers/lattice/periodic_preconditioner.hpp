@@ -2,9 +2,10 @@
 
 #include <array>
 #include <complex>
+#include <memory>
 #include <vector>
 
-#include "solvers/lattice/fourier_plan.hpp"
+#include "solvers/lattice/fourier_transform.hpp"
 #include "solvers/lattice/lattice_preconditioner.hpp"
 #include "solvers/lattice/row_exchange.hpp"
 #include "solvers/lattice/wave_symbol.hpp"
@@ -32,8 +33,8 @@ class PeriodicPreconditioner final : public LatticePreconditioner {
   int threads_;
   std::size_t waves_;  ///< along the first axis, of which the transform of real values has about half
   std::array<std::vector<HalfAngle>, 3> angles_;  ///< by axis
-  FourierPlan along_first_, along_second_, along_third_;
-  FourierPlan back_along_first_, back_along_second_, back_along_third_;
+  std::unique_ptr<RealTransform> along_first_;
+  std::unique_ptr<WaveTransform> along_second_, back_along_second_, along_third_, back_along_third_;
   std::vector<Waves> rows_of_waves_;  ///< by thread: the three components of the waves of a row along the second axis
 };
 

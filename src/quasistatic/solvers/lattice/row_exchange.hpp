@@ -6,7 +6,7 @@
 
 #include <mpi.h>
 
-#include "solvers/lattice/fourier_plan.hpp"
+#include "solvers/lattice/fourier_transform.hpp"
 #include "solvers/lattice/nodal_field.hpp"
 
 namespace breccia::quasistatic {

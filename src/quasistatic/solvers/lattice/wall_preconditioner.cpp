@@ -38,7 +38,7 @@ PairedRows WallPreconditioner::rows_along(std::size_t axis, double* first) const
           .is_last_alone = nodes[1] % 2 == 1};
 }
 
-void WallPreconditioner::transform(std::size_t axis, double* first, fftw_complex* waves) const {
+void WallPreconditioner::transform(std::size_t axis, double* first, std::complex<double>* waves) const {
   if (!is_fixed_) double_ends(axis, first);
   transforms_[axis].apply(rows_along(axis, first), waves);
 }

@@ -23,7 +23,7 @@ class WallPreconditioner final : public LatticePreconditioner {
   /// Rows of nodes of a plane or, across the planes, of those with one index along the second axis; `first` is the
   /// first node.
   [[nodiscard]] PairedRows rows_along(std::size_t axis, double* first) const;
-  void transform(std::size_t axis, double* first, fftw_complex* waves) const;
+  void transform(std::size_t axis, double* first, std::complex<double>* waves) const;
   void double_ends(std::size_t axis, double* values) const;
   void transform_planes(const NodalField& forces, NodalField& waves) const;
   void divide_by_laplacian(const Moduli& reference, NodalField& waves);

@@ -48,18 +48,16 @@ WallTransform::WallTransform(Kind kind, int cells, std::size_t pairs)
     sines_.push_back(std::sin(angle));
     cosines_.push_back(std::cos(angle));
   }
-  const auto waves = make_waves();
   const int many = static_cast<int>(pairs_);
-  plan_ = made_plan(fftw_plan_many_dft(1, &cells, many, waves.get(), nullptr, many, 1, waves.get(), nullptr, many, 1,
-                                       FFTW_BACKWARD, plan_flags));
+  transform_ = wave_transform(WaveDirection::backward,
+                              {.length = cells, .rows = many, .apart = many, .apart_after = many, .is_in_place = true});
 }
 
-void WallTransform::apply(const PairedRows& rows, fftw_complex* waves) const {
-  auto* values = reinterpret_cast<Complex*>(waves);
-  auto* odd = values + cells_ * pairs_;
-  fold(rows, values, odd);
-  fftw_execute_dft(plan_.get(), waves, waves);
-  unfold(rows, values, odd);
+void WallTransform::apply(const PairedRows& rows, Complex* waves) const {
+  auto* odd = waves + cells_ * pairs_;
+  fold(rows, waves, odd);
+  transform_->apply(waves, waves);
+  unfold(rows, waves, odd);
 }
 
 /// Folds the even or odd continuation of the rows into one of half the length. `first_odd` receives half the odd wave

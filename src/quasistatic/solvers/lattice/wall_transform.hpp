@@ -2,9 +2,10 @@
 
 #include <complex>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
-#include "solvers/lattice/fourier_plan.hpp"
+#include "solvers/lattice/fourier_transform.hpp"
 
 namespace breccia::quasistatic {
 
@@ -36,7 +37,7 @@ class WallTransform {
   [[nodiscard]] Waves make_waves() const { return allocate_waves(count_ * pairs_); }
 
   /// Transforms rows in place.
-  void apply(const PairedRows& rows, fftw_complex* waves) const;
+  void apply(const PairedRows& rows, std::complex<double>* waves) const;
 
  private:
   using Complex = std::complex<double>;
@@ -47,7 +48,7 @@ class WallTransform {
   Kind kind_;
   std::size_t cells_, pairs_, count_;
   std::vector<double> sines_, cosines_;  ///< of pi j / n
-  FourierPlan plan_;
+  std::unique_ptr<WaveTransform> transform_;
 };
 
 }  // namespace breccia::quasistatic

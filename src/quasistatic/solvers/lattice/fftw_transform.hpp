@@ -1,0 +1,14 @@
+#pragma once
+
+#include <memory>
+
+#include "solvers/lattice/fourier_transform.hpp"
+
+namespace breccia::quasistatic {
+
+/// Transforms by plans of FFTW, made by estimates, not by timings, so that every run has the same bits. Throw
+/// NumericalError where FFTW has no plan: the memory is short, or there is nothing to transform.
+[[nodiscard]] std::unique_ptr<WaveTransform> wave_transform_of_fftw(WaveDirection direction, const WaveRows& rows);
+[[nodiscard]] std::unique_ptr<RealTransform> real_transform_of_fftw(const RealRows& rows);
+
+}  // namespace breccia::quasistatic
