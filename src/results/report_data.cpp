@@ -17,19 +17,25 @@ using Json = nlohmann::ordered_json;
 
 }  // namespace
 
-PageData read_page_data(const std::filesystem::path& record, const std::function<Json(Json)>& data_of) {
-  auto json = Json::parse(read_text(record), nullptr, false);
-  if (!json.is_object()) throw FileError(fmt::format("{}: not as `breccia run` writes it", record.string()));
+PageData page_data(const std::filesystem::path& record, const std::function<TitledData()>& make) {
   try {
-    auto title = json.at("title").get<std::string>();
-    const auto data = data_of(std::move(json));
-    return {std::move(title), data.dump(-1, ' ', false, Json::error_handler_t::replace)};
+    const auto [title, data] = make();
+    return {title, data.dump(-1, ' ', false, Json::error_handler_t::replace), data.contains("views")};
   } catch (const InputError& error) {
     // The table is a result of Breccia, so its mistakes are not those of a user.
     throw FileError(error.what());
   } catch (const Json::exception& error) {
     throw FileError(fmt::format("{}: not as `breccia run` writes it: {}", record.string(), error.what()));
   }
+}
+
+PageData read_page_data(const std::filesystem::path& record, const std::function<Json(Json)>& data_of) {
+  auto json = Json::parse(read_text(record), nullptr, false);
+  if (!json.is_object()) throw FileError(fmt::format("{}: not as `breccia run` writes it", record.string()));
+  return page_data(record, [&]() -> TitledData {
+    auto title = json.at("title").get<std::string>();
+    return {std::move(title), data_of(std::move(json))};
+  });
 }
 
 bool is_there(const std::filesystem::path& file) {

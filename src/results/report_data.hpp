@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -9,6 +10,16 @@
 #include "breccia/results/page_data.hpp"
 
 namespace breccia {
+
+/// The data of a page with its title.
+struct TitledData {
+  std::string title;
+  nlohmann::ordered_json data;
+};
+
+/// The data of a page from a function that makes them of the results that a record names. Throws FileError when one of
+/// their files does not have the format of this version.
+PageData page_data(const std::filesystem::path& record, const std::function<TitledData()>& make);
 
 /// Reads the record of a run, which has a `title`, and makes the data of its page by a function. Throws FileError when
 /// the record or a file that it names does not have the format of this version.

@@ -5,36 +5,16 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "breccia/error.hpp"
-#include "breccia/io/text_file.hpp"
-#include "breccia/results/stored_materials.hpp"
 #include "breccia/tables/csv.hpp"
+
+#include "stored_document.hpp"
 
 namespace breccia {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The shares of fillers or coatings, of which a stage may have none.
-void add_shares(const nlohmann::json& whole, const char* key, StageContent& stage) {
-  if (!whole.contains(key)) return;
-  for (const auto& share : whole.at(key)) {
-    stage.shares.push_back({share.at("material").get<std::string>(), share.at("fraction").get<double>(),
-                            share.at("mass_fraction").get<double>()});
-  }
-}
-
-StageContent stage_content_of(const nlohmann::json& json) {
-  StageContent stage{json.at("name").get<std::string>(), json.at("matrix").get<std::string>(),
-                     json.at("dimensions").get<int>()};
-  if (json.contains("filler_of_the_whole")) {
-    add_shares(json.at("filler_of_the_whole"), "materials", stage);
-    add_shares(json.at("filler_of_the_whole"), "coatings", stage);
-  }
-  return stage;
-}
 
 }  // namespace
 
@@ -73,22 +53,7 @@ std::vector<StageSeries> read_stored_series(const fs::path& directory) {
 }
 
 StudyContent read_stored_content(const fs::path& directory) {
-  const auto file = directory / "study.json";
-  const auto refuse = [&](const std::string& reason) {
-    throw FileError(fmt::format("{}: not as `breccia run` writes it{}", file.string(), reason));
-  };
-  StudyContent content;
-  const auto json = nlohmann::json::parse(read_text(file), nullptr, false);
-  if (!json.is_object()) refuse("");
-  try {
-    content.title = json.at("title").get<std::string>();
-    content.times = {json.at("times_s").at(0).get<double>(), json.at("times_s").at(1).get<double>()};
-    for (const auto& stage : json.at("stages")) content.stages.push_back(stage_content_of(stage));
-  } catch (const nlohmann::json::exception& error) {
-    refuse(fmt::format(": {}", error.what()));
-  }
-  content.materials = read_stored_materials(directory).materials;
-  return content;
+  return content_of(read_study_document(directory));
 }
 
 void require_stored_study(const fs::path& directory) {

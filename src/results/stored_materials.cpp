@@ -1,60 +1,16 @@
 #include "breccia/results/stored_materials.hpp"
 
-#include <utility>
-
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "breccia/error.hpp"
-#include "breccia/io/text_file.hpp"
+
+#include "stored_document.hpp"
 
 namespace breccia {
-namespace {
-
-PronySeries series_of(const nlohmann::json& json) {
-  std::vector<MaxwellTerm> terms;
-  for (const auto& term : json.at("terms")) {
-    terms.push_back({term.at("relaxation_time_s").get<double>(), term.at("modulus_Pa").get<double>()});
-  }
-  return {json.at("equilibrium_Pa").get<double>(), std::move(terms)};
-}
-
-TemperatureShift shift_of(const nlohmann::json& json) {
-  const auto reference = json.at("reference_K").get<double>(), temperature = json.at("temperature_K").get<double>();
-  if (json.contains("log10_shift_factors")) {
-    return {ShiftTable(json.at("temperatures_K").get<std::vector<double>>(),
-                       json.at("log10_shift_factors").get<std::vector<double>>(), reference),
-            temperature};
-  }
-  return {WilliamsLandelFerry{json.at("c1").get<double>(), json.at("c2_K").get<double>(), reference}, temperature};
-}
-
-StoredMaterial material_of(const nlohmann::json& json) {
-  StoredMaterial stored{{json.at("name").get<std::string>(), json.at("density_kg_per_m3").get<double>(),
-                         series_of(json.at("bulk")), series_of(json.at("shear"))}};
-  if (json.contains("temperature_shift")) stored.shift = shift_of(json.at("temperature_shift"));
-  return stored;
-}
-
-}  // namespace
 
 StoredMaterials read_stored_materials(const std::filesystem::path& directory) {
-  const auto file = directory / "study.json";
-  const auto refuse = [&](const std::string& reason) {
-    throw FileError(fmt::format("{}: not as `breccia run` writes it{}", file.string(), reason));
-  };
-  StoredMaterials stored;
-  const auto json = nlohmann::json::parse(read_text(file), nullptr, false);
-  if (!json.is_object()) refuse("");
-  try {
-    stored.deck_hash = json.at("hash").get<std::string>();
-    for (const auto& material : json.at("materials")) stored.materials.push_back(material_of(material));
-  } catch (const nlohmann::json::exception& error) {
-    refuse(fmt::format(": {}", error.what()));
-  } catch (const InputError& error) {
-    refuse(fmt::format(": {}", error.what()));
-  }
-  return stored;
+  const auto document = read_study_document(directory);
+  return {document.hash, materials_of(document)};
 }
 
 Material at_temperature(const StoredMaterial& stored, double temperature) {

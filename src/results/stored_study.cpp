@@ -3,20 +3,18 @@
 #include <algorithm>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "breccia/error.hpp"
-#include "breccia/io/printable.hpp"
-#include "breccia/io/safe_name.hpp"
-#include "breccia/io/text_file.hpp"
 #include "breccia/results/response_file.hpp"
 #include "breccia/results/stored_composite.hpp"
 #include "breccia/results/sweep_result.hpp"
 #include "breccia/tables/csv.hpp"
 
 #include "best_tests.hpp"
+#include "stored_document.hpp"
 
 namespace breccia {
 namespace {
@@ -106,63 +104,49 @@ void add_series(const fs::path& directory, std::vector<StageFindings>& stages) {
 }
 
 /// Error and wall time of the computation of a test.
-void read_record(const nlohmann::json& json, TestResult& test) {
-  if (json.contains("error_estimate") && json["error_estimate"].is_number()) {
-    test.error_estimate = json["error_estimate"].get<double>();
+struct TakeRecord {
+  TestResult& test;
+
+  void operator()(std::monostate /*unknown*/) const {}
+  void operator()(const ExtrapolationRecord& /*record*/) const {}
+  void operator()(const QuasistaticEntry& record) const {
+    test.error_estimate = record.error_estimate;
+    test.seconds = record.seconds;
   }
-  if (test.id.grid.is_extrapolated()) return;
-  test.seconds = 0.0;
-  if (test.id.method == Method::dynamic) {
-    for (const auto& domain : json.at("time_domains")) *test.seconds += domain.at("wall_time_s").get<double>();
-  } else {
-    test.seconds = json.at("wall_time_s").get<double>();
+  void operator()(const DynamicEntry& record) const {
+    test.seconds = 0.0;
+    for (const auto& domain : record.domains) *test.seconds += domain.seconds;
+  }
+};
+
+void add_records(const StageEntry& entry, StageFindings& stage) {
+  for (const auto& one : entry.tests) {
+    const auto test = std::ranges::find(stage.tests, one.id, &TestResult::id);
+    if (test != stage.tests.end()) std::visit(TakeRecord{*test}, one.record);
   }
 }
 
-StageFindings findings_in(const nlohmann::json& json) {
+StageFindings findings_of(const StageEntry& entry) {
   StageFindings stage;
-  stage.name = json.at("name").get<std::string>();
-  if (!is_safe_name(stage.name))
-    throw FileError(fmt::format("\"{}\" is not a name that `breccia run` gives to a stage", printable(stage.name)));
-  stage.dimensions = json.at("dimensions").get<int>();
-  for (const auto& cells : json.at("cells")) {
-    if (cells.is_number_integer()) stage.cells = std::max(stage.cells, cells.get<int>());
-  }
-  stage.points = json.at("points").get<std::size_t>();
-  stage.point_fraction = json.at("filler_point_fraction").get<double>();
-  stage.warnings = json.at("warnings").get<std::vector<std::string>>();
+  stage.name = entry.name;
+  stage.dimensions = entry.dimensions;
+  stage.points = entry.points;
+  stage.point_fraction = entry.point_fraction;
+  stage.warnings = entry.warnings;
+  for (const auto& grid : entry.grids) stage.cells = std::max(stage.cells, grid.cells().value_or(0));
   return stage;
-}
-
-void read_records(const nlohmann::json& json, StageFindings& stage) {
-  for (const auto& one : json.at("tests")) {
-    const auto& cells = one.at("cells");
-    const auto grid =
-        grid_named(cells.is_number_integer() ? std::to_string(cells.get<long>()) : cells.get<std::string>());
-    for (auto& test : stage.tests) {
-      const bool is_it = name_of(test.id.load) == one.at("load") && name_of(test.id.boundary) == one.at("boundary") &&
-                         name_of(test.id.method) == one.at("method") && grid == test.id.grid;
-      if (is_it) read_record(one, test);
-    }
-  }
 }
 
 }  // namespace
 
 StoredStudy read_stored_study(const fs::path& directory) {
   require_stored_study(directory);
-  StoredStudy study{.content = read_stored_content(directory)};
+  const auto document = read_study_document(directory);
+  StoredStudy study{.content = content_of(document), .seconds = document.seconds};
   auto& stages = study.stages;
-  const auto file = directory / "study.json";
-  const auto json = nlohmann::json::parse(read_text(file), nullptr, false);
-  try {
-    if (json.at("wall_time_s").is_number()) study.seconds = json["wall_time_s"].get<double>();
-    for (const auto& stage : json.at("stages")) stages.push_back(findings_in(stage));
-    add_curves(directory, stages);
-    for (std::size_t i = 0; i < stages.size(); ++i) read_records(json["stages"][i], stages[i]);
-  } catch (const nlohmann::json::exception& error) {
-    refuse(file.string(), fmt::format(": {}", error.what()));
-  }
+  for (const auto& stage : document.stages) stages.push_back(findings_of(stage));
+  add_curves(directory, stages);
+  for (std::size_t i = 0; i < stages.size(); ++i) add_records(document.stages[i], stages[i]);
   add_compliances(directory / "compliance.csv", stages);
   add_half_bands(directory / "extrapolation.csv", stages);
   add_comparisons(directory / "comparison.csv", stages);

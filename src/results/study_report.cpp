@@ -4,15 +4,14 @@
 #include <cstddef>
 #include <map>
 #include <string>
+#include <variant>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "breccia/error.hpp"
-#include "breccia/io/safe_name.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/report/page.hpp"
-#include "breccia/results/field_files.hpp"
 #include "breccia/results/history_file.hpp"
 #include "breccia/results/response_file.hpp"
 #include "breccia/study/result_names.hpp"
@@ -20,6 +19,7 @@
 #include "report_data.hpp"
 #include "report_tables.hpp"
 #include "space_views.hpp"
+#include "study_document.hpp"
 
 namespace breccia {
 namespace {
@@ -112,29 +112,21 @@ Json responses_of(const fs::path& file, const std::string& hash) {
   return responses;
 }
 
-/// Throws FileError if study.json contains a name of a file or directory that no run gives: it could refer to any file
-/// that the user of the results can read.
-void require_written(const std::string& name, bool is_as_written) {
-  if (!is_as_written) throw FileError(fmt::format("study.json: \"{}\" is not a name that `breccia run` gives", name));
-}
-
 /// The history of each time domain of a stage, as an outline.
-Json histories_of(const fs::path& directory, const Json& stage, const std::string& hash) {
+Json histories_of(const fs::path& directory, const StageEntry& stage, const std::string& hash) {
   Json histories = Json::array();
-  for (const auto& test : stage.at("tests")) {
-    const auto domains = test.contains("time_domains") ? test.at("time_domains").size() : 0;
+  for (const auto& [id, record, fields] : stage.tests) {
+    const auto* const dynamic = std::get_if<DynamicEntry>(&record);
+    const auto domains = dynamic == nullptr ? 0 : dynamic->domains.size();
     for (std::size_t number = 1; number <= domains; ++number) {
-      const auto name =
-          history_file(test.at("load").get<std::string>(), test.at("boundary").get<std::string>(),
-                       static_cast<int>(test.at("cells").get_ref<const Json::number_unsigned_t&>()), number);
-      require_written(name, stays_in_directory(name));
-      const auto file = directory / name;
+      const auto cells = id.grid.cells().value_or(0);
+      const auto file = directory / history_file(name_of(id.load), name_of(id.boundary), cells, number);
       if (!is_there(file)) continue;
       const auto history = outline_of(read_history(file));
       refuse_foreign(file, history.deck_hash, hash);
-      histories.push_back({{"load", test.at("load")},
-                           {"boundary", test.at("boundary")},
-                           {"cells", test.at("cells")},
+      histories.push_back({{"load", name_of(id.load)},
+                           {"boundary", name_of(id.boundary)},
+                           {"cells", json_of(id.grid)},
                            {"domain", number - 1},
                            {"time_s", rounded(history.times)},
                            {"value", rounded(history.values)}});
@@ -144,16 +136,12 @@ Json histories_of(const fs::path& directory, const Json& stage, const std::strin
 }
 
 /// The pictures of the fields of a stage, by their names.
-Json field_pictures_of(const fs::path& directory, const Json& stage) {
+Json field_pictures_of(const fs::path& directory, const StageEntry& stage) {
   Json pictures = Json::object();
-  for (const auto& test : stage.at("tests")) {
-    if (!test.contains("fields")) continue;
-    for (const auto& field : test.at("fields")) {
-      for (const auto* picture : {"stress_picture", "strain_picture", "work_picture"}) {
-        if (!field.contains(picture)) continue;
-        const auto name = field.at(picture).get<std::string>();
-        require_written(name, is_of_fields(name));
-        if (is_there(directory / name)) pictures[name] = read_text(directory / name);
+  for (const auto& test : stage.tests) {
+    for (const auto& files : test.fields) {
+      for (const auto& name : {files.stress_picture, files.strain_picture, files.work_picture}) {
+        if (!name.empty() && is_there(directory / name)) pictures[name] = read_text(directory / name);
       }
     }
   }
@@ -161,7 +149,7 @@ Json field_pictures_of(const fs::path& directory, const Json& stage) {
 }
 
 /// All data that the page shows, from the files.
-Json data_of(const fs::path& directory, Json study) {
+Json data_of(const fs::path& directory, const StudyDocument& study) {
   Json tables = Json::object(), pictures = Json::object(), fields = Json::object(), responses = Json::object(),
        histories = Json::object();
   auto names = curve_files();
@@ -171,18 +159,16 @@ Json data_of(const fs::path& directory, Json study) {
     auto table = table_for_page(directory / name, text_columns_of_tests());
     if (!table.empty()) tables[name] = std::move(table);
   }
-  const auto hash = study.at("hash").get<std::string>();
-  for (const auto& stage : study.at("stages")) {
-    const auto name = stage.at("name").get<std::string>();
-    require_written(name, is_safe_name(name));
+  for (const auto& stage : study.stages) {
+    const auto& name = stage.name;
     const auto picture = directory / name / "microstructure.svg", response = directory / name / "response.h5";
     if (is_there(picture)) pictures[name] = read_text(picture);
     fields[name] = field_pictures_of(directory / name, stage);
-    if (is_there(response)) responses[name] = responses_of(response, hash);
-    histories[name] = histories_of(directory / name, stage, hash);
+    if (is_there(response)) responses[name] = responses_of(response, study.hash);
+    histories[name] = histories_of(directory / name, stage, study.hash);
   }
   auto views = space_views(directory, study);
-  Json data = {{"study", std::move(study)},   {"tables", std::move(tables)},       {"pictures", std::move(pictures)},
+  Json data = {{"study", json_from(study)},   {"tables", std::move(tables)},       {"pictures", std::move(pictures)},
                {"fields", std::move(fields)}, {"responses", std::move(responses)}, {"histories", std::move(histories)}};
   if (!views.is_null()) data["views"] = std::move(views);
   return data;
@@ -191,14 +177,8 @@ Json data_of(const fs::path& directory, Json study) {
 }  // namespace
 
 PageData study_page_data(const fs::path& directory) {
-  bool has_views = false;
-  auto page = read_page_data(directory / "study.json", [&](Json study) {
-    auto data = data_of(directory, std::move(study));
-    has_views = data.contains("views");
-    return data;
-  });
-  page.has_views = has_views;
-  return page;
+  const auto study = read_study_document(directory);
+  return page_data(directory / "study.json", [&]() -> TitledData { return {study.title, data_of(directory, study)}; });
 }
 
 void write_study_report(const fs::path& directory) {

@@ -1,6 +1,5 @@
 #include "breccia/results/provenance.hpp"
 
-#include <fstream>
 #include <limits>
 
 #include <gmock/gmock.h>
@@ -8,10 +7,12 @@
 #include <nlohmann/json.hpp>
 
 #include "breccia/error.hpp"
+#include "breccia/io/text_file.hpp"
 #include "breccia/study/identity.hpp"
 
 #include "one_vector_response.hpp"
 #include "results/hand_made_results.hpp"
+#include "results/study_document.hpp"
 #include "study/two_stages.hpp"
 #include "temporary_directory.hpp"
 
@@ -35,8 +36,10 @@ class WriteProvenance : public testing::Test {
     auto as_read = study;
     as_read.provenance.content = content_of(study);
     write_provenance(directory.path(), as_read, result, records);
-    std::ifstream file(directory.path() / "study.json");
-    return json::parse(file);
+    const auto text = read_text(directory.path() / "study.json");
+    write_study_document(directory.path(), read_study_document(directory.path()));
+    EXPECT_EQ(read_text(directory.path() / "study.json"), text) << "what is written is read back";
+    return json::parse(text);
   }
   /// The record of a test that is the only one of the first stage.
   [[nodiscard]] json written_of(const TestResult& test) const {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -20,6 +21,7 @@
 #include "breccia/results/volume_field_files.hpp"
 
 #include "messages.hpp"
+#include "results/hand_made_documents.hpp"
 #include "study/two_stages.hpp"
 #include "temporary_directory.hpp"
 
@@ -54,10 +56,16 @@ class SpaceViews : public testing::Test {
  protected:
   SpaceViews() { std::filesystem::create_directory(directory.path() / "A"); }
   /// Writes a study.json with one stage and its tests.
-  void write_study(int dimensions, const std::string& tests = "") const {
-    directory.write("study.json", fmt::format(R"({{"title": "t", "hash": "", "stages": [{{"name": "A", "dimensions": {},
-                                                 "tests": [{}]}}]}})",
-                                              dimensions, tests));
+  void write_study(int dimensions, std::vector<TestEntry> tests = {}, const std::string& name = "A") const {
+    auto document = test::document_with(name, std::move(tests));
+    document.stages.front().dimensions = dimensions;
+    write_study_document(directory.path(), document);
+  }
+  /// A test that has left a file of fields.
+  [[nodiscard]] static TestEntry test_with(const std::string& file) {
+    TestEntry test{.id = {Load::shear, Boundary::displacement, Method::quasistatic, TestGrid(2)}};
+    test.fields = {{1.0, file, "fields-stress.svg", "fields-strain.svg"}};
+    return test;
   }
   [[nodiscard]] json data() const { return json::parse(study_page_data(directory.path()).json); }
   [[nodiscard]] json view() const { return data().at("views").at("stages").at("A"); }
@@ -124,26 +132,19 @@ TEST_F(SpaceViews, OfVoxelsHoldTheirPhases) {
 }
 
 TEST_F(SpaceViews, WithoutFilesAreEmpty) {
-  write_study(3, R"({"load": "shear", "boundary": "traction", "cells": 2, "fields": [{"file": "fields.vtkhdf"}]})");
+  write_study(3, {test_with("fields.vtkhdf")});
   EXPECT_TRUE(view().at("microstructure").is_null());
   EXPECT_TRUE(view().at("fields").empty());
-  directory.write("study.json", R"({"title": "t", "hash": "", "stages": [{"name": ")" + std::string(300, 'a') +
-                                    R"(", "dimensions": 3, "tests": []}]})");
+  write_study(3, {}, std::string(300, 'a'));
   EXPECT_TRUE(data().at("views").at("stages").begin()->at("microstructure").is_null()) << "no file has such a name";
 }
 
 TEST_F(SpaceViews, RefuseWhatIsNotOfBreccia) {
-  const auto test_with = [](const std::string& load, const std::string& file) {
-    return fmt::format(R"({{"load": "{}", "boundary": "traction", "cells": 2, "fields": [{{"file": "{}"}}]}})", load,
-                       file);
-  };
-  write_study(3, test_with("shear", "../fields.vtkhdf"));
+  write_study(3, {test_with("../fields.vtkhdf")});
   EXPECT_THAT(refusal(), HasSubstr("\"../fields.vtkhdf\" is not a name that `breccia run` gives"));
   directory.write("A/fields.vtkhdf", "text");
-  write_study(3, test_with("shear", "fields.vtkhdf"));
+  write_study(3, {test_with("fields.vtkhdf")});
   EXPECT_THAT(refusal(), HasSubstr("fields.vtkhdf: cannot open it"));
-  write_study(3, test_with("pull", "fields.vtkhdf"));
-  EXPECT_THAT(refusal(), HasSubstr("\"pull\" is no load that `breccia run` gives"));
   write_study(3);
   directory.write("A/microstructure.csv", "x_m,y_m,z_m,diameter_m\n1,1,inf,1\n");
   EXPECT_THAT(refusal(), HasSubstr("is not finite"));
@@ -169,7 +170,7 @@ void write_field(const std::filesystem::path& folder, int cells, const Stress& s
 }
 
 TEST_F(SpaceViews, OfFieldsHoldTheirColours) {
-  write_study(3, R"({"load": "shear", "boundary": "displacement", "cells": 3, "fields": [{"file": "fields.vtkhdf"}]})");
+  write_study(3, {test_with("fields.vtkhdf")});
   // Stress rises along z from 1 to 3 MPa, strain along y from 0.5 to 2.
   write_field(
       directory.path() / "A", 3, [](const Index<3>& cell) { return 1e6 * (cell[2] + 1); },
@@ -202,8 +203,7 @@ TEST_F(SpaceViews, OfFieldsHoldTheirColours) {
 
 // Blocks of two cells along each axis, one at the ends.
 TEST_F(SpaceViews, OfManyCellsHoldMeans) {
-  write_study(3,
-              R"({"load": "shear", "boundary": "displacement", "cells": 65, "fields": [{"file": "fields.vtkhdf"}]})");
+  write_study(3, {test_with("fields.vtkhdf")});
   write_field(
       directory.path() / "A", 65, [](const Index<3>& cell) { return cell[0] == 64 ? 66.0 : 1.0 + cell[0]; },
       [](const Index<3>& cell) { return cell[1] % 2 == 0 ? 1.0 : 3.0; });

@@ -9,6 +9,7 @@
 #include "breccia/error.hpp"
 
 #include "messages.hpp"
+#include "results/hand_made_documents.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia {
@@ -25,7 +26,11 @@ const std::string law =
 class StoredMaterialsTest : public testing::Test {
  protected:
   [[nodiscard]] StoredMaterials read(const std::string& materials) const {
-    directory.write("study.json", R"({"hash": "0123", "materials": [)" + materials + "]}");
+    auto document = test::document_with("A");
+    document.hash = "0123";
+    auto json = json_from(document);
+    json["materials"] = nlohmann::ordered_json::parse("[" + materials + "]");
+    directory.write("study.json", json.dump());
     return read_stored_materials(directory.path());
   }
 

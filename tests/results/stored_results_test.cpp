@@ -10,6 +10,7 @@
 #include "breccia/results/sweep_result.hpp"
 
 #include "messages.hpp"
+#include "results/hand_made_documents.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia {
@@ -23,8 +24,8 @@ class StoredResults : public testing::Test {
     directory.write("curves.csv", "stage,load,boundary,method,cells,time_s,modulus_Pa\n" + row + "\n");
     return test::message_of<FileError>([&] { static_cast<void>(read_curves(directory.path())); });
   }
-  [[nodiscard]] std::string refusal_of_study(const std::string& json) const {
-    directory.write("study.json", json);
+  [[nodiscard]] std::string refusal_of_study(const nlohmann::ordered_json& json) const {
+    directory.write("study.json", json.dump());
     return test::message_of<FileError>([&] { static_cast<void>(study_page_data(directory.path())); });
   }
 
@@ -44,42 +45,42 @@ TEST_F(StoredResults, CurvesAreOfGridsAndHaveNumbers) {
 }
 
 TEST_F(StoredResults, ARecordNamesGridsByIntegers) {
-  EXPECT_THAT(refusal_of_study(R"({"title": "", "hash": "", "stages": [{"name": "A", "tests": [
-                               {"load": "shear", "boundary": "traction", "cells": 1e300, "time_domains": [1]}]}]})"),
-              HasSubstr("study.json: not as `breccia run` writes it"));
+  auto json = json_from(test::document_with("A", {TestEntry()}));
+  json["stages"][0]["tests"][0]["cells"] = 1e300;
+  EXPECT_THAT(refusal_of_study(json), HasSubstr("study.json: not as `breccia run` writes it: expected an integer"));
 }
 
 TEST_F(StoredResults, ANameThatNoFileCanHaveIsTreatedAsMissing) {
-  const std::string name(300, 'a');
-  directory.write("study.json", R"({"title": "t", "hash": "", "stages": [{"name": ")" + name + R"(", "tests": []}]})");
+  write_study_document(directory.path(), test::document_with(std::string(300, 'a')));
   EXPECT_EQ(study_page_data(directory.path()).title, "t");
-}
-
-/// A study.json with one stage: its name and its one test.
-std::string study_of(const std::string& stage, const std::string& test) {
-  return R"({"title": "t", "hash": "", "stages": [{"name": ")" + stage + R"(", "tests": [)" + test + "]}]}";
 }
 
 // A study.json from elsewhere must not make the page embed what its reader alone may read.
 TEST_F(StoredResults, NamesThatLeadOutOfTheResultsAreRefused) {
   directory.write("microstructure.svg", "secret");
   directory.write("x-stress.svg", "secret");
-  for (const auto* name : {"../A", "/etc", "A/..", "..", ".", "", "-A", R"(A\\B)"}) {
-    EXPECT_THAT(refusal_of_study(study_of(name, "")), HasSubstr("is not a name that `breccia run` gives")) << name;
+  for (const auto* name : {"../A", "/etc", "A/..", "..", ".", "", "-A", R"(A\B)"}) {
+    EXPECT_THAT(refusal_of_study(json_from(test::document_with(name))),
+                HasSubstr("is not a name that `breccia run` gives"))
+        << name;
   }
   for (const auto* picture : {"/etc/passwd", "../x-stress.svg", "fields/../../x-stress.svg", "microstructure.svg"}) {
-    const auto test = R"({"fields": [{"stress_picture": ")" + std::string(picture) + R"(", "strain_picture": ""}]})";
-    EXPECT_THAT(refusal_of_study(study_of("A", test)), HasSubstr("is not a name that `breccia run` gives")) << picture;
+    TestEntry test;
+    test.fields = {{1.0, "fields.vtkhdf", picture, "fields-strain.svg"}};
+    EXPECT_THAT(refusal_of_study(json_from(test::document_with("A", {test}))),
+                HasSubstr("is not a name that `breccia run` gives"))
+        << picture;
   }
-  EXPECT_THAT(refusal_of_study(study_of("A", R"({"load": "../x", "boundary": "b", "cells": 8, "time_domains": [1]})")),
-              HasSubstr("\"../x-b-dynamic-8-1.h5\" is not a name that `breccia run` gives"));
+  auto json = json_from(test::document_with("A", {TestEntry()}));
+  json["stages"][0]["tests"][0]["load"] = "../x";
+  EXPECT_THAT(refusal_of_study(json), HasSubstr("unknown word \"../x\""));
   directory.write("sweep.json", R"({"title": "", "keys": [], "tasks": [{"state": "done", "name": "../other"}]})");
   EXPECT_THAT(test::message_of<FileError>([&] { static_cast<void>(sweep_page_data(directory.path())); }),
               HasSubstr("sweep.json: \"../other\" is not a name that `breccia run` gives to a task"));
 }
 
 TEST_F(StoredResults, TablesReachThePageUnchanged) {
-  directory.write("study.json", R"({"title": "t", "hash": "", "stages": []})");
+  write_study_document(directory.path(), test::document_with("A"));
   directory.write("comparison.csv",
                   "measurement,stage,boundary,method,cells,time_s,modulus_Pa,measured_Pa,ratio\n"
                   "\"Bennett et al., \"\"1998\"\" </script>\",A,displacement,quasistatic,12,0.1,2,4,0.5\n");
@@ -94,7 +95,7 @@ TEST_F(StoredResults, TablesReachThePageUnchanged) {
 }
 
 TEST_F(StoredResults, ADamagedTableIsRefused) {
-  directory.write("study.json", R"({"title": "t", "hash": "", "stages": []})");
+  write_study_document(directory.path(), test::document_with("A"));
   directory.write("prony.csv", "stage,load,boundary,relaxation_time_s,modulus_Pa\nA,shear,displacement,1\n");
   EXPECT_THAT(test::message_of<FileError>([&] { static_cast<void>(study_page_data(directory.path())); }),
               HasSubstr("prony.csv:2: expected 5 values"));

@@ -8,6 +8,7 @@
 #include "breccia/error.hpp"
 
 #include "messages.hpp"
+#include "results/hand_made_documents.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia {
@@ -29,16 +30,20 @@ class StoredStudyTest : public testing::Test {
                     "box,shear,traction,3,2\n");
   }
   void write_record(const std::string& stage) const {
-    directory.write("study.json", R"({"title": "t", "hash": "0123", "times_s": [1, 2], "wall_time_s": 1.5,
-      "materials": [{"name": "binder", "density_kg_per_m3": 1000.0, "bulk": {"equilibrium_Pa": 2e9, "terms": []},
-                     "shear": {"equilibrium_Pa": 1.0, "terms": []}}],
-      "stages": [{"name": ")" + stage +
-                                      R"(", "matrix": "binder", "dimensions": 2, "cells": [8, 16], "points": 1024,
-                  "filler_point_fraction": 0.25, "warnings": ["doubt"], "tests": [
-        {"load": "shear", "boundary": "traction", "method": "quasistatic", "cells": 8, "error_estimate": 1e-4,
-         "wall_time_s": 0.5},
-        {"load": "shear", "boundary": "traction", "method": "quasistatic", "cells": 16, "error_estimate": 2e-4,
-         "wall_time_s": 1.0}]}]})");
+    const auto test_on = [](int cells, double error, double seconds) {
+      TestEntry test{.id = {Load::shear, Boundary::traction, Method::quasistatic, TestGrid(cells)}};
+      test.record = QuasistaticEntry{.error_estimate = error, .seconds = seconds};
+      return test;
+    };
+    auto document = test::document_with(stage, {test_on(8, 1e-4, 0.5), test_on(16, 2e-4, 1.0)});
+    document.seconds = 1.5;
+    document.materials = {{"binder", 1000.0, PronySeries(2e9), PronySeries(1.0), {}}};
+    auto& entry = document.stages.front();
+    entry.grids = {TestGrid(8), TestGrid(16)};
+    entry.points = 1024;
+    entry.point_fraction = 0.25;
+    entry.warnings = {"doubt"};
+    write_study_document(directory.path(), document);
   }
   [[nodiscard]] std::string refusal() const {
     return test::message_of<FileError>([&] { static_cast<void>(read_stored_study(directory.path())); });
@@ -81,7 +86,7 @@ TEST_F(StoredStudyTest, ATableOfAnotherStudyIsRefused) {
 
 TEST_F(StoredStudyTest, NamesThatLeadOutOfTheResultsAreRefused) {
   write_record("../box");
-  EXPECT_THAT(refusal(), HasSubstr("\"../box\" is not a name that `breccia run` gives to a stage"));
+  EXPECT_THAT(refusal(), HasSubstr("\"../box\" is not a name that `breccia run` gives"));
 }
 
 }  // namespace

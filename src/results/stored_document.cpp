@@ -1,0 +1,32 @@
+#include "stored_document.hpp"
+
+namespace breccia {
+namespace {
+
+StageContent content_of(const StageEntry& stage) {
+  StageContent content{stage.name, stage.matrix, stage.dimensions};
+  if (!stage.whole_filler) return content;
+  content.shares = stage.whole_filler->materials;
+  if (const auto& coatings = stage.whole_filler->coatings) {
+    content.shares.insert(content.shares.end(), coatings->begin(), coatings->end());
+  }
+  return content;
+}
+
+}  // namespace
+
+std::vector<StoredMaterial> materials_of(const StudyDocument& document) {
+  std::vector<StoredMaterial> materials;
+  for (const auto& [name, density, bulk, shear, shift] : document.materials) {
+    materials.push_back({{name, density, bulk, shear}, shift});
+  }
+  return materials;
+}
+
+StudyContent content_of(const StudyDocument& document) {
+  StudyContent content{.title = document.title, .times = document.times, .materials = materials_of(document)};
+  for (const auto& stage : document.stages) content.stages.push_back(content_of(stage));
+  return content;
+}
+
+}  // namespace breccia

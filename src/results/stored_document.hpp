@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "breccia/results/composite.hpp"
+#include "breccia/results/stored_materials.hpp"
+
+#include "study_document.hpp"
+
+namespace breccia {
+
+/// The materials of a study from its record.
+std::vector<StoredMaterial> materials_of(const StudyDocument& document);
+
+/// What is known of a study beside its moduli.
+StudyContent content_of(const StudyDocument& document);
+
+}  // namespace breccia

@@ -1,0 +1,459 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "breccia/dynamics/dynamic_solver.hpp"
+#include "breccia/homogenisation/study_result.hpp"
+#include "breccia/homogenisation/whole_filler.hpp"
+#include "breccia/results/stage_record.hpp"
+#include "breccia/study/study.hpp"
+#include "breccia/viscoelasticity/prony_series.hpp"
+#include "breccia/viscoelasticity/temperature_shift.hpp"
+
+#include "json_fields.hpp"
+
+namespace breccia {
+
+// The content of study.json, as docs/results.md describes it: structs with the values of the file, each followed by its
+// description, from which it is written and read. Numbers that a file may have as null are optional.
+
+template <>
+inline constexpr auto fields<MaxwellTerm> = std::tuple(field("relaxation_time_s", &MaxwellTerm::relaxation_time),
+                                                       field("modulus_Pa", &MaxwellTerm::modulus));
+
+/// The parts of a Prony series.
+struct SeriesEntry {
+  double equilibrium = 0.0;  ///< [Pa]
+  std::vector<MaxwellTerm> terms = {};
+};
+template <>
+inline constexpr auto fields<SeriesEntry> = std::tuple(field("equilibrium_Pa", &SeriesEntry::equilibrium),
+                                                       field("terms", &SeriesEntry::terms));
+template <>
+struct JsonForm<PronySeries> {
+  static nlohmann::ordered_json write(const PronySeries& series) {
+    return json_from(SeriesEntry{series.equilibrium(), series.terms()});
+  }
+  static PronySeries read(const nlohmann::ordered_json& json) {
+    auto entry = value_from<SeriesEntry>(json);
+    return {entry.equilibrium, std::move(entry.terms)};
+  }
+};
+
+/// A law of Williams, Landel and Ferry, or a table.
+struct ShiftEntry {
+  std::optional<double> c1 = {}, c2 = {};  ///< [-], [K]
+  std::optional<std::vector<double>> temperatures = {}, log10_factors = {};
+  double reference = 0.0, temperature = 0.0;  ///< [K]
+};
+template <>
+inline constexpr auto fields<ShiftEntry> = std::tuple(field_if_any("c1", &ShiftEntry::c1),
+                                                      field_if_any("c2_K", &ShiftEntry::c2),
+                                                      field_if_any("temperatures_K", &ShiftEntry::temperatures),
+                                                      field_if_any("log10_shift_factors", &ShiftEntry::log10_factors),
+                                                      field("reference_K", &ShiftEntry::reference),
+                                                      field("temperature_K", &ShiftEntry::temperature));
+template <>
+struct JsonForm<TemperatureShift> {
+  static nlohmann::ordered_json write(const TemperatureShift& shift);
+  static TemperatureShift read(const nlohmann::ordered_json& json);
+};
+
+struct MaterialEntry {
+  std::string name;
+  double density = 0.0;  ///< [kg/m^3]
+  PronySeries bulk = {}, shear = {};
+  std::optional<TemperatureShift> shift = {};
+};
+template <>
+inline constexpr auto fields<MaterialEntry> = std::tuple(field("name", &MaterialEntry::name),
+                                                         field("density_kg_per_m3", &MaterialEntry::density),
+                                                         field("bulk", &MaterialEntry::bulk),
+                                                         field("shear", &MaterialEntry::shear),
+                                                         field_if_any("temperature_shift", &MaterialEntry::shift));
+
+template <>
+struct JsonForm<TimeWindow> {
+  static nlohmann::ordered_json write(const TimeWindow& window) { return {window.begin, window.end}; }
+  static TimeWindow read(const nlohmann::ordered_json& json) {
+    return {json.at(0).get<double>(), json.at(1).get<double>()};
+  }
+};
+
+template <>
+struct JsonForm<TestGrid> {
+  static nlohmann::ordered_json write(const TestGrid& grid);
+  static TestGrid read(const nlohmann::ordered_json& json);
+};
+
+struct CoatingEntry {
+  std::string material;
+  double thickness = 0.0;        ///< [m]
+  double thickness_cells = 0.0;  ///< [-]
+  double fraction = 0.0;         ///< [-]
+};
+template <>
+inline constexpr auto fields<CoatingEntry> = std::tuple(field("material", &CoatingEntry::material),
+                                                        field("thickness_m", &CoatingEntry::thickness),
+                                                        field("thickness_cells", &CoatingEntry::thickness_cells),
+                                                        field("fraction", &CoatingEntry::fraction));
+
+struct FillerEntry {
+  std::string material;
+  std::optional<std::size_t> particles = {};
+  double fraction = 0.0;  ///< [-]
+  std::optional<double> fraction_asked = {};
+  std::optional<double> smallest_diameter = {}, largest_diameter = {};  ///< [m]
+  std::optional<double> size_deviation = {};
+  std::optional<double> gap = {};  ///< [m]
+  std::optional<CoatingEntry> coating = {};
+  std::optional<std::string> shape = {};
+};
+template <>
+inline constexpr auto fields<FillerEntry> =
+    std::tuple(field("material", &FillerEntry::material), field("particles", &FillerEntry::particles),
+               field("fraction", &FillerEntry::fraction), field("fraction_asked", &FillerEntry::fraction_asked),
+               field("smallest_diameter_m", &FillerEntry::smallest_diameter),
+               field("largest_diameter_m", &FillerEntry::largest_diameter),
+               field("size_distribution_deviation", &FillerEntry::size_deviation), field("gap_m", &FillerEntry::gap),
+               field("coating", &FillerEntry::coating), field_if_any("shape", &FillerEntry::shape));
+
+struct MicrostructureEntry {
+  std::optional<std::size_t> particles = {};
+  double fraction = 0.0;                                                ///< [-]
+  std::optional<double> interface_per_volume = {};                      ///< in three dimensions [1/m]
+  std::optional<double> interface_per_area = {};                        ///< in two [1/m]
+  std::optional<double> gap = {}, gap_cells = {};                       ///< [m], [-]
+  std::optional<double> wall_gap = {};                                  ///< [m]
+  double seconds = 0.0;                                                 ///< wall time [s]
+  std::optional<double> film = {}, film_cells = {};                     ///< of grains [m], [-]
+  std::optional<double> smallest_diameter = {}, largest_diameter = {};  ///< [m]
+  std::optional<std::vector<int>> pixels = {};                          ///< of an image, along its sides
+  std::optional<double> pixel_side = {};                                ///< [m]
+  std::optional<double> size_deviation = {};
+  std::optional<std::uint64_t> seed = {};
+  std::optional<std::uint64_t> events = {};
+};
+template <>
+inline constexpr auto fields<MicrostructureEntry> = std::tuple(
+    field("particles", &MicrostructureEntry::particles), field("fraction", &MicrostructureEntry::fraction),
+    field_if_any("interface_per_volume_1_per_m", &MicrostructureEntry::interface_per_volume),
+    field_if_any("interface_per_area_1_per_m", &MicrostructureEntry::interface_per_area),
+    field("smallest_gap_m", &MicrostructureEntry::gap), field("smallest_gap_cells", &MicrostructureEntry::gap_cells),
+    field("smallest_wall_gap_m", &MicrostructureEntry::wall_gap), field("wall_time_s", &MicrostructureEntry::seconds),
+    field_if_any("film_m", &MicrostructureEntry::film), field_if_any("film_cells", &MicrostructureEntry::film_cells),
+    field_if_any("smallest_diameter_m", &MicrostructureEntry::smallest_diameter),
+    field_if_any("largest_diameter_m", &MicrostructureEntry::largest_diameter),
+    field_if_any("pixels", &MicrostructureEntry::pixels), field_if_any("pixel_m", &MicrostructureEntry::pixel_side),
+    field_if_any("size_distribution_deviation", &MicrostructureEntry::size_deviation),
+    field_if_any("seed", &MicrostructureEntry::seed), field_if_any("events", &MicrostructureEntry::events));
+
+template <>
+inline constexpr auto fields<LinearEffort> = std::tuple(field("unknowns", &LinearEffort::unknowns),
+                                                        field("factorisations", &LinearEffort::factorisations),
+                                                        field("solves", &LinearEffort::solves),
+                                                        field("iterations", &LinearEffort::iterations),
+                                                        field("most_iterations", &LinearEffort::most_iterations),
+                                                        field("largest_residual", &LinearEffort::largest_residual));
+/// With the method of the solver.
+template <>
+struct JsonForm<LinearEffort> {
+  static nlohmann::ordered_json write(const LinearEffort& effort);
+  static LinearEffort read(const nlohmann::ordered_json& json);
+};
+
+template <>
+inline constexpr auto fields<Moduli> = std::tuple(field("shear_Pa", &Moduli::shear), field("bulk_Pa", &Moduli::bulk));
+
+/// Moduli of a phase, by its name.
+struct PhaseModuli {
+  std::string phase;
+  Moduli moduli = {};
+};
+template <>
+struct JsonForm<std::vector<PhaseModuli>> {
+  static nlohmann::ordered_json write(const std::vector<PhaseModuli>& phases);
+  static std::vector<PhaseModuli> read(const nlohmann::ordered_json& json);
+};
+
+/// Moduli of the matrix [Pa] and of the other phases.
+struct SnapshotEntry {
+  double shear = 0.0, bulk = 0.0;
+  std::optional<double> error_before = {};
+  std::optional<std::vector<PhaseModuli>> phases = {};
+};
+template <>
+inline constexpr auto fields<SnapshotEntry> = std::tuple(field("shear_Pa", &SnapshotEntry::shear),
+                                                         field("bulk_Pa", &SnapshotEntry::bulk),
+                                                         field("error_before", &SnapshotEntry::error_before),
+                                                         field_if_any("phases", &SnapshotEntry::phases));
+
+struct QuasistaticEntry {
+  Solver solver = Solver::reduced;
+  std::optional<double> face_share = {};
+  std::optional<int> layers = {};
+  std::optional<Volumetric> volumetric = {};
+  std::optional<Mixing> mixing = {};
+  double error_estimate = 0.0;
+  LinearEffort linear = {};
+  std::optional<double> seconds = {};
+  std::optional<double> fit_error = {};
+  std::optional<int> steps_per_decade = {};
+  std::optional<double> tolerance = {};
+  std::optional<SampledRange> range = {};
+  std::optional<std::vector<SnapshotEntry>> snapshots = {};
+};
+template <>
+inline constexpr auto fields<QuasistaticEntry> = std::tuple(
+    field("solver", &QuasistaticEntry::solver), field_if_any("face_share", &QuasistaticEntry::face_share),
+    field_if_any("layers", &QuasistaticEntry::layers), field_if_any("volumetric", &QuasistaticEntry::volumetric),
+    field_if_any("mixing", &QuasistaticEntry::mixing), field("error_estimate", &QuasistaticEntry::error_estimate),
+    field("linear", &QuasistaticEntry::linear), field("wall_time_s", &QuasistaticEntry::seconds),
+    field_if_any("fit_error", &QuasistaticEntry::fit_error),
+    field_if_any("steps_per_decade", &QuasistaticEntry::steps_per_decade),
+    field_if_any("tolerance", &QuasistaticEntry::tolerance), field_if_any("range", &QuasistaticEntry::range),
+    field_if_any("snapshots", &QuasistaticEntry::snapshots));
+
+struct DomainEntry {
+  double density_factor = 1.0;
+  double time_step = 0.0, ramp = 0.0;  ///< [s]
+  TimeWindow valid = {};               ///< [s]
+  std::int64_t steps = 0;
+  std::size_t terms = 0;
+  double reduction_error = 0.0;
+  double seconds = 0.0;
+  double point_steps_per_second = 0.0;
+};
+template <>
+inline constexpr auto fields<DomainEntry> = std::tuple(
+    field("density_factor", &DomainEntry::density_factor), field("time_step_s", &DomainEntry::time_step),
+    field("ramp_s", &DomainEntry::ramp), field("valid_s", &DomainEntry::valid), field("steps", &DomainEntry::steps),
+    field("active_terms", &DomainEntry::terms), field("reduction_error", &DomainEntry::reduction_error),
+    field("wall_time_s", &DomainEntry::seconds), field("points_x_steps_per_s", &DomainEntry::point_steps_per_second));
+
+template <>
+inline constexpr auto fields<Overlap> = std::tuple(field("window_s", &Overlap::window),
+                                                   field("mismatch", &Overlap::mismatch));
+
+struct DynamicEntry {
+  Formulation formulation = {};
+  Start start = {};
+  Volumetric volumetric = {};
+  Mixing mixing = {};
+  double courant = 0.0;
+  std::vector<DomainEntry> domains = {};
+  std::vector<Overlap> overlaps = {};
+  std::optional<double> fit_error = {};
+};
+template <>
+inline constexpr auto fields<DynamicEntry> =
+    std::tuple(field("formulation", &DynamicEntry::formulation), field("start", &DynamicEntry::start),
+               field("volumetric", &DynamicEntry::volumetric), field("mixing", &DynamicEntry::mixing),
+               field("courant", &DynamicEntry::courant), field("time_domains", &DynamicEntry::domains),
+               field("overlaps", &DynamicEntry::overlaps), field_if_any("fit_error", &DynamicEntry::fit_error));
+
+template <>
+inline constexpr auto fields<ExtrapolationRecord> = std::tuple(field("from_cells", &ExtrapolationRecord::cells));
+
+template <>
+inline constexpr auto fields<FieldRecord> = std::tuple(field("time_s", &FieldRecord::time),
+                                                       field("file", &FieldRecord::file),
+                                                       field("stress_picture", &FieldRecord::stress_picture),
+                                                       field("strain_picture", &FieldRecord::strain_picture));
+/// With the picture of the work, where there is one.
+template <>
+struct JsonForm<FieldRecord> {
+  static nlohmann::ordered_json write(const FieldRecord& files);
+  static FieldRecord read(const nlohmann::ordered_json& json);
+};
+
+template <>
+inline constexpr auto fields<TestId> = std::tuple(field("load", &TestId::load), field("boundary", &TestId::boundary),
+                                                  field("method", &TestId::method), field("cells", &TestId::grid));
+
+/// A test, whose object in the file has the fields of its identity, of its record where it is known, and the files of
+/// its fields.
+struct TestEntry {
+  TestId id = {.grid = TestGrid::films()};
+  std::variant<std::monostate, QuasistaticEntry, DynamicEntry, ExtrapolationRecord> record = {};
+  std::vector<FieldRecord> fields = {};
+};
+template <>
+struct JsonForm<TestEntry> {
+  static nlohmann::ordered_json write(const TestEntry& test);
+  static TestEntry read(const nlohmann::ordered_json& json);
+};
+
+/// The stage as a material for later stages.
+struct StageMaterialEntry {
+  Boundary boundary = {};
+  Method method = {};
+  TimeWindow fitted = {};  ///< [s]
+  double shear_error = 0.0, bulk_error = 0.0;
+  MaterialEntry material = {};
+};
+template <>
+inline constexpr auto fields<StageMaterialEntry> = std::tuple(
+    field("boundary", &StageMaterialEntry::boundary), field("method", &StageMaterialEntry::method),
+    field("fitted_over_s", &StageMaterialEntry::fitted), field("shear_fit_error", &StageMaterialEntry::shear_error),
+    field("bulk_fit_error", &StageMaterialEntry::bulk_error), field("material", &StageMaterialEntry::material));
+
+struct RatioEntry {
+  double time = 0.0;  ///< [s]
+  double ratio = 0.0;
+};
+template <>
+inline constexpr auto fields<RatioEntry> = std::tuple(field("time_s", &RatioEntry::time),
+                                                      field("ratio", &RatioEntry::ratio));
+
+struct ComparisonEntry {
+  std::string measurement;
+  Boundary boundary = {};
+  Method method = {};
+  RatioEntry best = {}, worst = {};
+};
+template <>
+inline constexpr auto fields<ComparisonEntry> = std::tuple(field("measurement", &ComparisonEntry::measurement),
+                                                           field("boundary", &ComparisonEntry::boundary),
+                                                           field("method", &ComparisonEntry::method),
+                                                           field("best", &ComparisonEntry::best),
+                                                           field("worst", &ComparisonEntry::worst));
+
+struct BoundsEntry {
+  double time = 0.0;                             ///< [s]
+  std::optional<double> upper = {}, lower = {};  ///< [Pa]
+  std::optional<double> distance = {};
+  std::optional<double> grid_half_band = {};  ///< [Pa]
+};
+template <>
+inline constexpr auto fields<BoundsEntry> = std::tuple(field("time_s", &BoundsEntry::time),
+                                                       field("upper_Pa", &BoundsEntry::upper),
+                                                       field("lower_Pa", &BoundsEntry::lower),
+                                                       field("relative_distance", &BoundsEntry::distance),
+                                                       field("grid_half_band_Pa", &BoundsEntry::grid_half_band));
+
+struct LoadBoundsEntry {
+  Load load = {};
+  Method method = {};
+  BoundsEntry first = {}, last = {};
+};
+template <>
+inline constexpr auto fields<LoadBoundsEntry> = std::tuple(field("load", &LoadBoundsEntry::load),
+                                                           field("method", &LoadBoundsEntry::method),
+                                                           field("first", &LoadBoundsEntry::first),
+                                                           field("last", &LoadBoundsEntry::last));
+
+struct QualityEntry {
+  std::string summary;
+  std::optional<double> fraction_asked = {};
+  std::optional<double> gap_cells = {};
+  std::optional<std::vector<double>> gap_cells_by_grid = {};
+  std::optional<double> coating_cells = {};
+  std::size_t grids = 0;
+  std::optional<double> grid_error = {};
+  std::optional<int> seeds = {};
+  std::vector<LoadBoundsEntry> bounds = {};
+};
+template <>
+inline constexpr auto fields<QualityEntry> =
+    std::tuple(field("summary", &QualityEntry::summary), field("fraction_asked", &QualityEntry::fraction_asked),
+               field("narrowest_gap_cells", &QualityEntry::gap_cells),
+               field("narrowest_gap_cells_by_grid", &QualityEntry::gap_cells_by_grid),
+               field("thinnest_coating_cells", &QualityEntry::coating_cells), field("grids", &QualityEntry::grids),
+               field("grid_error", &QualityEntry::grid_error), field("seeds", &QualityEntry::seeds),
+               field("bounds", &QualityEntry::bounds));
+
+template <>
+inline constexpr auto fields<FillerShare> = std::tuple(field("material", &FillerShare::material),
+                                                       field("fraction", &FillerShare::fraction),
+                                                       field("mass_fraction", &FillerShare::mass_fraction));
+
+struct WholeFillerEntry {
+  double fraction = 0.0, mass_fraction = 0.0;
+  std::vector<FillerShare> materials = {};
+  std::optional<std::vector<FillerShare>> coatings = {};
+};
+template <>
+inline constexpr auto fields<WholeFillerEntry> = std::tuple(field("fraction", &WholeFillerEntry::fraction),
+                                                            field("mass_fraction", &WholeFillerEntry::mass_fraction),
+                                                            field("materials", &WholeFillerEntry::materials),
+                                                            field_if_any("coatings", &WholeFillerEntry::coatings));
+
+struct StageEntry {
+  std::string name = {}, matrix = {};
+  std::optional<std::string> filler = {};
+  std::vector<FillerEntry> fillers = {};
+  int dimensions = 2;
+  double side = 0.0;  ///< [m]
+  std::vector<TestGrid> grids = {};
+  std::size_t points = 0;
+  double point_fraction = 0.0;
+  MicrostructureEntry microstructure = {};
+  std::vector<TestEntry> tests = {};
+  std::vector<StageMaterialEntry> materials = {};
+  std::vector<ComparisonEntry> comparisons = {};
+  QualityEntry quality = {};
+  std::vector<std::string> warnings = {};
+  std::optional<std::string> answered_from = {};
+  std::optional<WholeFillerEntry> whole_filler = {};
+};
+template <>
+inline constexpr auto fields<StageEntry> = std::tuple(
+    field("name", &StageEntry::name), field("matrix", &StageEntry::matrix), field("filler", &StageEntry::filler),
+    field("fillers", &StageEntry::fillers), field("dimensions", &StageEntry::dimensions),
+    field("box_m", &StageEntry::side), field("cells", &StageEntry::grids), field("points", &StageEntry::points),
+    field("filler_point_fraction", &StageEntry::point_fraction), field("microstructure", &StageEntry::microstructure),
+    field("tests", &StageEntry::tests), field("materials", &StageEntry::materials),
+    field("comparisons", &StageEntry::comparisons), field("quality", &StageEntry::quality),
+    field("warnings", &StageEntry::warnings), field_if_any("answered_from", &StageEntry::answered_from),
+    field_if_any("filler_of_the_whole", &StageEntry::whole_filler));
+
+/// File names and their hashes are the keys and values of an object.
+template <>
+struct JsonForm<std::vector<FileHash>> {
+  static nlohmann::ordered_json write(const std::vector<FileHash>& files);
+  static std::vector<FileHash> read(const nlohmann::ordered_json& json);
+};
+
+/// The content of study.json.
+struct StudyDocument {
+  std::string program = {}, version = {}, title = {}, deck = {};
+  std::vector<std::string> overrides = {};
+  std::string hash = {}, deck_content_hash = {};
+  std::vector<FileHash> file_hashes = {};
+  bool is_complete = false;
+  std::optional<std::string> date = {};  ///< UTC, ISO 8601
+  std::optional<double> seconds = {};    ///< wall time of the complete study [s]
+  std::string deck_text = {};
+  TimeWindow times = {};  ///< [s]
+  std::vector<MaterialEntry> materials = {};
+  std::vector<std::string> stage_names = {};  ///< of all stages
+  std::vector<StageEntry> stages = {};        ///< those that are packed
+};
+template <>
+inline constexpr auto fields<StudyDocument> = std::tuple(
+    field("program", &StudyDocument::program), field("version", &StudyDocument::version),
+    field("title", &StudyDocument::title), field("deck", &StudyDocument::deck),
+    field("overrides", &StudyDocument::overrides), field("hash", &StudyDocument::hash),
+    field("deck_content_hash", &StudyDocument::deck_content_hash), field("file_hashes", &StudyDocument::file_hashes),
+    field("complete", &StudyDocument::is_complete), field("date", &StudyDocument::date),
+    field("wall_time_s", &StudyDocument::seconds), field("deck_text", &StudyDocument::deck_text),
+    field("times_s", &StudyDocument::times), field("materials", &StudyDocument::materials),
+    field("stage_names", &StudyDocument::stage_names), field("stages", &StudyDocument::stages));
+
+/// Reads `study.json` in a directory. Throws FileError where it is not as `breccia run` of this version writes it;
+/// names of stages and of files of fields are safe then.
+StudyDocument read_study_document(const std::filesystem::path& directory);
+
+/// Writes `study.json` in a directory. Throws FileError.
+void write_study_document(const std::filesystem::path& directory, const StudyDocument& document);
+
+}  // namespace breccia
