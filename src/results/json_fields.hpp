@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -56,6 +55,12 @@ concept HasJsonForm = requires(const Value& value) {
   JsonForm<Value>::write(value);
 };
 
+/// A value into which fields are read; a type without a default value defines its own.
+template <class Value>
+[[nodiscard]] Value blank_value() {
+  return {};
+}
+
 template <class Value>
 [[nodiscard]] nlohmann::ordered_json json_from(const Value& value);
 template <class Value>
@@ -109,12 +114,10 @@ struct JsonForm<std::vector<Value>> {
   }
 };
 
-/// JSON has no number that is not finite: it is null.
+/// A text of JSON has no number that is not finite: it is null there.
 template <>
 struct JsonForm<double> {
-  static nlohmann::ordered_json write(double value) {
-    return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
-  }
+  static nlohmann::ordered_json write(double value) { return value; }
   static double read(const nlohmann::ordered_json& json) {
     return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
   }
@@ -160,7 +163,7 @@ Value value_from(const nlohmann::ordered_json& json) {
   if constexpr (HasJsonForm<Value>) {
     return JsonForm<Value>::read(json);
   } else if constexpr (HasFields<Value>) {
-    Value value{};
+    auto value = blank_value<Value>();
     read_fields(json, value);
     return value;
   } else {

@@ -276,13 +276,17 @@ struct JsonForm<FieldRecord> {
 };
 
 template <>
+inline TestId blank_value() {
+  return {.grid = TestGrid::films()};
+}
+template <>
 inline constexpr auto fields<TestId> = std::tuple(field("load", &TestId::load), field("boundary", &TestId::boundary),
                                                   field("method", &TestId::method), field("cells", &TestId::grid));
 
 /// A test, whose object in the file has the fields of its identity, of its record where it is known, and the files of
 /// its fields.
 struct TestEntry {
-  TestId id = {.grid = TestGrid::films()};
+  TestId id = blank_value<TestId>();
   std::variant<std::monostate, QuasistaticEntry, DynamicEntry, ExtrapolationRecord> record = {};
   std::vector<FieldRecord> fields = {};
 };
