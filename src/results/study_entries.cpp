@@ -43,7 +43,7 @@ SnapshotEntry entry_of(const Snapshot& snapshot, const std::vector<std::string>&
 }
 
 DomainEntry entry_of(const TimeDomain& domain, std::size_t points) {
-  return {.density_factor = domain.density_factor,
+  return {.density_factor = domain.mass_scaling,
           .time_step = domain.time_step,
           .ramp = domain.ramp,
           .valid = domain.window,
