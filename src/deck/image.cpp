@@ -67,6 +67,18 @@ std::vector<ValueLabel> read_labels(const Section& packing, const std::vector<Ma
   return has_values ? table : std::vector<ValueLabel>();
 }
 
+/// What is asked of an image beside the labels of its values.
+struct AskedPixels {
+  std::string file, array;
+  std::optional<std::int64_t> page;
+};
+
+/// What is known of pixels without their values.
+struct RasterFrame {
+  std::vector<std::size_t> extents;
+  std::optional<double> pixel;  ///< as Raster::pixel
+};
+
 /// Leaves one page of a stack, counted from 1. Reports a stack without a page, and a page that is none of the file.
 bool take_page(const Section& packing, std::optional<std::int64_t> page, Raster& raster) {
   const auto pages = raster.extents.size() > 2 ? raster.extents[2] : 1;
@@ -122,9 +134,9 @@ bool take_image(const Section& packing, std::optional<std::int64_t> page, Raster
   return take_page(packing, page, raster) && require_square(packing, raster);
 }
 
-/// Reads the pixels of a square image, or the voxels of a cubic stack in a box of three dimensions.
+/// The image that a stage asks for; nothing where that is not known because of a mistake.
 template <int dim>
-std::optional<Raster> read_pixels(const Section& packing, ImagePacking<dim>& image) {
+std::optional<AskedPixels> asked_pixels(const Section& packing, ImagePacking<dim>& image) {
   const auto page = packing.optional_integer("page", Range::positive());
   if (dim == 3) packing.refuse({"page"}, "a box of three dimensions takes the whole stack");
   const auto written = packing.text("file");
@@ -133,16 +145,62 @@ std::optional<Raster> read_pixels(const Section& packing, ImagePacking<dim>& ima
   image.file = packing.file("file", file.string());
   image.array = std::move(array);
   if (image.file.empty()) return std::nullopt;
-  std::optional<Raster> raster;
-  packing.report_errors_of("file", [&] { raster = read_raster(image.file, image.array); });
-  if (!raster) return std::nullopt;
-  const bool fits = dim == 3 ? require_cube(packing, *raster) : take_image(packing, page, *raster);
-  return fits ? raster : std::nullopt;
+  return AskedPixels{image.file.string(), image.array, page};
 }
+
+/// The pixels of a square image, or the voxels of a cubic stack in a box of three dimensions. The file is read only for
+/// what the cache of files has not.
+template <int dim>
+class PixelsOfStage {
+ public:
+  /// The section must outlive this object.
+  PixelsOfStage(const Section& packing, AskedPixels asked)
+      : packing_(packing), asked_(std::move(asked)), frame_(packing.file_cache().find<RasterFrame>(key())) {
+    if (frame_ || !read()) return;
+    frame_ = packing.file_cache().keep(key(), RasterFrame{raster_->extents, raster_->pixel});
+  }
+
+  /// Null where the image cannot be read, which has been reported.
+  [[nodiscard]] const RasterFrame* frame() const { return frame_.get(); }
+
+  /// The image of labels that fills a box of this side [m]; null where it cannot be read. Throws InputError.
+  [[nodiscard]] SharedImage<dim> labelled(const std::vector<ValueLabel>& table, double side, Walls walls) {
+    auto known_by = fmt::format("{}\nside {} walls {}", key(), side, static_cast<int>(walls));
+    for (const auto& [value, label] : table) known_by += fmt::format("\n{} is {}", value, label);
+    auto& cache = packing_.file_cache();
+    if (auto known = cache.find<LabelImage<dim>>(known_by)) return known;
+    if (!raster_ && !read()) return nullptr;
+    const int pixels = static_cast<int>(raster_->extents[0]);
+    LabelImage<dim> image = {
+        .pixels = {}, .pixel_side = side / pixels, .walls = walls, .labels = pixel_labels(raster_->values, table)};
+    image.pixels.fill(pixels);
+    return cache.keep(known_by, std::move(image));
+  }
+
+ private:
+  /// The key of what is made of these pixels in the cache of files.
+  [[nodiscard]] std::string key() const {
+    return fmt::format("{}\n{}\npage {} in {} dimensions", asked_.file, asked_.array, asked_.page.value_or(0), dim);
+  }
+
+  /// Whether the file could be read.
+  bool read() {
+    packing_.report_errors_of("file", [&] { raster_ = read_raster(asked_.file, asked_.array); });
+    if (!raster_) return false;
+    const bool fits = dim == 3 ? require_cube(packing_, *raster_) : take_image(packing_, asked_.page, *raster_);
+    if (!fits) raster_.reset();
+    return fits;
+  }
+
+  const Section& packing_;
+  AskedPixels asked_;
+  std::shared_ptr<const RasterFrame> frame_;
+  std::optional<Raster> raster_;
+};
 
 /// The side of the box [m] from `box` or `pixel` or both, which must agree; not a number where that is not
 /// known because of a mistake.
-double read_side(const Section& section, const Section& packing, const std::optional<Raster>& raster) {
+double read_side(const Section& section, const Section& packing, const RasterFrame* raster) {
   const auto box = section.optional_quantity("box", Dimension::length, allowed::side);
   const auto pixel = packing.optional_quantity("pixel", Dimension::length, Range::positive());
   if (!section.has("box") && !packing.has("pixel")) {
@@ -170,16 +228,6 @@ double read_side(const Section& section, const Section& packing, const std::opti
   return *box;
 }
 
-/// A square or cubic image of labels that fills a box of this side [m].
-template <int dim>
-SharedImage<dim> labelled(const Raster& raster, const std::vector<ValueLabel>& table, double side, Walls walls) {
-  const int pixels = static_cast<int>(raster.extents[0]);
-  LabelImage<dim> image = {
-      .pixels = {}, .pixel_side = side / pixels, .walls = walls, .labels = pixel_labels(raster.values, table)};
-  image.pixels.fill(pixels);
-  return std::make_shared<const LabelImage<dim>>(std::move(image));
-}
-
 /// Pixels along each side of the image of a stage; nothing where it could not be read, which has been reported.
 struct PixelsAlong {
   template <int dim>
@@ -197,13 +245,14 @@ template <int dim>
 ImagePacking<dim> read_image_in(const Section& section, const Section& packing, const std::vector<ValueLabel>& table,
                                 double& side) {
   ImagePacking<dim> image;
-  const auto raster = read_pixels(packing, image);
-  side = read_side(section, packing, raster);
+  std::optional<PixelsOfStage<dim>> pixels;
+  if (const auto asked = asked_pixels(packing, image)) pixels.emplace(packing, *asked);
+  const auto* const frame = pixels ? pixels->frame() : nullptr;
+  side = read_side(section, packing, frame);
   const bool is_periodic = packing.optional_boolean("periodic").value_or(false);
-  if (!raster || table.empty()) return image;
-  packing.report_errors_of("labels", [&] {
-    image.image = labelled<dim>(*raster, table, side, is_periodic ? Walls::periodic : Walls::hard);
-  });
+  if (frame == nullptr || table.empty()) return image;
+  packing.report_errors_of(
+      "labels", [&] { image.image = pixels->labelled(table, side, is_periodic ? Walls::periodic : Walls::hard); });
   return image;
 }
 

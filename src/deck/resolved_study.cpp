@@ -4,8 +4,11 @@
 #include <string_view>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "breccia/deckfile/deck.hpp"
 #include "breccia/io/printable.hpp"
+#include "breccia/io/seal.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/study/chain.hpp"
 #include "breccia/study/identity.hpp"
@@ -41,13 +44,20 @@ Study resolve(const Deck& document) {
 
 namespace {
 
+/// The hash of a data file, which is read once for all tasks of a sweep.
+std::string hash_of(const std::filesystem::path& file, FileCache& cache) {
+  const auto key = fmt::format("hash of {}", file.string());
+  const auto known = cache.find<std::string>(key);
+  return known ? *known : *cache.keep(key, content_hash_of(file));
+}
+
 /// A hash for each data file. A single hash of all files would not change if a row moved from the end of one file to
 /// the beginning of the next.
 std::vector<FileHash> file_hashes_of(const Deck& document) {
   std::vector<FileHash> hashes;
   const auto directory = document.path().parent_path();
   for (const auto& file : document.files()) {
-    hashes.push_back({file.lexically_proximate(directory).string(), content_hash(read_text(file))});
+    hashes.push_back({file.lexically_proximate(directory).string(), hash_of(file, document.root().file_cache())});
   }
   return hashes;
 }

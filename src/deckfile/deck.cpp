@@ -80,6 +80,7 @@ Deck Deck::unread_copy() const {
   state->path = state_->path;
   state->text = state_->text;
   state->root = state_->root;
+  state->file_cache = state_->file_cache;
   return Deck(std::move(state));
 }
 

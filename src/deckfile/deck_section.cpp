@@ -266,6 +266,10 @@ std::optional<std::string> Section::optional_text(const std::string& key) const 
   return value == nullptr ? std::nullopt : settle(*this, key, read_string(*value));
 }
 
+FileCache& Section::file_cache() const {
+  return *state_->file_cache;
+}
+
 std::filesystem::path Section::file(const std::string& key) const {
   const auto* value = require(key, "the name of a file");
   const auto name = value == nullptr ? std::nullopt : settle(*this, key, read_string(*value));

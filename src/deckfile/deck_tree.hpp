@@ -53,6 +53,7 @@ struct DeckState {
   std::map<const DeckTable*, TableUse> uses;
   std::vector<Mistake> mistakes;
   std::set<std::filesystem::path> files;  ///< existing files that the deck names
+  std::shared_ptr<FileCache> file_cache = std::make_shared<FileCache>();
 };
 
 /// Parses a TOML text. Throws InputError, with the location, when it is not TOML.

@@ -1,7 +1,6 @@
 #include "breccia/io/seal.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstdint>
 #include <fstream>
@@ -16,6 +15,7 @@
 #include <xxhash.h>
 
 #include "breccia/error.hpp"
+#include "breccia/io/text_file.hpp"
 
 namespace breccia {
 namespace {
@@ -61,26 +61,48 @@ std::uintmax_t size_of(const std::filesystem::path& path) {
   return size;
 }
 
+/// The last bytes of a file, as many as a seal has; empty if it has fewer.
+std::string end_of(const std::filesystem::path& path) {
+  const auto size = size_of(path);
+  if (size < seal_length) return {};
+  std::ifstream file(path, std::ios::binary);
+  std::string end(seal_length, ' ');
+  file.seekg(static_cast<std::streamoff>(size - seal_length));
+  if (!file.read(end.data(), static_cast<std::streamsize>(end.size()))) fail_by_system(path, "read");
+  return end;
+}
+
+bool is_seal(std::string_view end) {
+  return end.starts_with(mark) && end.ends_with('\n');
+}
+
 }  // namespace
 
+std::string content_hash_of(const std::filesystem::path& path) {
+  return hash_of(path, size_of(path));
+}
+
 void seal(const std::filesystem::path& path) {
-  const auto hash = hash_of(path, size_of(path));
+  const auto hash = content_hash_of(path);
   std::ofstream file(path, std::ios::binary | std::ios::app);
   file << mark << hash << '\n';
   file.close();
   if (!file) fail_by_system(path, "write");
 }
 
+std::string sealed(std::string text) {
+  const auto hash = content_hash(text);
+  return text.append(mark).append(hash).append("\n");
+}
+
+bool is_sealed(const std::filesystem::path& path) {
+  return is_seal(end_of(path));
+}
+
 void require_sealed(const std::filesystem::path& path) {
-  const auto size = size_of(path);
-  if (size < seal_length) fail_as_damaged(path, "torn, or no checkpoint of Breccia");
-  std::ifstream file(path, std::ios::binary);
-  std::array<char, seal_length> end{};
-  file.seekg(static_cast<std::streamoff>(size - seal_length));
-  if (!file.read(end.data(), end.size())) fail_by_system(path, "read");
-  const std::string_view line(end.data(), end.size());
-  if (!line.starts_with(mark) || !line.ends_with('\n')) fail_as_damaged(path, "torn, or no checkpoint of Breccia");
-  if (line.substr(mark.size(), hash_digits) != hash_of(path, size - seal_length))
+  const auto end = end_of(path);
+  if (!is_seal(end)) fail_as_damaged(path, "torn, or no checkpoint of Breccia");
+  if (end.substr(mark.size(), hash_digits) != hash_of(path, size_of(path) - seal_length))
     fail_as_damaged(path, "damaged: wrong checksum");
 }
 

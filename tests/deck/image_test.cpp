@@ -11,6 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "breccia/deck/sweep.hpp"
 #include "breccia/io/hdf5.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/rasters/npy.hpp"
@@ -59,6 +60,22 @@ class DeckImage : public testing::Test {
 
   test::DeckDirectory directory;
 };
+
+TEST_F(DeckImage, IsInTheMemoryOnceForAllTasksOfASweep) {
+  const auto file = directory.written("deck.toml", deck(keys("scan.npy")));
+  const auto sweep =
+      read_sweep(file, {}, {"tests.points_per_decade=[5, 10]", "stages.a.packing.pixel=[\"2 um\", \"3 um\"]"});
+  ASSERT_EQ(sweep.tasks.size(), 4U);
+  const auto image = [&](std::size_t task) {
+    return sweep.tasks[task].study.stages.at(0).packed_by<ImagePacking<2>>()->image;
+  };
+  EXPECT_EQ(image(0), image(2));
+  EXPECT_EQ(image(1), image(3));
+  EXPECT_NE(image(0), image(1)) << "pixels of another size";
+  EXPECT_EQ(image(1)->labels, image(0)->labels);
+  EXPECT_DOUBLE_EQ(image(1)->pixel_side, 3e-6);
+  EXPECT_EQ(sweep.tasks[1].study.provenance.file_hashes, sweep.tasks[0].study.provenance.file_hashes);
+}
 
 TEST_F(DeckImage, IsABoxOfPixels) {
   const auto stage = study(keys("scan.npy")).stages.at(0);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "breccia/deckfile/deck_setting.hpp"
+#include "breccia/io/file_cache.hpp"
 #include "breccia/io/range.hpp"
 #include "breccia/io/units.hpp"
 #include "breccia/words.hpp"
@@ -67,6 +68,9 @@ class Section {
   [[nodiscard]] std::filesystem::path file(const std::string& key) const;
   /// The path of a file whose name is a part of the value of an existing key.
   [[nodiscard]] std::filesystem::path file(const std::string& key, const std::string& name) const;
+
+  /// What has been made of the files of the deck so far.
+  [[nodiscard]] FileCache& file_cache() const;
 
   /// The value of the word that a key has.
   template <class T>
@@ -159,7 +163,7 @@ class Deck {
   Deck& operator=(Deck&&) noexcept;
   ~Deck();
 
-  /// A copy of the deck in which no key is known yet and no mistake has been reported.
+  /// A copy of the deck in which no key is known yet and no mistake has been reported. It shares the FileCache.
   [[nodiscard]] Deck unread_copy() const;
 
   /// Replaces or adds a value, before the deck is read. Returns the paths of all values that it has set: several if the

@@ -7,14 +7,23 @@
 
 namespace breccia {
 
+/// The hash of the bytes of a file, as content_hash() of them. Throws FileError.
+std::string content_hash_of(const std::filesystem::path& path);
+
 /// Appends to a file a line with a checksum of all bytes above it. Throws FileError.
 void seal(const std::filesystem::path& path);
+
+/// A text with such a line.
+std::string sealed(std::string text);
 
 /// Error: the content of a file has changed since it was sealed.
 class DamagedFile : public FileError {
  public:
   explicit DamagedFile(const std::string& message) : FileError(message) {}
 };
+
+/// Whether a file ends with such a line. Throws FileError when it cannot be read.
+bool is_sealed(const std::filesystem::path& path);
 
 /// Throws DamagedFile when a file does not end with such a line or the checksum does not fit its bytes, and another
 /// FileError when it cannot be read.
