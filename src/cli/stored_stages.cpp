@@ -43,6 +43,7 @@ std::vector<StoredResponses> responses_of_stage(const fs::path& results, const s
   for (const auto& name : chosen_stages(results, stage)) {
     const auto file = results / name / "response.h5";
     stored.push_back(read_responses(file));
+    if (const auto note = note_on_responses(file)) fmt::print(stderr, "note: {}\n", *note);
     if (stored.back().stage == name) continue;
     throw InputError(
         fmt::format("{}: the responses are of stage {}, not of one with the name of the directory, {}; move the copy "

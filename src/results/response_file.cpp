@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,13 +15,16 @@
 
 #include "breccia/error.hpp"
 #include "breccia/io/hdf5.hpp"
+#include "breccia/io/seal.hpp"
 #include "breccia/study/limits.hpp"
 
 namespace breccia {
 namespace {
 
 /// Format of a file in which the moduli of the matrix alone vary, and of one with other phases that vary.
-constexpr std::int64_t format_of_matrix = 4, format_of_phases = 5;
+constexpr std::int64_t format_of_matrix = 6, format_of_phases = 7;
+/// The same of files from before there were seals.
+constexpr std::int64_t unsealed_of_matrix = 4, unsealed_of_phases = 5;
 
 void write_matrix(Hdf5Writer& file, const std::string& name, const Eigen::MatrixXd& matrix) {
   // HDF5 stores matrices by rows, Eigen by columns.
@@ -265,6 +269,19 @@ StoredResponses read_stage(const Group& root) {
   return stored;
 }
 
+[[noreturn]] void fail_as_damaged(const std::filesystem::path& path, std::string_view how) {
+  throw DamagedFile(fmt::format("{}: damaged: {}; resume its run, which computes it again", path.string(), how));
+}
+
+/// Throws DamagedFile if a sealed file has changed since it was written.
+void refuse_damage(const std::filesystem::path& path) {
+  try {
+    require_sealed(path);
+  } catch (const DamagedFile&) {
+    fail_as_damaged(path, "its checksum is wrong");
+  }
+}
+
 }  // namespace
 
 void write_responses(const std::filesystem::path& directory, const StoredResponses& responses) {
@@ -290,16 +307,27 @@ void write_responses(const std::filesystem::path& directory, const StoredRespons
     write_response(file, fmt::format("/{}/{}/{}", name_of(response.boundary), name_of(response.load), name_of(grid)),
                    response);
   }
+  file.close();
+  seal(file.temporary());
   file.commit();
 }
 
+std::optional<std::string> note_on_responses(const std::filesystem::path& path) {
+  if (is_sealed(path)) return std::nullopt;
+  return fmt::format("{}: an older version of Breccia wrote it without a checksum, so that damage cannot be seen",
+                     path.string());
+}
+
 StoredResponses read_responses(const std::filesystem::path& path) {
+  const bool has_seal = is_sealed(path);
+  if (has_seal) refuse_damage(path);
   const Hdf5Reader file(path);
   const auto version = file.attribute<std::int64_t>("/", "format_version");
-  if (version != format_of_matrix && version != format_of_phases) {
-    throw FileError(fmt::format("{}: written in format {}; this program reads formats {} and {}", path.string(),
-                                version, format_of_matrix, format_of_phases));
+  if (version < unsealed_of_matrix || version > format_of_phases) {
+    throw FileError(fmt::format("{}: written in format {}; this program reads formats {} to {}", path.string(), version,
+                                unsealed_of_matrix, format_of_phases));
   }
+  if (!has_seal && version > unsealed_of_phases) fail_as_damaged(path, "its checksum is missing");
   const Group root = {file, path, "/"};
   auto stored = read_stage(root);
   stored.other_phases = read_materials(file, path);

@@ -8,6 +8,7 @@
 
 #include "breccia/error.hpp"
 #include "breccia/io/hdf5.hpp"
+#include "breccia/io/text_file.hpp"
 
 #include "messages.hpp"
 #include "one_vector_response.hpp"
@@ -58,25 +59,29 @@ class ResponseFile : public testing::Test {
   [[nodiscard]] std::string refusal() const {
     return test::message_of<FileError>([&] { static_cast<void>(read_responses(path)); });
   }
+  /// The attributes of a file of an older version.
+  static std::vector<std::pair<std::string, Hdf5Attribute>> usual_attributes() {
+    return {{"format_version", std::int64_t{4}},
+            {"deck_hash", std::string("0123")},
+            {"stage", std::string("A")},
+            {"matrix", std::string("binder")},
+            {"matrix_is", std::string("stage")},
+            {"filler_density_kg_per_m3", 1.0},
+            {"filler_fraction", 0.5},
+            {"box_m", 1.0},
+            {"times_s", std::vector{1.0, 2.0}},
+            {"sampled_range", std::string("matrix")},
+            {"mixing", std::string("series")},
+            {"fit_tolerance", 0.1},
+            {"points_per_decade", std::int64_t{20}}};
+  }
   /// What is said of a file without responses that is as it should be but for one attribute, and of an empty group.
   [[nodiscard]] std::string refusal_with(const std::string& attribute, const Hdf5Attribute& value,
                                          const std::string& group = {}) const {
     Hdf5Writer file(path);
     if (!group.empty()) file.create_group(group);
-    std::vector<std::pair<std::string, Hdf5Attribute>> attributes = {{"format_version", std::int64_t{4}},
-                                                                     {"deck_hash", std::string("0123")},
-                                                                     {"stage", std::string("A")},
-                                                                     {"matrix", std::string("binder")},
-                                                                     {"matrix_is", std::string("stage")},
-                                                                     {"filler_density_kg_per_m3", 1.0},
-                                                                     {"filler_fraction", 0.5},
-                                                                     {"box_m", 1.0},
-                                                                     {"times_s", std::vector{1.0, 2.0}},
-                                                                     {"sampled_range", std::string("matrix")},
-                                                                     {"mixing", std::string("series")},
-                                                                     {"fit_tolerance", 0.1},
-                                                                     {"points_per_decade", std::int64_t{20}}};
-    for (auto& [name, usual] : attributes) file.write_attribute("/", name, name == attribute ? value : usual);
+    for (const auto& [name, usual] : usual_attributes())
+      file.write_attribute("/", name, name == attribute ? value : usual);
     file.commit();
     return refusal();
   }
@@ -114,6 +119,32 @@ TEST_F(ResponseFile, IsReadAsItWasWritten) {
   EXPECT_EQ(read.entries[0].response.load, Load::shear);
   EXPECT_EQ(read.entries[0].response.boundary, Boundary::displacement);
   EXPECT_EQ(read.entries[0].response.modulus(Moduli{.bulk = 10.0, .shear = 7.0}), 3.0 + 2.0 * 7.0 + 10.0);
+}
+
+TEST_F(ResponseFile, IsRefusedWithAnyBitFlipped) {
+  write_responses(directory.path(), two_responses());
+  EXPECT_EQ(note_on_responses(path), std::nullopt);
+  const auto whole = read_text(path);
+  constexpr std::size_t flips = 200;
+  for (std::size_t i = 0; i < flips; ++i) {
+    const auto bit = i * (8 * whole.size() - 1) / (flips - 1);
+    auto damaged = whole;
+    damaged[bit / 8] = static_cast<char>(static_cast<unsigned char>(damaged[bit / 8]) ^ (1U << (bit % 8)));
+    write_text(path, damaged);
+    EXPECT_THAT(refusal(), AllOf(HasSubstr("response.h5: damaged: its checksum is"),
+                                 HasSubstr("; resume its run, which computes it again")))
+        << bit;
+  }
+}
+
+TEST_F(ResponseFile, OfAnOlderVersionIsReadWithANote) {
+  Hdf5Writer file(path);
+  for (const auto& [name, value] : usual_attributes()) file.write_attribute("/", name, value);
+  file.commit();
+  EXPECT_EQ(read_responses(path).stage, "A");
+  EXPECT_EQ(note_on_responses(path), path.string() +
+                                         ": an older version of Breccia wrote it without a checksum, so that "
+                                         "damage cannot be seen");
 }
 
 TEST_F(ResponseFile, KeepsEveryNumberInItsPlace) {
