@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "breccia/io/text_file.hpp"
+#include "breccia/parallel/common_failure.hpp"
 #include "breccia/results/comparison_file.hpp"
 #include "breccia/results/curves.hpp"
 #include "breccia/results/field_files.hpp"
@@ -17,8 +18,6 @@
 #include "breccia/results/study_report.hpp"
 #include "breccia/results/volume_field_files.hpp"
 #include "breccia/study/identity.hpp"
-
-#include "first_process.hpp"
 
 namespace breccia {
 
@@ -55,7 +54,7 @@ std::optional<StageResult> DirectorySink::known_stage(const Stage& stage) {
 }
 
 std::unique_ptr<Checkpoint> DirectorySink::packing_checkpoint(const Stage& stage) {
-  write_once([&] { make_directory(directory_ / stage.name); });
+  parallel::done_by_first([&] { make_directory(directory_ / stage.name); });
   return checkpoints_.of_packing(stage);
 }
 
@@ -82,7 +81,7 @@ void DirectorySink::write(const StageAdopted& event) {
   } else {
     observer_.tell(StageFromResponses{done, known.record.answered_from});
   }
-  write_once([&] {
+  parallel::done_by_first([&] {
     const auto directory = directory_ / stage.name;
     make_directory(directory);
     write_microstructure(directory, stage, done.microstructure);
@@ -95,7 +94,7 @@ void DirectorySink::write(const StageAdopted& event) {
 }
 
 void DirectorySink::write(const StagePacked& event) {
-  write_once([&] {
+  parallel::done_by_first([&] {
     write_microstructure(directory_ / event.stage.name, event.stage, event.result.stages.back().microstructure);
     write_record(event.result);
   });
@@ -103,7 +102,7 @@ void DirectorySink::write(const StagePacked& event) {
 }
 
 void DirectorySink::write(const DomainFinished& event) {
-  write_once([&] {
+  parallel::done_by_first([&] {
     write_history(directory_ / event.stage.name, study_, event.stage, event.test, event.number, event.domain);
   });
   observer_.tell(event);
@@ -114,7 +113,7 @@ void DirectorySink::write(const FieldsStoredBefore& event) {
 }
 
 void DirectorySink::write(const TestFinished& event) {
-  write_once([&] {
+  parallel::done_by_first([&] {
     write_curves(directory_, event.result, FrequencyRows::of(study_.tests));
     write_record(event.result);
   });
@@ -122,13 +121,13 @@ void DirectorySink::write(const TestFinished& event) {
 }
 
 void DirectorySink::write(const AllLoadsFinished& event) {
-  write_once([&] {
+  parallel::done_by_first([&] {
     write_responses(directory_ / event.stage.name, responses_of(study_, event.stage, event.result.stages.back()));
   });
 }
 
 void DirectorySink::write(const StageFinished& event) {
-  write_once([&] { write_finished_stage(event.stage, event.result); });
+  parallel::done_by_first([&] { write_finished_stage(event.stage, event.result); });
   const auto& name = event.stage.name;
   shared_.keep(present_hash_,
                {.result = event.result.stages.back(), .record = records_[name], .directory = directory_ / name});
@@ -136,7 +135,7 @@ void DirectorySink::write(const StageFinished& event) {
 }
 
 void DirectorySink::write(const StudyFinished& event) {
-  write_once([&] {
+  parallel::done_by_first([&] {
     write_record(event.result);
     write_study_report(directory_);
     remove_checkpoints(study_, directory_);

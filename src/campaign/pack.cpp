@@ -5,13 +5,13 @@
 #include "breccia/campaign/resume.hpp"
 #include "breccia/homogenisation/solve_stage.hpp"
 #include "breccia/io/text_file.hpp"
+#include "breccia/parallel/common_failure.hpp"
 #include "breccia/results/microstructure_files.hpp"
 #include "breccia/results/provenance.hpp"
 #include "breccia/study/identity.hpp"
 #include "breccia/study/soundness.hpp"
 
 #include "checkpoints.hpp"
-#include "first_process.hpp"
 #include "result_directory.hpp"
 #include "result_place.hpp"
 
@@ -35,13 +35,13 @@ class PackingSink final : public StudySink {
   }
 
   std::unique_ptr<Checkpoint> packing_checkpoint(const Stage& stage) override {
-    write_once([&] { make_directory(directory_ / stage.name); });
+    parallel::done_by_first([&] { make_directory(directory_ / stage.name); });
     return checkpoints_.of_packing(stage);
   }
 
   void happened(const StudyEvent& event) override {
     const auto& packed = std::get<StagePacked>(event);  // all that happens without tests
-    write_once([&] {
+    parallel::done_by_first([&] {
       write_microstructure(directory_ / packed.stage.name, packed.stage, packed.result.stages.back().microstructure);
       if (!has_tests_) write_provenance(directory_, study_, packed.result);
     });

@@ -2,6 +2,7 @@
 
 #include "breccia/io/directory_lock.hpp"
 #include "breccia/io/empty_directory.hpp"
+#include "breccia/parallel/common_failure.hpp"
 #include "breccia/parallel/session.hpp"
 #include "breccia/results/study_record.hpp"
 #include "breccia/results/study_report.hpp"
@@ -31,7 +32,7 @@ void finish_killed_run(const Study& study, const std::filesystem::path& director
 }  // namespace
 
 std::optional<double> take_over_complete_run(const Study& study, const std::filesystem::path& directory) {
-  if (parallel::is_first()) finish_killed_run(study, directory);
+  if (parallel::group() == 0) parallel::done_by_first([&] { finish_killed_run(study, directory); });
   // All processes wait until the files are in their places.
   static_cast<void>(parallel::gather({}));
   return time_of_complete_run(study, directory);

@@ -15,6 +15,7 @@
 #include "breccia/homogenisation/available_memory.hpp"
 #include "breccia/homogenisation/memory.hpp"
 #include "breccia/io/text_file.hpp"
+#include "breccia/parallel/common_failure.hpp"
 #include "breccia/parallel/session.hpp"
 #include "breccia/results/result_files.hpp"
 #include "breccia/results/sweep_plot.hpp"
@@ -48,10 +49,10 @@ class SweepRun {
     options_of_ = options_of_tasks(sweep_, directory_, options_);
     find_complete_tasks();
     if (!options_.solve.ignore_memory && parallel::is_alone()) refuse_too_large();
-    make_way();
+    prepare_directory();
     if (options_.resume) write();
     // Written before the first task, so that a resumed sweep knows which results it may replace.
-    if (options_.overwrite) write_record();
+    if (options_.overwrite) by_first_group([&] { write_record(); });
     for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) {
       if (!is_ours(task)) continue;
       if (options_.resume && result_[task].state == TaskState::done) {
@@ -74,10 +75,18 @@ class SweepRun {
     return sweep_.tasks[task].directory_in(directory_);
   }
 
-  void make_way() const {
-    if (!parallel::is_first()) return;
-    make_directory(directory_);
-    remove_partial_sweep_files(directory_);
+  /// Runs an action on the first process of the first group, which writes the tables of all; if it fails there, fails
+  /// on all processes of that group.
+  template <class Action>
+  static void by_first_group(const Action& action) {
+    if (parallel::group() == 0) parallel::done_by_first(action);
+  }
+
+  void prepare_directory() const {
+    by_first_group([&] {
+      make_directory(directory_);
+      remove_partial_sweep_files(directory_);
+    });
   }
 
   /// Finds the complete tasks before any task runs, so that all processes find the same ones. Without `resume` they run
@@ -130,13 +139,17 @@ class SweepRun {
       result_[task].state = theirs[0].get<TaskState>();
       result_[task].seconds = theirs[1].get<double>();
       result_[task].error = theirs[2].get<std::string>();
-      const bool is_done = result_[task].state == TaskState::done;
-      if (is_done && parallel::is_first()) result_[task].curves = read_curves(directory_of(task));
     }
+    by_first_group([&] {
+      for (std::size_t task = 0; task < result_.size(); ++task) {
+        const bool is_done = result_[task].state == TaskState::done;
+        if (is_done && !is_ours(task)) result_[task].curves = read_curves(directory_of(task));
+      }
+    });
   }
 
   /// Looks for tasks that the other groups have completed.
-  void look_at_others() {
+  void poll_other_groups() {
     for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) {
       if (is_ours(task) || result_[task].state != TaskState::waiting) continue;
       keep_if_done(task, time_of_complete_run(sweep_.tasks[task].study, directory_of(task)));
@@ -181,18 +194,19 @@ class SweepRun {
   }
 
   void write() {
-    if (!parallel::is_first()) return;
-    if (parallel::groups() > 1) look_at_others();
-    write_sweep_tables(directory_, sweep_, result_);
-    write_record();
-    write_sweep_plot(directory_, sweep_, result_);
-    write_sweep_report(directory_, result_);
+    by_first_group([&] {
+      if (parallel::groups() > 1) poll_other_groups();
+      write_sweep_tables(directory_, sweep_, result_);
+      write_record();
+      write_sweep_plot(directory_, sweep_, result_);
+      write_sweep_report(directory_, result_);
+    });
   }
 
   void write_record() const {
     std::vector<std::vector<std::string>> replaceable;
     for (const auto& options : options_of_) replaceable.push_back(options.replaceable);
-    if (parallel::is_first()) write_sweep_record(directory_, sweep_, result_, replaceable);
+    write_sweep_record(directory_, sweep_, result_, replaceable);
   }
 
   const Sweep& sweep_;

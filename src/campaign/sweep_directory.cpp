@@ -13,6 +13,7 @@
 
 #include "breccia/io/foreign_results.hpp"
 #include "breccia/io/text_file.hpp"
+#include "breccia/parallel/common_failure.hpp"
 #include "breccia/parallel/session.hpp"
 #include "breccia/results/result_files.hpp"
 #include "breccia/results/study_record.hpp"
@@ -126,11 +127,14 @@ std::vector<RunOptions> options_of_tasks(const Sweep& sweep, const fs::path& dir
 }
 
 std::unique_ptr<DirectoryLock> hold_sweep_directory(const Sweep& sweep, const fs::path& directory) {
-  if (sweep.keys.empty() || !parallel::is_first()) return nullptr;
-  auto lock = std::make_unique<DirectoryLock>(directory);
-  for (const auto& task : sweep.tasks) {
-    lock_and_finish_interrupted_replacement(task.study, task.directory_in(directory));
-  }
+  std::unique_ptr<DirectoryLock> lock;
+  if (sweep.keys.empty() || parallel::group() > 0) return lock;
+  parallel::done_by_first([&] {
+    lock = std::make_unique<DirectoryLock>(directory);
+    for (const auto& task : sweep.tasks) {
+      lock_and_finish_interrupted_replacement(task.study, task.directory_in(directory));
+    }
+  });
   return lock;
 }
 

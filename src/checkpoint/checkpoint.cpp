@@ -1,7 +1,6 @@
 #include "breccia/checkpoint/checkpoint.hpp"
 
 #include <cstdint>
-#include <exception>
 #include <system_error>
 #include <utility>
 
@@ -10,6 +9,7 @@
 #include "breccia/error.hpp"
 #include "breccia/io/file_status.hpp"
 #include "breccia/io/seal.hpp"
+#include "breccia/parallel/common_failure.hpp"
 #include "breccia/parallel/reduction.hpp"
 #include "breccia/parallel/session.hpp"
 
@@ -32,21 +32,6 @@ void require_owner(const std::filesystem::path& path, const StateOwner& found, c
   }
 }
 
-/// Runs an action that may fail on some processes only. All processes wait here, and if one fails, all throw: a process
-/// that continued alone would wait for ever for the others.
-template <class Action>
-void do_together(const std::filesystem::path& path, const Action& action) {
-  std::exception_ptr failure;
-  try {
-    action();
-  } catch (const Error&) {
-    failure = std::current_exception();
-  }
-  const bool has_failed = parallel::largest(failure ? 1.0 : 0.0) > 0.0;
-  if (failure) std::rethrow_exception(failure);
-  if (has_failed) throw FileError(fmt::format("{}: another process cannot read or write this file", path.string()));
-}
-
 /// Renames a damaged file, so that it is not kept as the older state.
 void set_aside(const std::filesystem::path& path) {
   std::error_code is_gone;
@@ -62,7 +47,7 @@ std::vector<std::string> Checkpoint::look_for_earlier() {
   std::vector<std::string> problems;
   std::vector<std::filesystem::path> damaged;
   double which = 0.0;
-  do_together(path_, [&] {
+  parallel::do_together([&] {
     for (const auto& path : {path_, older_state(path_)}) {
       if (!std::filesystem::exists(status_of(path))) continue;
       try {
@@ -107,7 +92,7 @@ void Checkpoint::put(const WriteState& write, bool is_finished) {
   writer.write(finished_name, std::int64_t{is_finished});
   write(writer);
   // All processes wait: if one ended now, MPI would end the first one while it writes.
-  do_together(path_, [&] { writer.commit(); });
+  parallel::do_together([&] { writer.commit(); });
   last_ = Clock::now();
 }
 

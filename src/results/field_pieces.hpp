@@ -4,6 +4,7 @@
 #include <span>
 
 #include "breccia/discretisation/point_fields.hpp"
+#include "breccia/parallel/common_failure.hpp"
 #include "breccia/parallel/first_exception.hpp"
 #include "breccia/parallel/ordered_values.hpp"
 
@@ -12,7 +13,7 @@ namespace breccia {
 /// Brings fields, of which each process has those of its cells, to the first process in pieces, in the order of the
 /// lattice, so that no process holds all of them. Calls begin() there, then take(place of the first value, piece) for
 /// one piece after the other, then finish(). Every process must call it; what these functions throw is thrown at the
-/// end.
+/// end, on all processes.
 template <int dim, class Begin, class Take, class Finish>
 void collect_fields(const Grid<dim>& grid, const LatticeFields<dim>& own, const Begin& begin, const Take& take,
                     const Finish& finish) {
@@ -29,7 +30,7 @@ void collect_fields(const Grid<dim>& grid, const LatticeFields<dim>& own, const 
     if (parallel::is_collecting()) failure.run([&] { take(first, piece); });
   });
   if (parallel::is_collecting()) failure.run(finish);
-  failure.rethrow();
+  parallel::do_together([&] { failure.rethrow(); });
 }
 
 }  // namespace breccia

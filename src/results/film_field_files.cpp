@@ -12,7 +12,7 @@
 
 #include "breccia/discretisation/load.hpp"
 #include "breccia/io/text_file.hpp"
-#include "breccia/parallel/session.hpp"
+#include "breccia/parallel/common_failure.hpp"
 #include "breccia/rasters/vtkhdf.hpp"
 #include "breccia/report/polygon_picture.hpp"
 #include "breccia/results/field_files.hpp"
@@ -130,23 +130,24 @@ PolygonPicture picture_of(const FilmFields& fields, const MapOfCells& map) {
 std::vector<FieldRecord> write_fields(const fs::path& directory, const Study& study, const Stage& stage,
                                       const TestId& test, const NetworkFields& fields) {
   auto records = field_records(study, test, times_of(fields));
-  if (parallel::rank() != 0) return records;
-  for (std::size_t i = 0; i < fields.at_times.size(); ++i) {
-    const auto& cells = fields.at_times[i].fields;
-    const auto& record = records[i];
-    write_vtkhdf(directory / record.file, fields.at_times[i]);
-    const auto draw = [&](const std::string& file, const MapOfCells& map) {
-      auto picture = picture_of(cells, map);
-      picture.title = field_title(stage, test, fields.at_times[i].time);
-      picture.side = stage.side;
-      picture.load = drawn_load(test.load);
-      picture.is_periodic = test.boundary == Boundary::periodic;
-      write_text(directory / file, polygon_picture(picture));
-    };
-    draw(record.stress_picture, stress_map(cells, test));
-    draw(record.strain_picture, strain_map(cells, test));
-    draw(record.work_picture, work_map(cells));
-  }
+  parallel::done_by_first([&] {
+    for (std::size_t i = 0; i < fields.at_times.size(); ++i) {
+      const auto& cells = fields.at_times[i].fields;
+      const auto& record = records[i];
+      write_vtkhdf(directory / record.file, fields.at_times[i]);
+      const auto draw = [&](const std::string& file, const MapOfCells& map) {
+        auto picture = picture_of(cells, map);
+        picture.title = field_title(stage, test, fields.at_times[i].time);
+        picture.side = stage.side;
+        picture.load = drawn_load(test.load);
+        picture.is_periodic = test.boundary == Boundary::periodic;
+        write_text(directory / file, polygon_picture(picture));
+      };
+      draw(record.stress_picture, stress_map(cells, test));
+      draw(record.strain_picture, strain_map(cells, test));
+      draw(record.work_picture, work_map(cells));
+    }
+  });
   return records;
 }
 

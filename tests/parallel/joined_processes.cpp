@@ -6,7 +6,9 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <new>
 #include <span>
+#include <stdexcept>
 #include <string_view>
 
 #include <mpi.h>
@@ -82,6 +84,29 @@ bool mistakes_are_common() {
   return false;
 }
 
+/// Whether a failure of the first process alone, where it writes for all, is thrown on all of them as the same kind.
+template <class Failure>
+bool is_thrown_on_all(const Failure& failure) {
+  bool has_written = false;
+  try {
+    parallel::done_by_first([&] {
+      has_written = true;
+      throw failure;
+    });
+  } catch (const Failure& error) {
+    return std::string_view(error.what()) == failure.what() && has_written == (parallel::rank() == 0);
+  }
+  return false;
+}
+
+bool failures_of_the_first_are_common() {
+  parallel::done_by_first([] {});
+  return is_thrown_on_all(breccia::FileError("no space left")) && is_thrown_on_all(breccia::InputError("in the way")) &&
+         is_thrown_on_all(breccia::NumericalError("no convergence")) &&
+         is_thrown_on_all(breccia::Interrupted("enough")) && is_thrown_on_all(std::bad_alloc()) &&
+         is_thrown_on_all(std::runtime_error("something else"));
+}
+
 }  // namespace
 
 int main() {
@@ -99,6 +124,7 @@ int main() {
 
   bool holds = expect(memory_is_common(), "common memory does not hold what others have written");
   holds = expect(mistakes_are_common(), "a mistake of one process is not thrown on all") && holds;
+  holds = expect(failures_of_the_first_are_common(), "a failure of the first process is not thrown on all") && holds;
   holds = expect(parallel::made_by_all([] { return 7; }) == 7, "what all have made is not returned") && holds;
   holds =
       expect(is_joined<2>(

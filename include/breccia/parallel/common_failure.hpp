@@ -1,30 +1,49 @@
 #pragma once
 
+#include <exception>
 #include <optional>
-#include <string>
 #include <utility>
-
-#include "breccia/error.hpp"
 
 namespace breccia::parallel {
 
-/// Throws InputError on all processes of the group with the message of the first process that has one; returns if none
-/// has. Each process must call the function.
-void throw_if_any(const std::optional<std::string>& mistake);
+/// Throws on all processes of the group where one of them has failed: its own failure on a process that has one, and on
+/// the others an Error of the same kind and with the same message as that of the first that has failed. So none waits
+/// for a process that has stopped. Each process must call the function; MPI is started under mpirun.
+void throw_together(const std::exception_ptr& failure);
 
-/// Returns make() on each process of the group. If it throws InputError on some of them, all throw the error of the
-/// first of these, so that none waits for a process that has stopped. Each process must call the function.
+/// Runs an action that may fail on some processes of the group only, and fails on all if it fails on one. Each process
+/// must call the function.
+template <class Action>
+void do_together(const Action& action) {
+  std::exception_ptr failure;
+  try {
+    action();
+  } catch (...) {
+    failure = std::current_exception();
+  }
+  throw_together(failure);
+}
+
+/// What make() returns on each process of the group; fails on all if it fails on one. Each process must call the
+/// function.
 template <class Make>
 [[nodiscard]] auto made_by_all(const Make& make) {
   std::optional<decltype(make())> made;
-  std::optional<std::string> mistake;
-  try {
-    made.emplace(make());
-  } catch (const InputError& error) {
-    mistake = error.what();
-  }
-  throw_if_any(mistake);
+  do_together([&] { made.emplace(make()); });
   return *std::move(made);
+}
+
+/// Whether this is the first process of the group. Starts MPI under mpirun, where each process counts as the first one
+/// until MPI has started.
+[[nodiscard]] bool is_first_of_group();
+
+/// Runs an action, such as writing a file, on the first process of the group only; if it fails there, fails on all.
+/// Each process must call the function.
+template <class Action>
+void done_by_first(const Action& action) {
+  do_together([&] {
+    if (is_first_of_group()) action();
+  });
 }
 
 }  // namespace breccia::parallel
