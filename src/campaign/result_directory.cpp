@@ -39,22 +39,60 @@ std::vector<std::string> names_of_stages(const Study& study) {
   return names;
 }
 
+bool is_among(const std::vector<std::string>& names, std::string_view name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+/// The names that the results of a study have, and those of a sweep that they replace.
+ResultNames names_of_results() {
+  return {"study.json",
+          [](std::string_view name) { return is_file_of_a_study(name) || is_among(files_of_a_sweep(), name); }};
+}
+
 /// The files that Breccia has written to a directory, relative to it.
 std::vector<std::string> own_files(const fs::path& directory, const StudyRecord& record) {
   auto names = record.is_ours ? study_files_in(directory, record.stages) : std::vector<std::string>();
   if (!holds_sweep(directory)) return names;
   for (auto& name : sweep_files_in(directory)) {
-    if (std::ranges::find(names, name) == names.end()) names.push_back(std::move(name));
+    if (!is_among(names, name)) names.push_back(std::move(name));
   }
   return names;
 }
 
+/// What Breccia has written to a results directory. A replacement that was interrupted counts as complete, since it is
+/// completed once there are no objections.
+struct Contents {
+  StudyRecord results, unfinished;
+  fs::path record;                     ///< the file of the results' record
+  std::vector<std::string> own_files;  ///< relative to the directory
+  bool holds_sweep = false;
+};
+
+Contents contents_of(const Study& study, const fs::path& directory) {
+  const auto unfinished = unfinished_in(directory);
+  Contents contents = {.results = read_study_record(directory),
+                       .unfinished = read_study_record(unfinished),
+                       .record = directory / "study.json",
+                       .own_files = {},
+                       .holds_sweep = holds_sweep(directory)};
+  contents.own_files = own_files(directory, contents.results);
+  const auto replaced = files_of_replacement(directory, names_of_results());
+  const bool is_complete = contents.unfinished.is_complete_run_of(study);
+  if (replaced.empty() && !is_complete) return contents;
+  contents.holds_sweep = contents.holds_sweep && !is_complete && !is_among(replaced, "sweep.json");
+  std::ranges::copy(replaced, std::back_inserter(contents.own_files));
+  if (contents.unfinished.is_ours) {
+    contents.results = std::exchange(contents.unfinished, {});
+    contents.record = unfinished / "study.json";
+  }
+  return contents;
+}
+
 /// An objection to each file that a run would replace and that Breccia did not write.
-Objections objections_to_foreign_files(const Study& study, const fs::path& directory, const StudyRecord& record) {
-  const auto ours = own_files(directory, record);
+Objections objections_to_foreign_files(const Study& study, const fs::path& directory, const Contents& contents) {
   Objections foreign;
   for (const auto& name : study_files_in(directory, names_of_stages(study))) {
-    if (std::ranges::find(ours, name) != ours.end()) continue;
+    if (is_among(contents.own_files, name)) continue;
     foreign.push_back({fmt::format("{}: the results would replace this file, which Breccia did not write",
                                    (directory / name).string())});
   }
@@ -65,13 +103,8 @@ Objections objections_to_foreign_files(const Study& study, const fs::path& direc
 /// the record may be missing: a run that was killed while it cleared the directory may have left any of the files.
 bool may_be_ours(const fs::path& unfinished, const std::string& name) {
   if (!fs::is_regular_file(fs::symlink_status(unfinished / name))) return false;
-  const fs::path path(name);
-  if (path.has_parent_path()) {
-    return !path.parent_path().has_parent_path() && is_file_of_a_stage(path.filename().string());
-  }
-  const auto known = files_of_a_study();
-  if (path.extension() == ".json") return is_record_of_breccia(unfinished / name);
-  return std::ranges::find(known, name) != known.end();
+  if (!is_file_of_a_study(name)) return false;
+  return fs::path(name).extension() != ".json" || is_record_of_breccia(unfinished / name);
 }
 
 /// An objection to each file in `unfinished` that Breccia did not write.
@@ -88,16 +121,38 @@ Objections objections_to_foreign_unfinished(const fs::path& directory) {
   return foreign;
 }
 
+Objections without_remedy(const std::vector<std::string>& problems) {
+  Objections objections;
+  for (const auto& problem : problems) objections.push_back({problem, Remedy::none});
+  return objections;
+}
+
+/// An objection to each symbolic link below the directory through which files elsewhere would be written or removed.
+Objections objections_to_links(const Study& study, const fs::path& directory, const Contents& contents) {
+  auto stages = names_of_stages(study);
+  for (const auto* record : {&contents.results, &contents.unfinished}) {
+    std::ranges::copy(record->stages, std::back_inserter(stages));
+  }
+  auto names = study_files_in(directory, stages);
+  std::ranges::copy(contents.own_files, std::back_inserter(names));
+  for (const auto& stage : stages) {
+    names.push_back(stage);
+    names.push_back((fs::path(unfinished_directory) / stage).string());
+  }
+  names.emplace_back(unfinished_directory);
+  return without_remedy(mistakes_of_links(directory, names));
+}
+
 /// An objection if the results of a study would replace one of its input files.
-Objections objections_to_inputs(const Study& study, const fs::path& directory) {
-  auto names = own_files(directory, read_study_record(directory));
+Objections objections_to_inputs(const Study& study, const fs::path& directory, const Contents& contents) {
+  auto names = contents.own_files;
   std::ranges::copy(study_files_in(directory, names_of_stages(study)), std::back_inserter(names));
   std::ranges::sort(names);
   names.erase(std::unique(names.begin(), names.end()), names.end());
   try {
     refuse_to_replace(directory, names, study.provenance.inputs);
   } catch (const InputError& error) {
-    return {{error.what(), Remedy::none}};
+    return without_remedy({error.what()});
   }
   return {};
 }
@@ -142,17 +197,17 @@ void remove_unfinished(const fs::path& directory) {
   remove_if_empty(unfinished);
 }
 
-Objections objections_to_sweep(const fs::path& directory) {
-  if (!holds_sweep(directory)) return {};
+Objections objections_to_sweep(const fs::path& directory, const Contents& contents) {
+  if (!contents.holds_sweep) return {};
   return {{fmt::format("{}: here are the results of a sweep", directory.string()), Remedy::replacing}};
 }
 
-Objections objections_to_resuming(const Study& study, const fs::path& directory) {
-  const auto record = read_study_record(directory);
-  if (record.is_of(study) || read_study_record(unfinished_in(directory)).is_of(study)) return {};
+Objections objections_to_resuming(const Study& study, const fs::path& directory, const Contents& contents) {
+  const auto& record = contents.results;
+  if (record.is_of(study) || contents.unfinished.is_of(study)) return {};
   if (!record.is_ours) {
-    auto objections = objections_to_foreign_files(study, directory, record);
-    return objections.empty() ? objections_to_sweep(directory) : objections;
+    auto objections = objections_to_foreign_files(study, directory, contents);
+    return objections.empty() ? objections_to_sweep(directory, contents) : objections;
   }
   return {{fmt::format("{}: cannot resume from these results: {}", directory.string(), difference(record, study)),
            Remedy::not_resuming}};
@@ -162,18 +217,26 @@ Objections objections_to_resuming(const Study& study, const fs::path& directory)
 bool may_be_replaced(const fs::path& record, const RunOptions& options) {
   if (options.overwrite) return true;
   return !options.replaceable.empty() && is_record_of_breccia(record) &&
-         std::ranges::find(options.replaceable, content_hash(read_text(record))) != options.replaceable.end();
+         is_among(options.replaceable, content_hash(read_text(record)));
 }
 
-Objections objections_to_replacing(const Study& study, const fs::path& directory, const RunOptions& options) {
-  for (const auto& place : {directory, unfinished_in(directory)}) {
-    const auto record = read_study_record(place);
-    if (!record.has_tests || record.is_of(study) || may_be_replaced(place / "study.json", options)) continue;
-    return {{fmt::format("{}: here are {}results of another study: {}", place.string(),
-                         record.is_complete ? "complete " : "", difference(record, study)),
-             Remedy::replacing}};
-  }
-  return may_be_replaced(directory / "sweep.json", options) ? Objections() : objections_to_sweep(directory);
+/// The objection to replacing the results of a record that are in a directory or in its `unfinished`.
+Objections objections_to_replacing(const Study& study, const fs::path& place, const StudyRecord& record,
+                                   const fs::path& file, const RunOptions& options) {
+  if (!record.has_tests || record.is_of(study) || may_be_replaced(file, options)) return {};
+  return {{fmt::format("{}: here are {}results of another study: {}", place.string(),
+                       record.is_complete ? "complete " : "", difference(record, study)),
+           Remedy::replacing}};
+}
+
+Objections objections_to_replacing(const Study& study, const fs::path& directory, const Contents& contents,
+                                   const RunOptions& options) {
+  auto objections = objections_to_replacing(study, directory, contents.results, contents.record, options);
+  if (!objections.empty()) return objections;
+  const auto unfinished = unfinished_in(directory);
+  objections = objections_to_replacing(study, unfinished, contents.unfinished, unfinished / "study.json", options);
+  if (!objections.empty() || may_be_replaced(directory / "sweep.json", options)) return objections;
+  return objections_to_sweep(directory, contents);
 }
 
 void refuse_objections(const Study& study, const fs::path& directory, const RunOptions& options) {
@@ -204,7 +267,7 @@ fs::path directory_to_begin_in(const fs::path& directory) {
 }  // namespace
 
 void finish_interrupted_replacement(const Study& study, const fs::path& directory) {
-  finish_replacement(directory);
+  finish_replacement(directory, names_of_results());
   const auto unfinished = unfinished_in(directory);
   const auto record = read_study_record(unfinished);
   if (!record.is_of(study)) return;
@@ -214,12 +277,6 @@ void finish_interrupted_replacement(const Study& study, const fs::path& director
     // An interrupted run of the same study was to replace these results, with the same bits.
     remove_unfinished(directory);
   }
-}
-
-void lock_and_finish_interrupted_replacement(const Study& study, const fs::path& directory) {
-  if (is_missing_or_empty(directory)) return;
-  const DirectoryLock lock(directory);
-  finish_interrupted_replacement(study, directory);
 }
 
 std::vector<std::string> hashes_of_records_in(const fs::path& directory) {
@@ -232,31 +289,35 @@ std::vector<std::string> hashes_of_records_in(const fs::path& directory) {
 }
 
 Objections objections_to(const Study& study, const fs::path& directory, const RunOptions& options) {
-  for (auto objections : {objections_to_inputs(study, directory), objections_to_foreign_unfinished(directory)}) {
+  const auto contents = contents_of(study, directory);
+  for (auto objections :
+       {objections_to_links(study, directory, contents),
+        without_remedy(mistakes_of_replacement(directory, names_of_results())),
+        objections_to_inputs(study, directory, contents), objections_to_foreign_unfinished(directory)}) {
     if (!objections.empty()) return objections;
   }
   if (options.resume) {
-    auto objections = objections_to_resuming(study, directory);
+    auto objections = objections_to_resuming(study, directory, contents);
     const bool begins_anew =
-        may_be_replaced(directory / "study.json", options) || may_be_replaced(directory / "sweep.json", options);
+        may_be_replaced(contents.record, options) || may_be_replaced(directory / "sweep.json", options);
     if (objections.empty() || !begins_anew) return objections;
   }
-  auto objections = objections_to_foreign_files(study, directory, read_study_record(directory));
-  return objections.empty() ? objections_to_replacing(study, directory, options) : objections;
+  auto objections = objections_to_foreign_files(study, directory, contents);
+  return objections.empty() ? objections_to_replacing(study, directory, contents, options) : objections;
 }
 
 fs::path directory_to_run_in(const Study& study, const fs::path& directory, const RunOptions& options) {
-  finish_interrupted_replacement(study, directory);
   refuse_objections(study, directory, options);
-  if (options.resume && objections_to_resuming(study, directory).empty()) {
+  finish_interrupted_replacement(study, directory);
+  if (options.resume && objections_to_resuming(study, directory, contents_of(study, directory)).empty()) {
     return directory_to_resume_in(study, directory);
   }
   return directory_to_begin_in(directory);
 }
 
 fs::path directory_to_pack_in(const Study& study, const fs::path& directory, const RunOptions& options) {
-  finish_interrupted_replacement(study, directory);
   refuse_objections(study, directory, options);
+  finish_interrupted_replacement(study, directory);
   const auto record = read_study_record(directory);
   const bool has_tests_of_this = record.has_tests && record.is_of(study);
   if (options.resume || has_tests_of_this) return directory_to_resume_in(study, directory);
@@ -267,7 +328,7 @@ void put_in_place(const Study& study, const fs::path& written, const fs::path& d
   if (written == directory) return;
   remove_partial_files(study, written);
   try {
-    replace_results(directory, own_files(directory, read_study_record(directory)), "study.json");
+    replace_results(directory, own_files(directory, read_study_record(directory)), names_of_results());
   } catch (const FileError& error) {
     if (is_being_replaced(directory)) throw;
     throw FileError(fmt::format("{}; the new results are in {}", error.what(), written.string()));

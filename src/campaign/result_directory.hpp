@@ -10,9 +10,9 @@
 namespace breccia {
 
 /// The directory to which a run writes until its results are complete: the directory of the results, or its
-/// subdirectory `unfinished` if earlier results are kept until then. Completes an interrupted replacement first; a run
-/// that starts anew also removes the files of an earlier run that has finished nothing. Throws ForeignResults with
-/// the objections_to() it. The caller must hold the DirectoryLock.
+/// subdirectory `unfinished` if earlier results are kept until then. Throws ForeignResults with the objections_to() it
+/// before any change; then completes an interrupted replacement. A run that starts anew also removes the files of an
+/// earlier run that has finished nothing. The caller must hold the DirectoryLock.
 std::filesystem::path directory_to_run_in(const Study& study, const std::filesystem::path& directory,
                                           const RunOptions& options);
 
@@ -29,15 +29,12 @@ void put_in_place(const Study& study, const std::filesystem::path& written, cons
 /// must hold the DirectoryLock.
 void finish_interrupted_replacement(const Study& study, const std::filesystem::path& directory);
 
-/// The same for a directory that is not locked yet. Does nothing if it does not exist. Throws DirectoryInUse if another
-/// process writes to it.
-void lock_and_finish_interrupted_replacement(const Study& study, const std::filesystem::path& directory);
-
 /// Hashes of the records of all earlier results in a directory and in its `unfinished`, by which a sweep recognises
 /// them (RunOptions::replaceable).
 std::vector<std::string> hashes_of_records_in(const std::filesystem::path& directory);
 
-/// The reasons why a run must neither resume the results in a directory nor replace them; none if it may.
+/// The reasons why a run must neither resume the results in a directory nor replace them; none if it may. A replacement
+/// that was interrupted counts as complete. Changes nothing.
 std::vector<Objection> objections_to(const Study& study, const std::filesystem::path& directory,
                                      const RunOptions& options);
 

@@ -23,6 +23,7 @@ namespace {
 void finish_killed_run(const Study& study, const std::filesystem::path& directory) {
   if (is_missing_or_empty(directory)) return;
   const DirectoryLock lock(directory);
+  if (!objections_to(study, directory, {.resume = true}).empty()) return;  // a run will refuse them
   finish_interrupted_replacement(study, directory);
   if (!time_of_complete_run(study, directory)) return;
   remove_partial_files(study, directory);

@@ -11,7 +11,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "breccia/io/empty_directory.hpp"
 #include "breccia/io/foreign_results.hpp"
+#include "breccia/io/replacement.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/parallel/common_failure.hpp"
 #include "breccia/parallel/session.hpp"
@@ -97,6 +99,14 @@ std::optional<Objection> objection_to_tables(const Sweep& sweep, const fs::path&
   return Objection{fmt::format("{}: here are the results of another sweep", directory.string()), Remedy::adding};
 }
 
+/// The names of the tasks' directories; none for a single task, which has that of the results.
+std::vector<std::string> names_of_tasks(const Sweep& sweep) {
+  std::vector<std::string> names;
+  std::ranges::transform(sweep.tasks, std::back_inserter(names), &SweepTask::name);
+  std::erase(names, "");
+  return names;
+}
+
 /// An objection to each task that is not as the deck gives it: neither its name nor its hash would tell what it is.
 std::vector<Objection> objections_to_changed_tasks(const Sweep& sweep) {
   std::vector<Objection> objections;
@@ -132,7 +142,9 @@ std::unique_ptr<DirectoryLock> hold_sweep_directory(const Sweep& sweep, const fs
   parallel::done_by_first([&] {
     lock = std::make_unique<DirectoryLock>(directory);
     for (const auto& task : sweep.tasks) {
-      lock_and_finish_interrupted_replacement(task.study, task.directory_in(directory));
+      const auto of_task = task.directory_in(directory);
+      if (is_missing_or_empty(of_task)) continue;
+      const DirectoryLock lock_of_task(of_task);  // for a moment
     }
   });
   return lock;
@@ -142,6 +154,9 @@ void refuse_objections(const Sweep& sweep, const fs::path& directory, const RunO
   auto objections = objections_to_changed_tasks(sweep);
   if (!sweep.keys.empty()) {
     if (auto objection = objection_to_tables(sweep, directory, options)) objections.push_back(*std::move(objection));
+  }
+  for (const auto& mistake : mistakes_of_links(directory, names_of_tasks(sweep))) {
+    objections.push_back({mistake, Remedy::none});
   }
   const auto options_of = options_of_tasks(sweep, directory, options);
   for (std::size_t i = 0; i < sweep.tasks.size(); ++i) {

@@ -27,20 +27,34 @@ namespace fs = std::filesystem;
 constexpr auto removing_list = "removing.list";
 constexpr auto moving_list = "moving.list";
 
-/// Whether a relative name refers to something within its directory.
-bool stays_within(const fs::path& name) {
-  return !name.empty() && name.is_relative() && std::ranges::find(name, "..") == name.end();
+/// The lines of a list; nothing where it is no regular file, such as a link.
+std::vector<std::string> names_in(const fs::path& list) {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  if (!fs::is_regular_file(fs::symlink_status(list, ignored))) return names;
+  std::istringstream text(read_text(list));
+  for (std::string line; std::getline(text, line);) names.push_back(line);
+  return names;
 }
 
-/// The names in a list. Throws FileError if the list was not written by replace_results().
-std::vector<std::string> names_in(const fs::path& list) {
-  std::istringstream text(read_text(list));
-  std::vector<std::string> names;
-  for (std::string line; std::getline(text, line);) names.push_back(line);
-  if (names.empty() || !std::ranges::all_of(names, stays_within)) {
-    throw FileError(fmt::format("{}: not as Breccia writes it; remove it", list.string()));
+/// The lists that a replacement has left in a directory, the one to be carried out first.
+std::vector<fs::path> lists_in(const fs::path& directory) {
+  std::vector<fs::path> lists = {directory / unfinished_directory / removing_list,
+                                 directory / unfinished_directory / moving_list};
+  std::error_code ignored;
+  std::erase_if(lists, [&](const fs::path& list) { return !fs::exists(fs::symlink_status(list, ignored)); });
+  return lists;
+}
+
+/// The first symbolic link in the path of a relative name below a directory; empty if there is none.
+fs::path first_link(const fs::path& directory, const fs::path& name) {
+  auto path = directory;
+  std::error_code ignored;
+  for (const auto& step : name) {
+    path /= step;
+    if (fs::is_symlink(fs::symlink_status(path, ignored))) return path;
   }
-  return names;
+  return {};
 }
 
 /// Moves a file, also to another disk: a directory of results may be a symbolic link.
@@ -101,6 +115,13 @@ std::vector<fs::path> parents_of(const fs::path& directory, std::span<const std:
   return {parents.begin(), parents.end()};
 }
 
+/// The files in `unfinished` that have names of the results.
+std::vector<std::string> new_files(const fs::path& directory, const ResultNames& names) {
+  auto files = unfinished_files(directory);
+  std::erase_if(files, [&](const std::string& name) { return !names.has(name); });
+  return files;
+}
+
 /// The first step: removes the old files, the record first.
 void remove_old(const fs::path& directory) {
   const auto unfinished = directory / unfinished_directory;
@@ -111,14 +132,12 @@ void remove_old(const fs::path& directory) {
 }
 
 /// The second step: moves the new files, the record last.
-void move_new(const fs::path& directory) {
+void move_new(const fs::path& directory, const ResultNames& results) {
   const auto unfinished = directory / unfinished_directory;
-  const auto record = names_in(unfinished / moving_list).front();
   remove_partial_files(unfinished, is_replacement_list);
-  auto names = files_below(unfinished);
-  std::stable_partition(names.begin(), names.end(), [&](const std::string& name) { return name != record; });
+  auto names = new_files(directory, results);
+  std::stable_partition(names.begin(), names.end(), [&](const std::string& name) { return name != results.record; });
   for (const auto& name : names) {
-    if (!stays_within(name)) throw FileError(fmt::format("{}: cannot move it", (unfinished / name).string()));
     make_directory((directory / name).parent_path());
     move_file(unfinished / name, directory / name);
   }
@@ -127,30 +146,79 @@ void move_new(const fs::path& directory) {
   remove_if_empty(unfinished);
 }
 
-}  // namespace
-
-void replace_results(const fs::path& directory, std::span<const std::string> old_files, const std::string& record) {
-  const auto unfinished = directory / unfinished_directory;
-  if (!fs::is_regular_file(status_of(unfinished / record))) {
-    throw FileError(fmt::format("{}: has disappeared, so nothing is replaced", (unfinished / record).string()));
-  }
+/// The reasons, one line each, why old files of a directory must not be replaced by those in `unfinished`.
+std::vector<std::string> mistakes_of_change(const fs::path& directory, std::span<const std::string> old_files,
+                                            const ResultNames& names) {
+  std::vector<std::string> paths(old_files.begin(), old_files.end());
   std::vector<std::string> foreign;
-  for (const auto& name : files_below(unfinished)) {
+  for (const auto& name : new_files(directory, names)) {
+    paths.push_back(name);
+    paths.push_back((fs::path(unfinished_directory) / name).string());
     const bool is_ours =
         std::ranges::find(old_files, name) != old_files.end() && !fs::is_directory(status_of(directory / name));
     std::error_code ignored;
     if (!is_ours && fs::exists(fs::symlink_status(directory / name, ignored)))
       foreign.push_back((directory / name).string());
   }
+  auto mistakes = mistakes_of_links(directory, paths);
   if (!foreign.empty()) {
-    throw FileError(fmt::format("{}: not written by Breccia, so it is not replaced", fmt::join(foreign, ", ")));
+    mistakes.push_back(fmt::format("{}: not written by Breccia, so it is not replaced", fmt::join(foreign, ", ")));
   }
-  auto list = record + "\n";
+  return mistakes;
+}
+
+}  // namespace
+
+void replace_results(const fs::path& directory, std::span<const std::string> old_files, const ResultNames& names) {
+  const auto unfinished = directory / unfinished_directory;
+  if (!fs::is_regular_file(status_of(unfinished / names.record))) {
+    throw FileError(fmt::format("{}: has disappeared, so nothing is replaced", (unfinished / names.record).string()));
+  }
+  if (const auto mistakes = mistakes_of_change(directory, old_files, names); !mistakes.empty()) {
+    throw FileError(fmt::format("{}", fmt::join(mistakes, "\n")));
+  }
+  auto list = names.record + "\n";
   for (const auto& name : old_files) {
-    if (name != record) list += name + "\n";
+    if (name != names.record) list += name + "\n";
   }
   write_text(unfinished / removing_list, list);
-  finish_replacement(directory);
+  finish_replacement(directory, names);
+}
+
+std::vector<std::string> mistakes_of_links(const fs::path& directory, std::span<const std::string> names) {
+  std::set<std::string> links;
+  for (const auto& name : names) {
+    if (const auto link = first_link(directory, name); !link.empty()) links.insert(link.string());
+  }
+  std::vector<std::string> mistakes;
+  for (const auto& link : links) {
+    mistakes.push_back(
+        fmt::format("{}: a symbolic link, through which files elsewhere would be written or removed; remove it", link));
+  }
+  return mistakes;
+}
+
+std::vector<std::string> mistakes_of_replacement(const fs::path& directory, const ResultNames& names) {
+  const auto lists = lists_in(directory);
+  std::vector<std::string> mistakes;
+  for (const auto& list : lists) {
+    const auto listed = names_in(list);
+    if (listed.empty() || listed.front() != names.record || !std::ranges::all_of(listed, names.has)) {
+      mistakes.push_back(fmt::format("{}: not as Breccia writes it here; remove it", list.string()));
+    }
+  }
+  if (lists.empty() || !mistakes.empty()) return mistakes;
+  return mistakes_of_change(directory, names_in(lists.front()), names);
+}
+
+std::vector<std::string> files_of_replacement(const fs::path& directory, const ResultNames& names) {
+  const auto lists = lists_in(directory);
+  if (lists.empty()) return {};
+  auto files = new_files(directory, names);
+  for (const auto& name : names_in(lists.front())) {
+    if (names.has(name)) files.push_back(name);
+  }
+  return files;
 }
 
 std::optional<fs::path> results_with_unfinished(const fs::path& directory) {
@@ -175,13 +243,18 @@ bool is_being_replaced(const fs::path& directory) {
 
 std::vector<std::string> unfinished_files(const fs::path& directory) {
   const auto unfinished = directory / unfinished_directory;
-  return fs::is_directory(status_of(unfinished)) ? files_below(unfinished) : std::vector<std::string>();
+  std::error_code ignored;
+  return fs::is_directory(fs::symlink_status(unfinished, ignored)) ? files_below(unfinished)
+                                                                   : std::vector<std::string>();
 }
 
-void finish_replacement(const fs::path& directory) {
+void finish_replacement(const fs::path& directory, const ResultNames& names) {
+  if (const auto mistakes = mistakes_of_replacement(directory, names); !mistakes.empty()) {
+    throw FileError(fmt::format("{}", fmt::join(mistakes, "\n")));
+  }
   const auto unfinished = directory / unfinished_directory;
   if (fs::is_regular_file(status_of(unfinished / removing_list))) remove_old(directory);
-  if (fs::is_regular_file(status_of(unfinished / moving_list))) move_new(directory);
+  if (fs::is_regular_file(status_of(unfinished / moving_list))) move_new(directory, names);
 }
 
 }  // namespace breccia

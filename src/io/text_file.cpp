@@ -135,7 +135,8 @@ void remove_partial_files(const std::filesystem::path& directory,
     auto name = entry->path().filename().string();
     const auto whole = whole_name(name);
     if (whole.empty() || !is_known(whole)) continue;
-    if (std::filesystem::is_regular_file(status_of(entry->path()))) names.push_back(std::move(name));
+    // A link of such a name would have a file elsewhere written.
+    if (!std::filesystem::is_directory(entry->symlink_status(is_missing))) names.push_back(std::move(name));
   }
   remove_files(directory, names);
 }

@@ -25,6 +25,13 @@ ForeignResults refusal(const std::string& problem, Remedy remedy) {
   return ForeignResults(std::vector{Objection{problem, remedy}});
 }
 
+/// Throws ForeignResults if there are mistakes, which say themselves what helps.
+void refuse_all(const std::vector<std::string>& mistakes) {
+  std::vector<Objection> objections;
+  for (const auto& mistake : mistakes) objections.push_back({mistake, Remedy::none});
+  if (!objections.empty()) throw ForeignResults(std::move(objections));
+}
+
 bool is_of_breccia(const Json& record) {
   return record.is_object() && record.value("program", Json()) == "breccia";
 }
@@ -47,16 +54,16 @@ WholeResults::WholeResults(fs::path directory, ResultsOrigin origin)
       directory_(std::move(directory)),
       origin_(std::move(origin)),
       place_(directory_ / unfinished_directory) {
-  finish_replacement(directory_);
+  refuse_links();
   refuse_others();
   refuse_directories();
   refuse_foreign_unfinished();
+  refuse_all(mistakes_of_replacement(directory_, names()));
+  finish_replacement(directory_, names());
   make_directory(place_);
   try {
-    remove_partial_files(place_, [this](std::string_view name) {
-      return name == record_name() || is_replacement_list(name) ||
-             std::ranges::find(origin_.files, name) != origin_.files.end();
-    });
+    remove_partial_files(place_,
+                         [this](std::string_view name) { return is_own_file(name) || is_replacement_list(name); });
     // The record is written first: it identifies the files that a killed command leaves.
     write_record();
     remove_files(place_, origin_.files);
@@ -83,14 +90,31 @@ void WholeResults::remove_place() const noexcept {
   remove_if_empty(place_);
 }
 
+bool WholeResults::is_own_file(std::string_view name) const {
+  return name == record_name() || std::ranges::find(origin_.files, name) != origin_.files.end();
+}
+
+ResultNames WholeResults::names() const {
+  return {record_name(), [this](std::string_view name) { return is_own_file(name); }};
+}
+
+void WholeResults::refuse_links() const {
+  auto paths = origin_.files;
+  paths.push_back(record_name());
+  paths.emplace_back(unfinished_directory);
+  refuse_all(mistakes_of_links(directory_, paths));
+}
+
 void WholeResults::refuse_others() const {
-  for (const auto* record : {"study.json", "sweep.json"}) {
-    if (!fs::exists(status_of(directory_ / record))) continue;
-    throw refusal(
-        fmt::format("{}: here are the results of a {}", directory_.string(), fs::path(record).stem().string()),
-        Remedy::another_directory);
+  for (const auto& record : {directory_ / "study.json", directory_ / "sweep.json", place_ / "study.json"}) {
+    if (!fs::exists(status_of(record))) continue;
+    throw refusal(fmt::format("{}: here are the results of a {}", directory_.string(), record.stem().string()),
+                  Remedy::another_directory);
   }
-  const auto record = directory_ / record_name();
+  // A replacement that was interrupted is completed after all objections: its files count as if they were in place.
+  const auto replaced = files_of_replacement(directory_, names());
+  const bool is_record_new = !replaced.empty() && fs::exists(status_of(place_ / record_name()));
+  const auto record = (is_record_new ? place_ : directory_) / record_name();
   if (fs::is_regular_file(status_of(record))) {
     const auto json = Json::parse(read_text(record), nullptr, false);
     const bool is_ours = is_of_breccia(json);
@@ -106,7 +130,8 @@ void WholeResults::refuse_others() const {
   }
   std::vector<std::string> foreign;
   for (const auto& name : origin_.files) {
-    if (fs::exists(status_of(directory_ / name))) foreign.push_back(name);
+    const bool is_ours = std::ranges::find(replaced, name) != replaced.end();
+    if (!is_ours && fs::exists(status_of(directory_ / name))) foreign.push_back(name);
   }
   if (fs::exists(status_of(record))) foreign.push_back(record_name());
   if (foreign.empty()) return;
@@ -131,8 +156,8 @@ void WholeResults::refuse_foreign_unfinished() const {
                           is_of_breccia(Json::parse(read_text(place_ / record_name()), nullptr, false));
   std::vector<std::string> foreign;
   for (const auto& name : files) {
-    const bool is_ours = name == record_name() || std::ranges::find(origin_.files, name) != origin_.files.end();
-    if (!has_record || !is_ours) foreign.push_back((place_ / name).string());
+    const bool is_file = fs::is_regular_file(fs::symlink_status(place_ / name));
+    if (!has_record || !is_file || !is_own_file(name)) foreign.push_back((place_ / name).string());
   }
   if (foreign.empty()) return;
   throw InputError(
@@ -152,7 +177,7 @@ void WholeResults::write_record() const {
 void WholeResults::commit() {
   auto old = origin_.files;
   old.push_back(record_name());
-  replace_results(directory_, old, record_name());
+  replace_results(directory_, old, names());
 }
 
 }  // namespace breccia

@@ -7,6 +7,7 @@
 
 #include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/io/replacement.hpp"
+#include "breccia/io/safe_name.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/results/field_files.hpp"
 #include "breccia/results/history_file.hpp"
@@ -30,6 +31,13 @@ bool is_among(const std::vector<std::string>& names, std::string_view name) {
 bool is_file_of_a_stage(std::string_view name) {
   return std::ranges::find(stage_files, name) != stage_files.end() || is_history(name) || is_of_fields(name) ||
          is_checkpoint_file(name);
+}
+
+bool is_file_of_a_study(std::string_view name) {
+  const auto slash = name.find('/');
+  if (slash == std::string_view::npos) return is_among(files_of_a_study(), name);
+  const auto stage = name.substr(0, slash), file = name.substr(slash + 1);
+  return is_safe_name(stage) && stage != unfinished_directory && stays_in_directory(file) && is_file_of_a_stage(file);
 }
 
 void remove_partial_study_files(const fs::path& directory) {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/directory_lock.hpp"
+#include "breccia/results/result_files.hpp"
 #include "breccia/results/study_record.hpp"
 
 #include "campaign/deck_study.hpp"
@@ -19,6 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using test::leave;
 using testing::AllOf;
+using testing::AnyOf;
 using testing::EndsWith;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -221,18 +222,55 @@ TEST_F(ResultDirectory, DropsWhatWasToReplaceCompleteResultsOfTheSameStudy) {
   EXPECT_EQ(title_in(unfinished), "mine") << "there is something to go on from";
 }
 
-TEST_F(ResultDirectory, IsLockedBeforeAReplacementIsBroughtToItsEnd) {
-  lock_and_finish_interrupted_replacement(mine, results);
-  EXPECT_FALSE(fs::exists(results)) << "nothing to finish";
+TEST_F(ResultDirectory, IsObjectedToBeforeAListIsCarriedOut) {
   leave(results, other, test::complete_result());
+  leave(unfinished, other, test::complete_result());
+  std::string list = "study.json\n";
+  for (const auto& name : study_files_in(results, {"fine"})) list += name + "\n";
+  write_text(unfinished / "removing.list", list);
+  EXPECT_THAT(refusal(), HasSubstr("here are complete results of another study"));
+  EXPECT_EQ(title_in(results), "other");
+  EXPECT_TRUE(fs::exists(unfinished / "removing.list"));
+  EXPECT_EQ(run_in({.overwrite = true}), unfinished);
+  EXPECT_FALSE(fs::exists(unfinished / "removing.list"));
+}
+
+// A directory from someone else must not reach the files of the user.
+TEST_F(ResultDirectory, CarriesOutNoListOfOthers) {
+  leave(results, mine, test::complete_result());
   leave(unfinished, mine, test::complete_result());
-  {
-    const DirectoryLock lock(results);
-    EXPECT_THROW(lock_and_finish_interrupted_replacement(mine, results), DirectoryInUse);
-    EXPECT_EQ(title_in(results), "other");
+  const auto victim = directory.path() / "victim";
+  write_foreign(victim / "precious.txt");
+  write_foreign(victim / "modulus.svg");
+  write_foreign(results / "notes.txt");
+  fs::create_directory_symlink("../victim", results / "link");
+  for (const auto* list : {"study.json\nlink/precious.txt\n", "study.json\nlink/modulus.svg\n",
+                           "study.json\nnotes.txt\n", "study.json\n../victim/precious.txt\n"}) {
+    write_text(unfinished / "removing.list", list);
+    for (const bool resume : {false, true}) {
+      EXPECT_THAT(refusal({.resume = resume, .overwrite = true}),
+                  AnyOf(HasSubstr("removing.list: not as Breccia writes it"), HasSubstr("link: a symbolic link")));
+    }
+    EXPECT_TRUE(fs::exists(victim / "precious.txt") && fs::exists(victim / "modulus.svg")) << list;
+    EXPECT_TRUE(fs::exists(results / "notes.txt")) << list;
+    EXPECT_EQ(title_in(results), "mine") << list;
   }
-  lock_and_finish_interrupted_replacement(mine, results);
-  EXPECT_EQ(title_in(results), "mine");
+}
+
+TEST_F(ResultDirectory, WritesNothingBeyondALink) {
+  const auto victim = directory.path() / "victim";
+  write_foreign(victim / "modulus.svg");
+  for (const auto& link : {results / "fine", unfinished, unfinished / "fine"}) {
+    leave(results, mine, test::complete_result());
+    leave(unfinished, mine, test::tested_result());
+    fs::remove_all(link);
+    fs::create_directory_symlink(victim, link);
+    for (const bool resume : {false, true}) {
+      EXPECT_THAT(refusal({.resume = resume, .overwrite = true}), HasSubstr(link.string() + ": a symbolic link"));
+    }
+    EXPECT_EQ(read_text(victim / "modulus.svg"), "foreign");
+    fs::remove_all(results);
+  }
 }
 
 TEST_F(ResultDirectory, KnowsItsRecordsByTheirHashes) {

@@ -151,12 +151,20 @@ TEST(DirectoryThatIsALink, RemainsALink) {
   EXPECT_TRUE(fs::is_symlink(study.path() / "out"));
   ASSERT_EQ(study.breccia("run").exit_code, 0);
   EXPECT_TRUE(fs::is_symlink(study.path() / "out"));
-  // The same with a stage, on another disk.
+}
+
+// A directory of results may come from someone else.
+TEST(DirectoryThatIsALink, IsRefusedForAStage) {
+  const StudyDirectory study(test::replaced(std::string(test::good_deck), "cells   = 60", "cells   = 12"));
+  ASSERT_EQ(study.breccia("run").exit_code, 0);
   fs::rename(study.result("A"), study.path() / "stage");
   fs::create_directory_symlink("../stage", study.result("A"));
-  const auto run = study.breccia("run");
-  EXPECT_EQ(run.exit_code, 0) << run.errors;
-  EXPECT_TRUE(fs::is_symlink(study.result("A")));
+  for (const Words& options : {Words{}, {"--overwrite"}}) {
+    const auto run = study.breccia("run", options);
+    EXPECT_EQ(run.exit_code, 2) << run.output;
+    EXPECT_EQ(run.errors,
+              "out/A: a symbolic link, through which files elsewhere would be written or removed; remove it\n");
+  }
   EXPECT_TRUE(fs::exists(study.path() / "stage/microstructure.csv"));
 }
 

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -56,13 +57,17 @@ class Replacement : public testing::Test {
   }
 
   test::TemporaryDirectory place_;
+  const ResultNames names_ = {"study.json", [](std::string_view name) {
+                                return name == "study.json" || name == "curves.csv" || name == "missing.csv" ||
+                                       name.ends_with("/modulus.svg");
+                              }};
   std::vector<std::string> old_ = {"curves.csv", "study.json", "A/modulus.svg", "B/modulus.svg", "missing.csv"};
 };
 
 TEST_F(Replacement, PutsTheNewFilesIntoThePlaceOfTheOld) {
-  replace_results(place_.path(), old_, "study.json");
+  replace_results(place_.path(), old_, names_);
   expect_the_new_results();
-  finish_replacement(place_.path());
+  finish_replacement(place_.path(), names_);
   expect_the_new_results();
 }
 
@@ -71,7 +76,7 @@ TEST_F(Replacement, ResumesFromEveryPointOfInterruption) {
   put("unfinished/removing.list", "study.json\ncurves.csv\nA/modulus.svg\nB/modulus.svg\n");
   put("unfinished/moving.list.17.partial", "stu");
   fs::remove(place_.path() / "study.json");
-  finish_replacement(place_.path());
+  finish_replacement(place_.path(), names_);
   expect_the_new_results();
 }
 
@@ -83,72 +88,109 @@ TEST_F(Replacement, DoesNotRemoveFilesThatAreReplacedAlready) {
   fs::remove(place_.path() / "A");
   put("B/modulus.svg", "new");
   put("unfinished/moving.list", "study.json\ncurves.csv\nA/modulus.svg\nB/modulus.svg\n");
-  finish_replacement(place_.path());
+  finish_replacement(place_.path(), names_);
   expect_the_new_results();
 }
 
 TEST_F(Replacement, CompletesIfOnlyItsListIsLeft) {
-  replace_results(place_.path(), old_, "study.json");
+  replace_results(place_.path(), old_, names_);
   put("unfinished/moving.list", "study.json\n");
   fs::create_directory(place_.path() / "unfinished/B");
-  finish_replacement(place_.path());
+  finish_replacement(place_.path(), names_);
   expect_the_new_results();
 }
 
 TEST_F(Replacement, RefusesListsThatItDidNotWrite) {
   put("../victim.txt", "mine");
-  for (const auto* list : {"study.json\n../victim.txt\n", "/etc/hostname\n", ""}) {
+  put("notes.txt", "mine");
+  for (const auto* list : {"study.json\n../victim.txt\n", "/etc/hostname\n", "", "study.json\nnotes.txt\n",
+                           "study.json\nB/notes.txt\n", "curves.csv\n", "study.json\n\n"}) {
     put("unfinished/removing.list", list);
-    EXPECT_THAT(test::message_of<FileError>([&] { finish_replacement(place_.path()); }),
+    EXPECT_THAT(test::message_of<FileError>([&] { finish_replacement(place_.path(), names_); }),
                 HasSubstr("removing.list: not as Breccia writes it"));
     EXPECT_EQ(read_text(place_.path() / "study.json"), "old");
   }
   fs::remove(place_.path() / "unfinished/removing.list");
   put("unfinished/moving.list", "");
-  EXPECT_THROW(finish_replacement(place_.path()), FileError);
+  EXPECT_THROW(finish_replacement(place_.path(), names_), FileError);
   EXPECT_EQ(read_text(place_.path() / "../victim.txt"), "mine");
   fs::remove(place_.path() / "../victim.txt");
 }
 
 TEST_F(Replacement, DoesNothingIfNoneWasBegun) {
   const auto before = files();
-  finish_replacement(place_.path());
+  finish_replacement(place_.path(), names_);
   EXPECT_EQ(files(), before);
 }
 
 TEST_F(Replacement, TouchesNothingWhereTheNewRecordHasDisappeared) {
   fs::remove(place_.path() / "unfinished/study.json");
   const auto before = files();
-  EXPECT_THAT(test::message_of<FileError>([&] { replace_results(place_.path(), old_, "study.json"); }),
+  EXPECT_THAT(test::message_of<FileError>([&] { replace_results(place_.path(), old_, names_); }),
               HasSubstr("unfinished/study.json: has disappeared"));
   EXPECT_EQ(files(), before);
 }
 
-TEST_F(Replacement, MovesNothingFromBeyondTheDirectory) {
-  const test::TemporaryDirectory elsewhere;
-  elsewhere.write("data.csv", "mine");
-  fs::create_directory(elsewhere.path() / "folder");
-  elsewhere.write("folder/data.csv", "mine");
-  fs::create_symlink(elsewhere.path() / "data.csv", place_.path() / "unfinished/data.csv");
-  fs::create_directory_symlink(elsewhere.path() / "folder", place_.path() / "unfinished/folder");
-  EXPECT_THAT(unfinished_files(place_.path()), testing::IsSupersetOf({"data.csv", "folder"}));
-  put("unfinished/moving.list", "study.json\n");
-  finish_replacement(place_.path());
-  EXPECT_EQ(read_text(elsewhere.path() / "data.csv"), "mine");
-  EXPECT_EQ(read_text(elsewhere.path() / "folder/data.csv"), "mine");
-  EXPECT_TRUE(fs::is_symlink(place_.path() / "data.csv"));
-  EXPECT_FALSE(fs::exists(place_.path() / "unfinished"));
+// A list from someone else may name what is beyond a link.
+TEST_F(Replacement, RemovesNothingBeyondALink) {
+  const test::TemporaryDirectory victim;
+  victim.write("modulus.svg", "mine");
+  fs::create_directory_symlink(victim.path(), place_.path() / "link");
+  put("unfinished/removing.list", "study.json\nlink/modulus.svg\n");
+  EXPECT_THAT(
+      test::message_of<FileError>([&] { finish_replacement(place_.path(), names_); }),
+      HasSubstr((place_.path() / "link").string() + ": a symbolic link, through which files elsewhere would be"));
+  EXPECT_EQ(read_text(victim.path() / "modulus.svg"), "mine");
+  EXPECT_EQ(read_text(place_.path() / "study.json"), "old");
 }
 
-TEST_F(Replacement, KeepsADirectoryThatIsALink) {
-  const test::TemporaryDirectory disk;
-  fs::remove_all(place_.path() / "A");
-  fs::create_directory_symlink(disk.path(), place_.path() / "A");
-  put("A/modulus.svg", "old");
-  put("unfinished/A/modulus.svg", "new");
-  replace_results(place_.path(), old_, "study.json");
-  EXPECT_TRUE(fs::is_symlink(place_.path() / "A"));
-  EXPECT_EQ(read_text(disk.path() / "modulus.svg"), "new");
+TEST_F(Replacement, WritesNothingBeyondALink) {
+  const test::TemporaryDirectory victim;
+  victim.write("modulus.svg", "mine");
+  fs::create_directory_symlink(victim.path(), place_.path() / "link");
+  put("unfinished/moving.list", "study.json\ncurves.csv\nB/modulus.svg\n");
+  fs::create_directory(place_.path() / "unfinished/link");
+  put("unfinished/link/modulus.svg", "new");
+  EXPECT_THROW(finish_replacement(place_.path(), names_), FileError);
+  EXPECT_EQ(read_text(victim.path() / "modulus.svg"), "mine");
+  EXPECT_EQ(read_text(place_.path() / "curves.csv"), "old");
+}
+
+TEST_F(Replacement, MovesNoLinks) {
+  const test::TemporaryDirectory elsewhere;
+  elsewhere.write("data.csv", "mine");
+  fs::remove(place_.path() / "unfinished/curves.csv");
+  fs::create_symlink(elsewhere.path() / "data.csv", place_.path() / "unfinished/curves.csv");
+  fs::create_directory_symlink(elsewhere.path(), place_.path() / "unfinished/folder");
+  EXPECT_THAT(unfinished_files(place_.path()), testing::IsSupersetOf({"curves.csv", "folder"}));
+  for (const auto* list : {"unfinished/removing.list", "unfinished/moving.list"}) {
+    put(list, "study.json\ncurves.csv\nB/modulus.svg\n");
+    EXPECT_THAT(test::message_of<FileError>([&] { finish_replacement(place_.path(), names_); }),
+                HasSubstr("unfinished/curves.csv: a symbolic link"));
+    fs::remove(place_.path() / list);
+  }
+  EXPECT_THROW(replace_results(place_.path(), old_, names_), FileError);
+  EXPECT_EQ(read_text(elsewhere.path() / "data.csv"), "mine");
+  EXPECT_EQ(read_text(place_.path() / "curves.csv"), "old");
+}
+
+TEST_F(Replacement, MovesNoFilesOfOtherNames) {
+  put("unfinished/.bashrc", "bad");
+  put("unfinished/link/.bashrc", "bad");
+  replace_results(place_.path(), old_, names_);
+  EXPECT_FALSE(fs::exists(place_.path() / ".bashrc"));
+  EXPECT_FALSE(fs::exists(place_.path() / "link"));
+  EXPECT_EQ(read_text(place_.path() / "curves.csv"), "new");
+  EXPECT_TRUE(fs::exists(place_.path() / "unfinished/link/.bashrc"));
+}
+
+TEST_F(Replacement, ReplacesNoFileThatItsListDoesNotName) {
+  put("C/modulus.svg", "mine");
+  put("unfinished/removing.list", "study.json\ncurves.csv\nB/modulus.svg\n");
+  EXPECT_THAT(test::message_of<FileError>([&] { finish_replacement(place_.path(), names_); }),
+              HasSubstr("C/modulus.svg: not written by Breccia, so it is not replaced"));
+  EXPECT_EQ(read_text(place_.path() / "C/modulus.svg"), "mine");
+  EXPECT_EQ(read_text(place_.path() / "study.json"), "old");
 }
 
 TEST_F(Replacement, ListsUnfinishedFilesAndTouchesNone) {
@@ -164,7 +206,7 @@ TEST_F(Replacement, ListsUnfinishedFilesAndTouchesNone) {
 TEST_F(Replacement, TouchesNothingWhereAFileIsNotAmongTheOldOnes) {
   put("C/modulus.svg", "mine");
   const auto before = files();
-  EXPECT_THAT(test::message_of<FileError>([&] { replace_results(place_.path(), old_, "study.json"); }),
+  EXPECT_THAT(test::message_of<FileError>([&] { replace_results(place_.path(), old_, names_); }),
               HasSubstr("C/modulus.svg: not written by Breccia"));
   EXPECT_EQ(files(), before);
 }

@@ -15,10 +15,9 @@ namespace breccia {
 std::vector<RunOptions> options_of_tasks(const Sweep& sweep, const std::filesystem::path& directory,
                                          const RunOptions& options);
 
-/// Locks the directory of a sweep during the lifetime of the returned object, and completes interrupted replacements
-/// (finish_replacement) in the directories of its tasks. Returns nullptr on all processes but the first, and for a
-/// single task without a name, which locks the directory itself. Throws DirectoryInUse if another process writes to one
-/// of the directories, and FileError.
+/// Locks the directory of a sweep during the lifetime of the returned object. Returns nullptr on all processes but the
+/// first, and for a single task without a name, which locks the directory itself. Throws DirectoryInUse if another
+/// process writes to it or to the directory of a task, and FileError.
 std::unique_ptr<DirectoryLock> hold_sweep_directory(const Sweep& sweep, const std::filesystem::path& directory);
 
 /// Throws ForeignResults, for all tasks at once, if a study was changed after its deck was read, and if the sweep would

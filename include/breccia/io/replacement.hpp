@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -14,18 +15,35 @@ namespace breccia {
 /// that fails, is killed or fills the disk leaves the earlier results unchanged.
 inline constexpr std::string_view unfinished_directory = "unfinished";
 
-/// Replaces files of a directory by all files of its subdirectory `unfinished`. `old_files` are relative to the
-/// directory; missing ones are ignored. `record` is the file that identifies the results: the old one is removed first,
-/// the new one is moved last. If the process is killed meanwhile, finish_replacement() can complete the work from the
-/// list that remains. Throws FileError before any change if there is no new record or a new file would replace a file
-/// that is not one of `old_files`; throws FileError also if a file cannot be removed or moved. The caller must hold the
-/// DirectoryLock.
-void replace_results(const std::filesystem::path& directory, std::span<const std::string> old_files,
-                     const std::string& record);
+/// The names that results have in their directory.
+struct ResultNames {
+  std::string record;                              ///< of the file that identifies them
+  std::function<bool(std::string_view)> has = {};  ///< whether this is the relative name of one of their files
+};
 
-/// Completes a replacement that was interrupted; does nothing if there is none. The caller must hold the DirectoryLock.
-/// Throws FileError.
-void finish_replacement(const std::filesystem::path& directory);
+/// Replaces files of a directory by the files of its subdirectory `unfinished`. `old_files` are relative to the
+/// directory; missing ones are ignored. The old record is removed first, the new one is moved last. If the process is
+/// killed meanwhile, finish_replacement() can complete the work from a list that it leaves. Throws FileError before any
+/// change if there is no new record, a new file would replace a file that is not one of `old_files`, or a symbolic link
+/// is in the way; throws FileError also if a file cannot be removed or moved. The caller must hold the DirectoryLock.
+void replace_results(const std::filesystem::path& directory, std::span<const std::string> old_files,
+                     const ResultNames& names);
+
+/// Completes a replacement that was interrupted; does nothing if there is none. Removes and moves only files whose
+/// names the results have, and nothing beyond a symbolic link. Throws FileError before any change where there are
+/// mistakes_of_replacement(). The caller must hold the DirectoryLock.
+void finish_replacement(const std::filesystem::path& directory, const ResultNames& names);
+
+/// The reasons, one line each, why a replacement must not be completed: it was not begun by these results, or a
+/// symbolic link below the directory leads elsewhere. Empty if there is no replacement.
+std::vector<std::string> mistakes_of_replacement(const std::filesystem::path& directory, const ResultNames& names);
+
+/// The files that an interrupted replacement still removes from the directory or moves into it, relative to it.
+std::vector<std::string> files_of_replacement(const std::filesystem::path& directory, const ResultNames& names);
+
+/// One line for each symbolic link that the relative names have in their paths below a directory. A directory of
+/// results may be a link itself, but what is below it may come from someone else.
+std::vector<std::string> mistakes_of_links(const std::filesystem::path& directory, std::span<const std::string> names);
 
 /// The directory of results whose `unfinished` is this directory or contains it; nothing for all others. Its
 /// DirectoryLock covers `unfinished`, too.

@@ -2,10 +2,12 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "breccia/io/directory_lock.hpp"
 #include "breccia/io/foreign_results.hpp"
+#include "breccia/io/replacement.hpp"
 
 namespace breccia {
 
@@ -41,6 +43,10 @@ class WholeResults {
 
  private:
   [[nodiscard]] std::string record_name() const { return origin_.command + ".json"; }
+  [[nodiscard]] bool is_own_file(std::string_view name) const;
+  [[nodiscard]] ResultNames names() const;
+  /// Refuses symbolic links below the directory, through which files elsewhere would be replaced.
+  void refuse_links() const;
   void refuse_others() const;
   void refuse_directories() const;
   void refuse_foreign_unfinished() const;

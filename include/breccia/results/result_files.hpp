@@ -10,6 +10,10 @@ namespace breccia {
 /// Whether this is the name of a file that a study writes to the directory of a stage.
 bool is_file_of_a_stage(std::string_view name);
 
+/// Whether this is the name, relative to the directory of a study, of a file that the study writes there or to the
+/// directory of a stage.
+bool is_file_of_a_study(std::string_view name);
+
 /// Remove the half-written files of a study, of one of its stages or of a sweep that killed processes have left in its
 /// directory. Throw FileError.
 void remove_partial_study_files(const std::filesystem::path& directory);
