@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include "breccia/io/text_file.hpp"
+#include "breccia/results/checksums.hpp"
 #include "breccia/results/result_files.hpp"
+#include "breccia/results/study_report.hpp"
 #include "breccia/study/identity.hpp"
 
 namespace breccia {
@@ -34,19 +36,24 @@ std::unique_ptr<Checkpoint> Checkpoints::open(const Stage& stage, const std::str
   return checkpoint;
 }
 
-bool remove_checkpoints(const Study& study, const std::filesystem::path& directory) {
-  bool were_any = false;
+std::vector<std::string> checkpoint_files(const Study& study, const std::filesystem::path& directory) {
+  std::vector<std::string> names;
   for (const auto& stage : study.stages) {
     std::error_code is_missing;
-    std::vector<std::string> names;
     for (const auto& entry : std::filesystem::directory_iterator(directory / stage.name, is_missing)) {
-      auto name = entry.path().filename().string();
-      if (is_checkpoint_file(name)) names.push_back(std::move(name));
+      const auto name = entry.path().filename().string();
+      if (is_checkpoint_file(name)) names.push_back(fmt::format("{}/{}", stage.name, name));
     }
-    remove_files(directory / stage.name, names);
-    were_any = were_any || !names.empty();
   }
-  return were_any;
+  return names;
+}
+
+void close_results(const Study& study, const std::filesystem::path& directory) {
+  std::vector<std::string> stages;
+  for (const auto& stage : study.stages) stages.push_back(stage.name);
+  write_study_report(directory);
+  write_checksums(directory, stages);
+  remove_files(directory, checkpoint_files(study, directory));
 }
 
 void remove_partial_files(const Study& study, const std::filesystem::path& directory) {

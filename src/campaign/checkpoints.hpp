@@ -30,8 +30,12 @@ class Checkpoints {
   const RunObserver* observer_;
 };
 
-/// Removes all checkpoints of a finished study. Returns whether there were any.
-bool remove_checkpoints(const Study& study, const std::filesystem::path& directory);
+/// The checkpoints of a study, relative to its directory.
+std::vector<std::string> checkpoint_files(const Study& study, const std::filesystem::path& directory);
+
+/// Ends the work on results whose record says that they are complete: writes the page and the checksums, and removes
+/// the checkpoints last, so that their presence tells of an end that was cut off.
+void close_results(const Study& study, const std::filesystem::path& directory);
 
 /// Removes the half-written files of a killed run.
 void remove_partial_files(const Study& study, const std::filesystem::path& directory);

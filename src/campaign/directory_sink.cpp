@@ -137,8 +137,7 @@ void DirectorySink::write(const StageFinished& event) {
 void DirectorySink::write(const StudyFinished& event) {
   parallel::done_by_first([&] {
     write_record(event.result);
-    write_study_report(directory_);
-    remove_checkpoints(study_, directory_);
+    close_results(study_, directory_);
   });
 }
 

@@ -12,6 +12,7 @@
 #include "breccia/io/empty_directory.hpp"
 #include "breccia/io/replacement.hpp"
 #include "breccia/io/text_file.hpp"
+#include "breccia/results/checksums.hpp"
 #include "breccia/results/result_files.hpp"
 #include "breccia/results/study_record.hpp"
 #include "breccia/study/result_names.hpp"
@@ -51,7 +52,7 @@ ResultNames names_of_results() {
 
 /// The files that Breccia has written to a directory, relative to it.
 std::vector<std::string> own_files(const fs::path& directory, const StudyRecord& record) {
-  auto names = record.is_ours ? study_files_in(directory, record.stages) : std::vector<std::string>();
+  auto names = record.is_ours ? study_files_in(directory, record.stages) : unchanged_files(directory);
   if (!holds_sweep(directory)) return names;
   for (auto& name : sweep_files_in(directory)) {
     if (!is_among(names, name)) names.push_back(std::move(name));
@@ -66,6 +67,7 @@ struct Contents {
   fs::path record;                     ///< the file of the results' record
   std::vector<std::string> own_files;  ///< relative to the directory
   bool holds_sweep = false;
+  bool has_lost_record = false;  ///< whether these are complete results whose record is missing or damaged
 };
 
 Contents contents_of(const Study& study, const fs::path& directory) {
@@ -76,6 +78,7 @@ Contents contents_of(const Study& study, const fs::path& directory) {
                        .own_files = {},
                        .holds_sweep = holds_sweep(directory)};
   contents.own_files = own_files(directory, contents.results);
+  contents.has_lost_record = !contents.results.is_ours && !unchanged_files(directory).empty();
   const auto replaced = files_of_replacement(directory, names_of_results());
   const bool is_complete = contents.unfinished.is_complete_run_of(study);
   if (replaced.empty() && !is_complete) return contents;
@@ -174,7 +177,7 @@ void remove_results(const fs::path& directory, std::vector<std::string> names, c
 /// The directory, after removing the files of an earlier run that has finished nothing.
 fs::path cleared(const fs::path& directory) {
   const auto record = read_study_record(directory);
-  if (record.is_ours) remove_results(directory, own_files(directory, record), record.stages);
+  remove_results(directory, own_files(directory, record), record.stages);
   make_directory(directory);
   remove_partial_study_files(directory);
   return directory;
@@ -197,6 +200,14 @@ void remove_unfinished(const fs::path& directory) {
   remove_if_empty(unfinished);
 }
 
+Objections objections_to_lost_record(const Contents& contents) {
+  if (!contents.has_lost_record) return {};
+  const auto* const what = fs::exists(contents.record) ? "damaged, or not written by Breccia," : "missing,";
+  return {{fmt::format("{}: {} so that nothing tells which study the results here are of; remove them",
+                       contents.record.string(), what),
+           Remedy::none}};
+}
+
 Objections objections_to_sweep(const fs::path& directory, const Contents& contents) {
   if (!contents.holds_sweep) return {};
   return {{fmt::format("{}: here are the results of a sweep", directory.string()), Remedy::replacing}};
@@ -206,8 +217,11 @@ Objections objections_to_resuming(const Study& study, const fs::path& directory,
   const auto& record = contents.results;
   if (record.is_of(study) || contents.unfinished.is_of(study)) return {};
   if (!record.is_ours) {
-    auto objections = objections_to_foreign_files(study, directory, contents);
-    return objections.empty() ? objections_to_sweep(directory, contents) : objections;
+    for (auto objections :
+         {objections_to_lost_record(contents), objections_to_foreign_files(study, directory, contents)}) {
+      if (!objections.empty()) return objections;
+    }
+    return objections_to_sweep(directory, contents);
   }
   return {{fmt::format("{}: cannot resume from these results: {}", directory.string(), difference(record, study)),
            Remedy::not_resuming}};
@@ -231,7 +245,9 @@ Objections objections_to_replacing(const Study& study, const fs::path& place, co
 
 Objections objections_to_replacing(const Study& study, const fs::path& directory, const Contents& contents,
                                    const RunOptions& options) {
-  auto objections = objections_to_replacing(study, directory, contents.results, contents.record, options);
+  auto objections = options.overwrite ? Objections() : objections_to_lost_record(contents);
+  if (!objections.empty()) return objections;
+  objections = objections_to_replacing(study, directory, contents.results, contents.record, options);
   if (!objections.empty()) return objections;
   const auto unfinished = unfinished_in(directory);
   objections = objections_to_replacing(study, unfinished, contents.unfinished, unfinished / "study.json", options);

@@ -1,11 +1,17 @@
 #include "breccia/campaign/resume.hpp"
 
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "breccia/io/directory_lock.hpp"
 #include "breccia/io/empty_directory.hpp"
 #include "breccia/parallel/common_failure.hpp"
 #include "breccia/parallel/session.hpp"
+#include "breccia/results/checksums.hpp"
 #include "breccia/results/study_record.hpp"
-#include "breccia/results/study_report.hpp"
 
 #include "checkpoints.hpp"
 #include "result_directory.hpp"
@@ -19,24 +25,35 @@ std::optional<double> time_of_complete_run(const Study& study, const std::filesy
 
 namespace {
 
-/// Completes a run that was killed after its last test. Only the first process may call it.
-void finish_killed_run(const Study& study, const std::filesystem::path& directory) {
-  if (is_missing_or_empty(directory)) return;
+/// Completes a run that was killed after its last test. Returns a note if its files were damaged later. Only the first
+/// process may call it.
+std::string note_on_complete_run(const Study& study, const std::filesystem::path& directory) {
+  if (is_missing_or_empty(directory)) return {};
   const DirectoryLock lock(directory);
-  if (!objections_to(study, directory, {.resume = true}).empty()) return;  // a run will refuse them
+  if (!objections_to(study, directory, {.resume = true}).empty()) return {};  // a run will refuse them
   finish_interrupted_replacement(study, directory);
-  if (!time_of_complete_run(study, directory)) return;
+  if (!time_of_complete_run(study, directory)) return {};
   remove_partial_files(study, directory);
-  if (remove_checkpoints(study, directory)) write_study_report(directory);
+  const auto damaged = damaged_files(directory).value_or(std::vector<std::string>());
+  const bool is_page_alone = damaged == std::vector<std::string>{"report.html"};
+  const bool is_closed = checkpoint_files(study, directory).empty();
+  if (!is_closed || is_page_alone) close_results(study, directory);
+  if (!is_closed || is_page_alone || damaged.empty()) return {};
+  return fmt::format("{}: missing or changed since the run: {}; it is computed again", directory.string(),
+                     fmt::join(damaged, ", "));
 }
 
 }  // namespace
 
-std::optional<double> take_over_complete_run(const Study& study, const std::filesystem::path& directory) {
-  if (parallel::group() == 0) parallel::done_by_first([&] { finish_killed_run(study, directory); });
-  // All processes wait until the files are in their places.
-  static_cast<void>(parallel::gather({}));
-  return time_of_complete_run(study, directory);
+std::optional<double> take_over_complete_run(const Study& study, const std::filesystem::path& directory,
+                                             const std::function<void(const std::string&)>& noted) {
+  std::string note;
+  if (parallel::group() == 0) parallel::done_by_first([&] { note = note_on_complete_run(study, directory); });
+  // All processes wait until the files are in their places, and have the note of the first one.
+  note = parallel::gather(note).front();
+  if (note.empty()) return time_of_complete_run(study, directory);
+  if (noted) noted(note);
+  return std::nullopt;
 }
 
 bool holds_tests(const std::filesystem::path& directory) {

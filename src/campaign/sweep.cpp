@@ -92,8 +92,9 @@ class SweepRun {
   /// Finds the complete tasks before any task runs, so that all processes find the same ones. Without `resume` they run
   /// again; until then the tables have their earlier results.
   void find_complete_tasks() {
+    const auto noted = options_.resume ? observer_.study.noted : nullptr;
     for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) {
-      keep_if_done(task, take_over_complete_run(sweep_.tasks[task].study, directory_of(task)));
+      keep_if_done(task, take_over_complete_run(sweep_.tasks[task].study, directory_of(task), noted));
     }
     // All processes finish this search before one of them starts a task.
     static_cast<void>(parallel::gather({}));

@@ -37,7 +37,8 @@ std::vector<std::string> tables_in(const std::filesystem::path& directory) {
 
 void run_single(const Study& study, const RunArguments& arguments, const RunOptions& options, ProgressLine& progress) {
   const auto directory = arguments.results();
-  if (arguments.resume && take_over_complete_run(study, directory)) {
+  const auto note = [&](const std::string& text) { progress.print("note: " + text); };
+  if (arguments.resume && take_over_complete_run(study, directory, note)) {
     progress.print(fmt::format("The results in {} are complete", directory.string()));
     return;
   }

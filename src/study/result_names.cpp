@@ -14,7 +14,7 @@ std::vector<std::string> curve_files() {
 
 std::vector<std::string> files_of_a_study() {
   auto names = curve_files();
-  names.insert(names.end(), {"comparison.csv", "study.json", "report.html"});
+  names.insert(names.end(), {"comparison.csv", "study.json", "report.html", "checksums.txt"});
   return names;
 }
 

@@ -107,8 +107,8 @@ TEST_F(InterruptedRun, GoesOnToTheSameBits) {
   EXPECT_THAT(files("fine"), UnorderedElementsAre("labels.npy", "labels.vti", "microstructure.csv",
                                                   "microstructure.svg", "response.h5"))
       << "without checkpoints";
-  EXPECT_THAT(files(), UnorderedElementsAre("study.json", "report.html", "curves.csv", "dynamic.csv", "engineering.csv",
-                                            "engineering_dynamic.csv", "prony.csv", "quality.csv"));
+  EXPECT_THAT(files(), UnorderedElementsAre("study.json", "report.html", "checksums.txt", "curves.csv", "dynamic.csv",
+                                            "engineering.csv", "engineering_dynamic.csv", "prony.csv", "quality.csv"));
 }
 
 TEST_F(InterruptedRun, LeavesEarlierResultsAsTheyWere) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
+#include "breccia/results/checksums.hpp"
 #include "breccia/results/result_files.hpp"
 #include "breccia/results/study_record.hpp"
 
@@ -271,6 +272,25 @@ TEST_F(ResultDirectory, WritesNothingBeyondALink) {
     EXPECT_EQ(read_text(victim / "modulus.svg"), "foreign");
     fs::remove_all(results);
   }
+}
+
+// Nothing tells then which study the results are of; their other files are known by their checksums.
+TEST_F(ResultDirectory, IsRefusedWhereItsRecordIsLost) {
+  leave(results, other, test::complete_result());
+  write_checksums(results, {"fine"});
+  fs::remove(results / "study.json");
+  for (const bool resume : {false, true}) {
+    EXPECT_THAT(refusal({.resume = resume}),
+                HasSubstr("results/study.json: missing, so that nothing tells which study"));
+  }
+  write_text(results / "study.json", std::string(100, '\0'));
+  EXPECT_THAT(refusal({.resume = true}), AllOf(HasSubstr("results/study.json: damaged"), EndsWith("; remove them")));
+  fs::remove(results / "study.json");
+  write_foreign(results / "prony.csv");
+  EXPECT_THAT(refusal({.overwrite = true}), HasSubstr("prony.csv: the results would replace this file"));
+  fs::remove(results / "prony.csv");
+  EXPECT_EQ(run_in({.overwrite = true}), results);
+  EXPECT_FALSE(fs::exists(results / "curves.csv"));
 }
 
 TEST_F(ResultDirectory, KnowsItsRecordsByTheirHashes) {

@@ -138,11 +138,55 @@ TEST_F(CompleteRun, IsNotLookedForWhereThereIsNone) {
   EXPECT_THROW(static_cast<void>(take_over_complete_run(study, results)), DirectoryInUse);
 }
 
+// A file that is damaged after the run is computed again; the page, which is made of the others, is written again.
+TEST_F(CompleteRun, IsNotTakenFromDamagedFiles) {
+  test::leave(results, study, test::complete_result());
+  close_results(study, results);
+  EXPECT_THAT(take_over_complete_run(study, results), Optional(2.5));
+  std::size_t files = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(results)) {
+    const auto name = entry.path().lexically_relative(results).string();
+    if (!entry.is_regular_file() || name == "study.json" || name == "checksums.txt") continue;
+    ++files;
+    const auto whole = read_text(entry.path());
+    auto flipped = whole;
+    flipped[whole.size() / 2] = static_cast<char>(flipped[whole.size() / 2] ^ 1);
+    for (const auto& damaged : {std::string(), std::string(whole.size(), '\0'), whole.substr(1), flipped}) {
+      write_text(entry.path(), damaged);
+      std::string note;
+      const auto keep = [&](const std::string& text) { note = text; };
+      const auto time = take_over_complete_run(study, results, keep);
+      if (name == "report.html") {
+        EXPECT_THAT(time, Optional(2.5));
+        EXPECT_EQ(read_text(entry.path()), whole);
+      } else {
+        EXPECT_EQ(time, std::nullopt) << name;
+        EXPECT_EQ(note, results.string() + ": missing or changed since the run: " + name + "; it is computed again");
+      }
+    }
+    write_text(entry.path(), whole);
+  }
+  EXPECT_GE(files, 4U);
+  EXPECT_THAT(take_over_complete_run(study, results), Optional(2.5));
+  fs::remove(results / "fine" / "modulus.svg");
+  EXPECT_EQ(take_over_complete_run(study, results), std::nullopt);
+}
+
+TEST_F(CompleteRun, IsNotTakenWhereItsChecksumsAreDamaged) {
+  test::leave(results, study, test::complete_result());
+  close_results(study, results);
+  write_text(results / "checksums.txt", "");
+  EXPECT_EQ(take_over_complete_run(study, results), std::nullopt);
+  fs::remove(results / "checksums.txt");
+  EXPECT_THAT(take_over_complete_run(study, results), Optional(2.5)) << "as results of earlier versions";
+}
+
 TEST_F(CompleteRun, RemovesTheCheckpointsOfItsStages) {
   test::leave(results, study, test::complete_result());
-  EXPECT_FALSE(remove_checkpoints(study, results));
+  EXPECT_THAT(checkpoint_files(study, results), testing::IsEmpty());
   for (const auto* name : {"packing.checkpoint.h5", "shear-displacement-dynamic-12.checkpoint.h5"}) write(name);
-  EXPECT_TRUE(remove_checkpoints(study, results));
+  EXPECT_THAT(checkpoint_files(study, results), testing::SizeIs(2));
+  close_results(study, results);
   EXPECT_FALSE(has("packing.checkpoint.h5"));
   EXPECT_FALSE(has("shear-displacement-dynamic-12.checkpoint.h5"));
   EXPECT_TRUE(has("modulus.svg"));

@@ -128,6 +128,13 @@ TEST_F(SweepDirectory, WithForeignTablesIsRefused) {
               HasSubstr("results/sweep.csv: the results would replace this file, which Breccia did not write"));
 }
 
+TEST_F(SweepDirectory, WithALinkForATaskIsRefused) {
+  test::leave(directory.path() / "victim", other, test::complete_result());
+  fs::create_directories(results);
+  fs::create_directory_symlink("../victim", results / "key-8");
+  EXPECT_THAT(refusal({.overwrite = true}), HasSubstr("results/key-8: a symbolic link, through which files elsewhere"));
+}
+
 TEST_F(SweepDirectory, IsHeldByOneProcess) {
   const auto lock = hold_sweep_directory(sweep, results);
   ASSERT_NE(lock, nullptr);

@@ -82,6 +82,7 @@ TEST_F(Quasistatic, LeavesTheseFiles) {
                                        "A/microstructure.svg",
                                        "A/modulus.svg",
                                        "A/response.h5",
+                                       "checksums.txt",
                                        "compliance.csv",
                                        "curves.csv",
                                        "dynamic.csv",

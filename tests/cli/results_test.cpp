@@ -76,6 +76,7 @@ TEST_F(Results, AreTheseFiles) {
                                     "A/microstructure.csv",
                                     "A/microstructure.svg",
                                     "A/modulus.svg",
+                                    "checksums.txt",
                                     "curves.csv",
                                     "dynamic.csv",
                                     "engineering.csv",

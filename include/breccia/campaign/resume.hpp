@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
+#include <string>
 
 #include "breccia/study/study.hpp"
 
@@ -11,9 +13,12 @@ namespace breccia {
 /// study, its data files and this version of Breccia. Throws FileError when `study.json` cannot be read.
 std::optional<double> time_of_complete_run(const Study& study, const std::filesystem::path& directory);
 
-/// The same. If that run was killed after its last test, first completes its work: writes the page and removes
-/// checkpoints and half-written files. Throws DirectoryInUse if another process writes to the directory.
-std::optional<double> take_over_complete_run(const Study& study, const std::filesystem::path& directory);
+/// The same. If that run was killed after its last test, first completes its work: writes the page and the checksums,
+/// and removes checkpoints and half-written files. Nothing, with a note for the user, if a file is missing or has
+/// changed since (results/checksums.hpp), but for the page, which is written anew. Throws DirectoryInUse if another
+/// process writes to the directory.
+std::optional<double> take_over_complete_run(const Study& study, const std::filesystem::path& directory,
+                                             const std::function<void(const std::string&)>& noted = {});
 
 /// Whether a directory has results of tests, complete or not.
 bool holds_tests(const std::filesystem::path& directory);
