@@ -14,7 +14,10 @@ namespace breccia {
 
 Checkpoints::Checkpoints(const Study& study, const std::filesystem::path& directory, const RunOptions& options,
                          const RunObserver& observer)
-    : study_(&study), directory_(&directory), options_(&options), observer_(&observer) {}
+    : owner_{provenance_of(study).hash, BRECCIA_VERSION},
+      directory_(&directory),
+      options_(&options),
+      observer_(&observer) {}
 
 std::unique_ptr<Checkpoint> Checkpoints::of_packing(const Stage& stage) const {
   return open(stage, "packing");
@@ -26,9 +29,8 @@ std::unique_ptr<Checkpoint> Checkpoints::of_test(const Stage& stage, const TestI
 }
 
 std::unique_ptr<Checkpoint> Checkpoints::open(const Stage& stage, const std::string& name) const {
-  const StateOwner owner = {provenance_of(*study_).hash, BRECCIA_VERSION};
   auto checkpoint =
-      std::make_unique<Checkpoint>(*directory_ / stage.name / (name + ".checkpoint.h5"), owner, options_->checkpoints);
+      std::make_unique<Checkpoint>(*directory_ / stage.name / (name + ".checkpoint.h5"), owner_, options_->checkpoints);
   if (!options_->resume) return checkpoint;
   for (const auto& problem : checkpoint->look_for_earlier()) {
     observer_->tell(Note{problem});

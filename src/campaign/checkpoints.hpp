@@ -24,7 +24,7 @@ class Checkpoints {
  private:
   [[nodiscard]] std::unique_ptr<Checkpoint> open(const Stage& stage, const std::string& name) const;
 
-  const Study* study_;
+  StateOwner owner_;
   const std::filesystem::path* directory_;
   const RunOptions* options_;
   const RunObserver* observer_;

@@ -15,6 +15,7 @@
 #include "breccia/results/checksums.hpp"
 #include "breccia/results/result_files.hpp"
 #include "breccia/results/study_record.hpp"
+#include "breccia/study/identity.hpp"
 #include "breccia/study/result_names.hpp"
 
 #include "checkpoints.hpp"
@@ -63,6 +64,7 @@ std::vector<std::string> own_files(const fs::path& directory, const StudyRecord&
 /// What Breccia has written to a results directory. A replacement that was interrupted counts as complete, since it is
 /// completed once there are no objections.
 struct Contents {
+  Provenance provenance;  ///< of the study that is to be run
   StudyRecord results, unfinished;
   fs::path record;                     ///< the file of the results' record
   std::vector<std::string> own_files;  ///< relative to the directory
@@ -72,7 +74,8 @@ struct Contents {
 
 Contents contents_of(const Study& study, const fs::path& directory) {
   const auto unfinished = unfinished_in(directory);
-  Contents contents = {.results = read_study_record(directory),
+  Contents contents = {.provenance = provenance_of(study),
+                       .results = read_study_record(directory),
                        .unfinished = read_study_record(unfinished),
                        .record = directory / "study.json",
                        .own_files = {},
@@ -80,7 +83,7 @@ Contents contents_of(const Study& study, const fs::path& directory) {
   contents.own_files = own_files(directory, contents.results);
   contents.has_lost_record = !contents.results.is_ours && !unchanged_files(directory).empty();
   const auto replaced = files_of_replacement(directory, names_of_results());
-  const bool is_complete = contents.unfinished.is_complete_run_of(study);
+  const bool is_complete = contents.unfinished.is_complete_run_of(contents.provenance);
   if (replaced.empty() && !is_complete) return contents;
   contents.holds_sweep = contents.holds_sweep && !is_complete && !is_among(replaced, "sweep.json");
   std::ranges::copy(replaced, std::back_inserter(contents.own_files));
@@ -215,7 +218,7 @@ Objections objections_to_sweep(const fs::path& directory, const Contents& conten
 
 Objections objections_to_resuming(const Study& study, const fs::path& directory, const Contents& contents) {
   const auto& record = contents.results;
-  if (record.is_of(study) || contents.unfinished.is_of(study)) return {};
+  if (record.is_of(contents.provenance) || contents.unfinished.is_of(contents.provenance)) return {};
   if (!record.is_ours) {
     for (auto objections :
          {objections_to_lost_record(contents), objections_to_foreign_files(study, directory, contents)}) {
@@ -237,7 +240,7 @@ bool may_be_replaced(const fs::path& record, const RunOptions& options) {
 /// The objection to replacing the results of a record that are in a directory or in its `unfinished`.
 Objections objections_to_replacing(const Study& study, const fs::path& place, const StudyRecord& record,
                                    const fs::path& file, const RunOptions& options) {
-  if (!record.has_tests || record.is_of(study) || may_be_replaced(file, options)) return {};
+  if (!record.has_tests || may_be_replaced(file, options)) return {};
   return {{fmt::format("{}: here are {}results of another study: {}", place.string(),
                        record.is_complete ? "complete " : "", difference(record, study)),
            Remedy::replacing}};
@@ -247,23 +250,21 @@ Objections objections_to_replacing(const Study& study, const fs::path& directory
                                    const RunOptions& options) {
   auto objections = options.overwrite ? Objections() : objections_to_lost_record(contents);
   if (!objections.empty()) return objections;
-  objections = objections_to_replacing(study, directory, contents.results, contents.record, options);
-  if (!objections.empty()) return objections;
   const auto unfinished = unfinished_in(directory);
-  objections = objections_to_replacing(study, unfinished, contents.unfinished, unfinished / "study.json", options);
+  if (!contents.results.is_of(contents.provenance)) {
+    objections = objections_to_replacing(study, directory, contents.results, contents.record, options);
+  }
+  if (objections.empty() && !contents.unfinished.is_of(contents.provenance)) {
+    objections = objections_to_replacing(study, unfinished, contents.unfinished, unfinished / "study.json", options);
+  }
   if (!objections.empty() || may_be_replaced(directory / "sweep.json", options)) return objections;
   return objections_to_sweep(directory, contents);
 }
 
-void refuse_objections(const Study& study, const fs::path& directory, const RunOptions& options) {
-  if (auto all = objections_to(study, directory, options); !all.empty()) throw ForeignResults(std::move(all));
-}
-
 /// The directory in which a run resumes: `unfinished` if only that has results of this study, else the given directory.
-fs::path directory_to_resume_in(const Study& study, const fs::path& directory) {
-  const auto record = read_study_record(directory);
+fs::path directory_to_resume_in(const Study& study, const fs::path& directory, const Contents& contents) {
   auto unfinished = unfinished_in(directory);
-  if (!record.is_of(study) && read_study_record(unfinished).is_of(study)) {
+  if (!contents.results.is_of(contents.provenance) && contents.unfinished.is_of(contents.provenance)) {
     remove_partial_files(study, unfinished);
     return unfinished;
   }
@@ -272,40 +273,15 @@ fs::path directory_to_resume_in(const Study& study, const fs::path& directory) {
   return directory;
 }
 
-fs::path directory_to_begin_in(const fs::path& directory) {
-  const auto record = read_study_record(directory);
-  const bool has_results = !record.stages_packed.empty() || holds_sweep(directory);
+fs::path directory_to_begin_in(const fs::path& directory, const Contents& contents) {
+  const bool has_results = !contents.results.stages_packed.empty() || contents.holds_sweep;
   if (!has_results) return cleared(directory);
   remove_unfinished(directory);
   return cleared(unfinished_in(directory));
 }
 
-}  // namespace
-
-void finish_interrupted_replacement(const Study& study, const fs::path& directory) {
-  finish_replacement(directory, names_of_results());
-  const auto unfinished = unfinished_in(directory);
-  const auto record = read_study_record(unfinished);
-  if (!record.is_of(study)) return;
-  if (record.is_complete_run_of(study)) {
-    put_in_place(study, unfinished, directory);
-  } else if (read_study_record(directory).is_complete_run_of(study)) {
-    // An interrupted run of the same study was to replace these results, with the same bits.
-    remove_unfinished(directory);
-  }
-}
-
-std::vector<std::string> hashes_of_records_in(const fs::path& directory) {
-  std::vector<std::string> hashes;
-  for (const auto& record :
-       {directory / "study.json", directory / "sweep.json", unfinished_in(directory) / "study.json"}) {
-    if (is_record_of_breccia(record)) hashes.push_back(content_hash(read_text(record)));
-  }
-  return hashes;
-}
-
-Objections objections_to(const Study& study, const fs::path& directory, const RunOptions& options) {
-  const auto contents = contents_of(study, directory);
+Objections objections_to(const Study& study, const fs::path& directory, const Contents& contents,
+                         const RunOptions& options) {
   for (auto objections :
        {objections_to_links(study, directory, contents),
         without_remedy(mistakes_of_replacement(directory, names_of_results())),
@@ -322,22 +298,58 @@ Objections objections_to(const Study& study, const fs::path& directory, const Ru
   return objections.empty() ? objections_to_replacing(study, directory, contents, options) : objections;
 }
 
-fs::path directory_to_run_in(const Study& study, const fs::path& directory, const RunOptions& options) {
-  refuse_objections(study, directory, options);
+/// What is in a directory that a run may write to, once an interrupted replacement is completed. Throws ForeignResults
+/// before any change.
+Contents prepared(const Study& study, const fs::path& directory, const RunOptions& options) {
+  auto objections = objections_to(study, directory, contents_of(study, directory), options);
+  if (!objections.empty()) throw ForeignResults(std::move(objections));
   finish_interrupted_replacement(study, directory);
-  if (options.resume && objections_to_resuming(study, directory, contents_of(study, directory)).empty()) {
-    return directory_to_resume_in(study, directory);
+  return contents_of(study, directory);
+}
+
+}  // namespace
+
+void finish_interrupted_replacement(const Study& study, const fs::path& directory) {
+  finish_replacement(directory, names_of_results());
+  const auto unfinished = unfinished_in(directory);
+  const auto record = read_study_record(unfinished);
+  if (!record.is_ours) return;
+  const auto provenance = provenance_of(study);
+  if (!record.is_of(provenance)) return;
+  if (record.is_complete_run_of(provenance)) {
+    put_in_place(study, unfinished, directory);
+  } else if (read_study_record(directory).is_complete_run_of(provenance)) {
+    // An interrupted run of the same study was to replace these results, with the same bits.
+    remove_unfinished(directory);
   }
-  return directory_to_begin_in(directory);
+}
+
+std::vector<std::string> hashes_of_records_in(const fs::path& directory) {
+  std::vector<std::string> hashes;
+  for (const auto& record :
+       {directory / "study.json", directory / "sweep.json", unfinished_in(directory) / "study.json"}) {
+    if (is_record_of_breccia(record)) hashes.push_back(content_hash(read_text(record)));
+  }
+  return hashes;
+}
+
+Objections objections_to(const Study& study, const fs::path& directory, const RunOptions& options) {
+  return objections_to(study, directory, contents_of(study, directory), options);
+}
+
+fs::path directory_to_run_in(const Study& study, const fs::path& directory, const RunOptions& options) {
+  const auto contents = prepared(study, directory, options);
+  if (options.resume && objections_to_resuming(study, directory, contents).empty()) {
+    return directory_to_resume_in(study, directory, contents);
+  }
+  return directory_to_begin_in(directory, contents);
 }
 
 fs::path directory_to_pack_in(const Study& study, const fs::path& directory, const RunOptions& options) {
-  refuse_objections(study, directory, options);
-  finish_interrupted_replacement(study, directory);
-  const auto record = read_study_record(directory);
-  const bool has_tests_of_this = record.has_tests && record.is_of(study);
-  if (options.resume || has_tests_of_this) return directory_to_resume_in(study, directory);
-  return directory_to_begin_in(directory);
+  const auto contents = prepared(study, directory, options);
+  const bool has_tests_of_this = contents.results.has_tests && contents.results.is_of(contents.provenance);
+  if (options.resume || has_tests_of_this) return directory_to_resume_in(study, directory, contents);
+  return directory_to_begin_in(directory, contents);
 }
 
 void put_in_place(const Study& study, const fs::path& written, const fs::path& directory) {

@@ -84,8 +84,12 @@ std::string differing_files(const std::vector<FileHash>& before, const std::vect
 
 }  // namespace
 
+bool StudyRecord::is_of(const Provenance& provenance) const {
+  return is_ours && version == BRECCIA_VERSION && hash == provenance.hash;
+}
+
 bool StudyRecord::is_of(const Study& study) const {
-  return is_ours && version == BRECCIA_VERSION && hash == provenance_of(study).hash;
+  return is_ours && version == BRECCIA_VERSION && is_of(provenance_of(study));
 }
 
 bool is_record_of_breccia(const std::filesystem::path& file) {

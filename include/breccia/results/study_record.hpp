@@ -23,8 +23,12 @@ struct StudyRecord {
   std::vector<std::string> stages_packed;  ///< names of the stages that have a microstructure
   std::optional<double> wall_time;         ///< of the complete run [s]
 
-  /// Whether the results are of this study and were computed by this version of Breccia.
+  /// Whether the results are of a study, by its provenance_of(), and were computed by this version of Breccia.
+  [[nodiscard]] bool is_of(const Provenance& provenance) const;
   [[nodiscard]] bool is_of(const Study& study) const;
+  [[nodiscard]] bool is_complete_run_of(const Provenance& provenance) const {
+    return is_complete && wall_time && is_of(provenance);
+  }
   [[nodiscard]] bool is_complete_run_of(const Study& study) const { return is_complete && wall_time && is_of(study); }
 };
 
