@@ -12,8 +12,8 @@
 #include "breccia/homogenisation/memory.hpp"
 #include "breccia/homogenisation/new_materials.hpp"
 #include "breccia/homogenisation/not_covered.hpp"
+#include "breccia/io/conflicting_results.hpp"
 #include "breccia/io/display.hpp"
-#include "breccia/io/foreign_results.hpp"
 #include "breccia/tables/unknown_columns.hpp"
 
 namespace breccia::python {
@@ -21,26 +21,26 @@ namespace {
 
 namespace py = pybind11;
 
-/// What a caller in Python can do about an objection to writing in a directory.
-std::string advice_on(const Objection& objection) {
-  using Remedy = Objection::Remedy;
+/// What a caller in Python can do about a conflict of writing in a directory.
+std::string advice_on(const ResultConflict& conflict) {
+  using Remedy = ResultConflict::Remedy;
   std::vector<std::string> ways;
-  if (objection.remedy == Remedy::none) return {};
-  if (objection.remedy == Remedy::not_resuming) {
+  if (conflict.remedy == Remedy::none) return {};
+  if (conflict.remedy == Remedy::not_resuming) {
     ways.emplace_back("run with overwrite=True in place of resume=True");
   } else {
     ways.emplace_back("replace what is there (overwrite=True)");
   }
-  if (objection.remedy == Remedy::adding) ways.emplace_back("add to it (resume=True)");
+  if (conflict.remedy == Remedy::adding) ways.emplace_back("add to it (resume=True)");
   ways.emplace_back("take another directory");
   return "; " + fmt::format("{}", fmt::join(ways, " or "));
 }
 
 /// The message of an error, with the arguments that help.
 std::string with_advice(const Error& error) {
-  if (const auto* const foreign = dynamic_cast<const ForeignResults*>(&error)) {
+  if (const auto* const foreign = dynamic_cast<const ConflictingResults*>(&error)) {
     std::vector<std::string> lines;
-    for (const auto& objection : foreign->objections()) lines.push_back(objection.problem + advice_on(objection));
+    for (const auto& conflict : foreign->conflicts()) lines.push_back(conflict.problem + advice_on(conflict));
     return fmt::format("{}", fmt::join(lines, "\n"));
   }
   std::string message = error.what();

@@ -24,8 +24,8 @@ namespace breccia {
 namespace {
 
 namespace fs = std::filesystem;
-using Objections = std::vector<Objection>;
-using Remedy = Objection::Remedy;
+using Conflicts = std::vector<ResultConflict>;
+using Remedy = ResultConflict::Remedy;
 
 fs::path unfinished_in(const fs::path& directory) {
   return directory / unfinished_directory;
@@ -62,7 +62,7 @@ std::vector<std::string> own_files(const fs::path& directory, const StudyRecord&
 }
 
 /// What Breccia has written to a results directory. A replacement that was interrupted counts as complete, since it is
-/// completed once there are no objections.
+/// completed once there are no conflicts.
 struct Contents {
   Provenance provenance;  ///< of the study that is to be run
   StudyRecord results, unfinished;
@@ -94,9 +94,9 @@ Contents contents_of(const Study& study, const fs::path& directory) {
   return contents;
 }
 
-/// An objection to each file that a run would replace and that Breccia did not write.
-Objections objections_to_foreign_files(const Study& study, const fs::path& directory, const Contents& contents) {
-  Objections foreign;
+/// A conflict with each file that a run would replace and that Breccia did not write.
+Conflicts conflicts_with_foreign_files(const Study& study, const fs::path& directory, const Contents& contents) {
+  Conflicts foreign;
   for (const auto& name : study_files_in(directory, names_of_stages(study))) {
     if (is_among(contents.own_files, name)) continue;
     foreign.push_back({fmt::format("{}: the results would replace this file, which Breccia did not write",
@@ -113,10 +113,10 @@ bool may_be_ours(const fs::path& unfinished, const std::string& name) {
   return fs::path(name).extension() != ".json" || is_record_of_breccia(unfinished / name);
 }
 
-/// An objection to each file in `unfinished` that Breccia did not write.
-Objections objections_to_foreign_unfinished(const fs::path& directory) {
+/// A conflict with each file in `unfinished` that Breccia did not write.
+Conflicts conflicts_with_foreign_unfinished(const fs::path& directory) {
   const auto unfinished = unfinished_in(directory);
-  Objections foreign;
+  Conflicts foreign;
   for (const auto& name : unfinished_files(directory)) {
     if (may_be_ours(unfinished, name)) continue;
     foreign.push_back(
@@ -127,14 +127,14 @@ Objections objections_to_foreign_unfinished(const fs::path& directory) {
   return foreign;
 }
 
-Objections without_remedy(const std::vector<std::string>& problems) {
-  Objections objections;
-  for (const auto& problem : problems) objections.push_back({problem, Remedy::none});
-  return objections;
+Conflicts without_remedy(const std::vector<std::string>& problems) {
+  Conflicts conflicts;
+  for (const auto& problem : problems) conflicts.push_back({problem, Remedy::none});
+  return conflicts;
 }
 
-/// An objection to each symbolic link below the directory through which files elsewhere would be written or removed.
-Objections objections_to_links(const Study& study, const fs::path& directory, const Contents& contents) {
+/// A conflict with each symbolic link below the directory through which files elsewhere would be written or removed.
+Conflicts conflicts_with_links(const Study& study, const fs::path& directory, const Contents& contents) {
   auto stages = names_of_stages(study);
   for (const auto* record : {&contents.results, &contents.unfinished}) {
     std::ranges::copy(record->stages, std::back_inserter(stages));
@@ -149,8 +149,8 @@ Objections objections_to_links(const Study& study, const fs::path& directory, co
   return without_remedy(mistakes_of_links(directory, names));
 }
 
-/// An objection if the results of a study would replace one of its input files.
-Objections objections_to_inputs(const Study& study, const fs::path& directory, const Contents& contents) {
+/// A conflict if the results of a study would replace one of its input files.
+Conflicts conflicts_with_inputs(const Study& study, const fs::path& directory, const Contents& contents) {
   auto names = contents.own_files;
   std::ranges::copy(study_files_in(directory, names_of_stages(study)), std::back_inserter(names));
   std::ranges::sort(names);
@@ -203,7 +203,7 @@ void remove_unfinished(const fs::path& directory) {
   remove_if_empty(unfinished);
 }
 
-Objections objections_to_lost_record(const Contents& contents) {
+Conflicts conflicts_of_lost_record(const Contents& contents) {
   if (!contents.has_lost_record) return {};
   const auto* const what = fs::exists(contents.record) ? "damaged, or not written by Breccia," : "missing,";
   return {{fmt::format("{}: {} so that nothing tells which study the results here are of; remove them",
@@ -211,20 +211,20 @@ Objections objections_to_lost_record(const Contents& contents) {
            Remedy::none}};
 }
 
-Objections objections_to_sweep(const fs::path& directory, const Contents& contents) {
+Conflicts conflicts_with_sweep(const fs::path& directory, const Contents& contents) {
   if (!contents.holds_sweep) return {};
   return {{fmt::format("{}: here are the results of a sweep", directory.string()), Remedy::replacing}};
 }
 
-Objections objections_to_resuming(const Study& study, const fs::path& directory, const Contents& contents) {
+Conflicts conflicts_of_resuming(const Study& study, const fs::path& directory, const Contents& contents) {
   const auto& record = contents.results;
   if (record.is_of(contents.provenance) || contents.unfinished.is_of(contents.provenance)) return {};
   if (!record.is_ours) {
-    for (auto objections :
-         {objections_to_lost_record(contents), objections_to_foreign_files(study, directory, contents)}) {
-      if (!objections.empty()) return objections;
+    for (auto conflicts :
+         {conflicts_of_lost_record(contents), conflicts_with_foreign_files(study, directory, contents)}) {
+      if (!conflicts.empty()) return conflicts;
     }
-    return objections_to_sweep(directory, contents);
+    return conflicts_with_sweep(directory, contents);
   }
   return {{fmt::format("{}: cannot resume from these results: {}", directory.string(), difference(record, study)),
            Remedy::not_resuming}};
@@ -237,28 +237,28 @@ bool may_be_replaced(const fs::path& record, const RunOptions& options) {
          is_among(options.replaceable, content_hash(read_text(record)));
 }
 
-/// The objection to replacing the results of a record that are in a directory or in its `unfinished`.
-Objections objections_to_replacing(const Study& study, const fs::path& place, const StudyRecord& record,
-                                   const fs::path& file, const RunOptions& options) {
+/// The conflict of replacing the results of a record that are in a directory or in its `unfinished`.
+Conflicts conflicts_of_replacing(const Study& study, const fs::path& place, const StudyRecord& record,
+                                 const fs::path& file, const RunOptions& options) {
   if (!record.has_tests || may_be_replaced(file, options)) return {};
   return {{fmt::format("{}: here are {}results of another study: {}", place.string(),
                        record.is_complete ? "complete " : "", difference(record, study)),
            Remedy::replacing}};
 }
 
-Objections objections_to_replacing(const Study& study, const fs::path& directory, const Contents& contents,
-                                   const RunOptions& options) {
-  auto objections = options.overwrite ? Objections() : objections_to_lost_record(contents);
-  if (!objections.empty()) return objections;
+Conflicts conflicts_of_replacing(const Study& study, const fs::path& directory, const Contents& contents,
+                                 const RunOptions& options) {
+  auto conflicts = options.overwrite ? Conflicts() : conflicts_of_lost_record(contents);
+  if (!conflicts.empty()) return conflicts;
   const auto unfinished = unfinished_in(directory);
   if (!contents.results.is_of(contents.provenance)) {
-    objections = objections_to_replacing(study, directory, contents.results, contents.record, options);
+    conflicts = conflicts_of_replacing(study, directory, contents.results, contents.record, options);
   }
-  if (objections.empty() && !contents.unfinished.is_of(contents.provenance)) {
-    objections = objections_to_replacing(study, unfinished, contents.unfinished, unfinished / "study.json", options);
+  if (conflicts.empty() && !contents.unfinished.is_of(contents.provenance)) {
+    conflicts = conflicts_of_replacing(study, unfinished, contents.unfinished, unfinished / "study.json", options);
   }
-  if (!objections.empty() || may_be_replaced(directory / "sweep.json", options)) return objections;
-  return objections_to_sweep(directory, contents);
+  if (!conflicts.empty() || may_be_replaced(directory / "sweep.json", options)) return conflicts;
+  return conflicts_with_sweep(directory, contents);
 }
 
 /// The directory in which a run resumes: `unfinished` if only that has results of this study, else the given directory.
@@ -280,29 +280,29 @@ fs::path directory_to_begin_in(const fs::path& directory, const Contents& conten
   return cleared(unfinished_in(directory));
 }
 
-Objections objections_to(const Study& study, const fs::path& directory, const Contents& contents,
+Conflicts conflicts_with(const Study& study, const fs::path& directory, const Contents& contents,
                          const RunOptions& options) {
-  for (auto objections :
-       {objections_to_links(study, directory, contents),
+  for (auto conflicts :
+       {conflicts_with_links(study, directory, contents),
         without_remedy(mistakes_of_replacement(directory, names_of_results())),
-        objections_to_inputs(study, directory, contents), objections_to_foreign_unfinished(directory)}) {
-    if (!objections.empty()) return objections;
+        conflicts_with_inputs(study, directory, contents), conflicts_with_foreign_unfinished(directory)}) {
+    if (!conflicts.empty()) return conflicts;
   }
   if (options.resume) {
-    auto objections = objections_to_resuming(study, directory, contents);
+    auto conflicts = conflicts_of_resuming(study, directory, contents);
     const bool begins_anew =
         may_be_replaced(contents.record, options) || may_be_replaced(directory / "sweep.json", options);
-    if (objections.empty() || !begins_anew) return objections;
+    if (conflicts.empty() || !begins_anew) return conflicts;
   }
-  auto objections = objections_to_foreign_files(study, directory, contents);
-  return objections.empty() ? objections_to_replacing(study, directory, contents, options) : objections;
+  auto conflicts = conflicts_with_foreign_files(study, directory, contents);
+  return conflicts.empty() ? conflicts_of_replacing(study, directory, contents, options) : conflicts;
 }
 
-/// What is in a directory that a run may write to, once an interrupted replacement is completed. Throws ForeignResults
-/// before any change.
+/// What is in a directory that a run may write to, once an interrupted replacement is completed. Throws
+/// ConflictingResults before any change.
 Contents prepared(const Study& study, const fs::path& directory, const RunOptions& options) {
-  auto objections = objections_to(study, directory, contents_of(study, directory), options);
-  if (!objections.empty()) throw ForeignResults(std::move(objections));
+  auto conflicts = conflicts_with(study, directory, contents_of(study, directory), options);
+  if (!conflicts.empty()) throw ConflictingResults(std::move(conflicts));
   finish_interrupted_replacement(study, directory);
   return contents_of(study, directory);
 }
@@ -333,13 +333,13 @@ std::vector<std::string> hashes_of_records_in(const fs::path& directory) {
   return hashes;
 }
 
-Objections objections_to(const Study& study, const fs::path& directory, const RunOptions& options) {
-  return objections_to(study, directory, contents_of(study, directory), options);
+Conflicts conflicts_with(const Study& study, const fs::path& directory, const RunOptions& options) {
+  return conflicts_with(study, directory, contents_of(study, directory), options);
 }
 
 fs::path directory_to_run_in(const Study& study, const fs::path& directory, const RunOptions& options) {
   const auto contents = prepared(study, directory, options);
-  if (options.resume && objections_to_resuming(study, directory, contents).empty()) {
+  if (options.resume && conflicts_of_resuming(study, directory, contents).empty()) {
     return directory_to_resume_in(study, directory, contents);
   }
   return directory_to_begin_in(directory, contents);

@@ -5,19 +5,19 @@
 #include <vector>
 
 #include "breccia/campaign/run.hpp"
-#include "breccia/io/foreign_results.hpp"
+#include "breccia/io/conflicting_results.hpp"
 
 namespace breccia {
 
 /// The directory to which a run writes until its results are complete: the directory of the results, or its
-/// subdirectory `unfinished` if earlier results are kept until then. Throws ForeignResults with the objections_to() it
-/// before any change; then completes an interrupted replacement. A run that starts anew also removes the files of an
-/// earlier run that has finished nothing. The caller must hold the DirectoryLock.
+/// subdirectory `unfinished` if earlier results are kept until then. Throws ConflictingResults with the
+/// conflicts_with() it before any change; then completes an interrupted replacement. A run that starts anew also
+/// removes the files of an earlier run that has finished nothing. The caller must hold the DirectoryLock.
 std::filesystem::path directory_to_run_in(const Study& study, const std::filesystem::path& directory,
                                           const RunOptions& options);
 
 /// The same for packing without tests, which never removes finished tests: it resumes if they are of the same study,
-/// and throws ForeignResults if they are of another study.
+/// and throws ConflictingResults if they are of another study.
 std::filesystem::path directory_to_pack_in(const Study& study, const std::filesystem::path& directory,
                                            const RunOptions& options);
 
@@ -35,7 +35,7 @@ std::vector<std::string> hashes_of_records_in(const std::filesystem::path& direc
 
 /// The reasons why a run must neither resume the results in a directory nor replace them; none if it may. A replacement
 /// that was interrupted counts as complete. Changes nothing.
-std::vector<Objection> objections_to(const Study& study, const std::filesystem::path& directory,
-                                     const RunOptions& options);
+std::vector<ResultConflict> conflicts_with(const Study& study, const std::filesystem::path& directory,
+                                           const RunOptions& options);
 
 }  // namespace breccia

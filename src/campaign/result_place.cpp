@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "breccia/error.hpp"
-#include "breccia/io/foreign_results.hpp"
+#include "breccia/io/conflicting_results.hpp"
 #include "breccia/parallel/common_failure.hpp"
 #include "breccia/parallel/session.hpp"
 #include "breccia/results/provenance.hpp"
@@ -21,30 +21,30 @@ namespace fs = std::filesystem;
 
 /// The first letter of the text that the first process sends to the others: a directory, or an error that is more than
 /// its message.
-constexpr char is_chosen = '+', is_in_use = '!', is_foreign = 'o';
+constexpr char is_chosen = '+', is_in_use = '!', is_conflict = 'o';
 
-std::string as_text(const std::vector<Objection>& objections) {
+std::string as_text(const std::vector<ResultConflict>& conflicts) {
   auto json = nlohmann::json::array();
-  for (const auto& [problem, remedy, free_directory] : objections) {
+  for (const auto& [problem, remedy, free_directory] : conflicts) {
     json.push_back({problem, static_cast<int>(remedy), free_directory});
   }
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-std::vector<Objection> objections_in(const std::string& text) {
-  std::vector<Objection> objections;
+std::vector<ResultConflict> conflicts_in(const std::string& text) {
+  std::vector<ResultConflict> conflicts;
   for (const auto& json : nlohmann::json::parse(text)) {
-    objections.push_back(
-        {json[0].get<std::string>(), static_cast<Objection::Remedy>(json[1].get<int>()), json[2].get<std::string>()});
+    conflicts.push_back({json[0].get<std::string>(), static_cast<ResultConflict::Remedy>(json[1].get<int>()),
+                         json[2].get<std::string>()});
   }
-  return objections;
+  return conflicts;
 }
 
 /// Throws the error whose text this is, if it is one.
 void refuse_if_error(const std::string& answer) {
   const auto message = answer.substr(1);
   if (answer.front() == is_in_use) throw DirectoryInUse(message);
-  if (answer.front() == is_foreign) throw ForeignResults(objections_in(message));
+  if (answer.front() == is_conflict) throw ConflictingResults(conflicts_in(message));
 }
 
 /// The directory that the first process of a group chooses, on all processes of the group, or its error.
@@ -56,8 +56,8 @@ fs::path chosen_by_first(const Choose& choose) {
       answer = is_chosen + choose().string();
     } catch (const DirectoryInUse& error) {
       answer = is_in_use + std::string(error.what());
-    } catch (const ForeignResults& error) {
-      answer = is_foreign + as_text(error.objections());
+    } catch (const ConflictingResults& error) {
+      answer = is_conflict + as_text(error.conflicts());
     }
   });
   answer = parallel::text_of_first(answer);

@@ -30,7 +30,7 @@ namespace {
 std::string note_on_complete_run(const Study& study, const std::filesystem::path& directory) {
   if (is_missing_or_empty(directory)) return {};
   const DirectoryLock lock(directory);
-  if (!objections_to(study, directory, {.resume = true}).empty()) return {};  // a run will refuse them
+  if (!conflicts_with(study, directory, {.resume = true}).empty()) return {};  // a run will refuse them
   finish_interrupted_replacement(study, directory);
   if (!time_of_complete_run(study, directory)) return {};
   remove_partial_files(study, directory);
@@ -46,13 +46,13 @@ std::string note_on_complete_run(const Study& study, const std::filesystem::path
 }  // namespace
 
 std::optional<double> take_over_complete_run(const Study& study, const std::filesystem::path& directory,
-                                             const std::function<void(const std::string&)>& noted) {
+                                             const RunObserver& observer) {
   std::string note;
   if (parallel::group() == 0) parallel::done_by_first([&] { note = note_on_complete_run(study, directory); });
   // All processes wait until the files are in their places, and have the note of the first one.
   note = parallel::gather(note).front();
   if (note.empty()) return time_of_complete_run(study, directory);
-  if (noted) noted(note);
+  observer.tell(Note{note});
   return std::nullopt;
 }
 

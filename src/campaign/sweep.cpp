@@ -45,7 +45,7 @@ class SweepRun {
   SweepResult run() {
     const auto lock = hold_sweep_directory(sweep_, directory_);
     static_cast<void>(parallel::gather({}));
-    refuse_objections(sweep_, directory_, options_);
+    refuse_conflicts(sweep_, directory_, options_);
     options_of_ = options_of_tasks(sweep_, directory_, options_);
     find_complete_tasks();
     if (!options_.solve.ignore_memory && parallel::is_alone()) refuse_too_large();
@@ -92,9 +92,9 @@ class SweepRun {
   /// Finds the complete tasks before any task runs, so that all processes find the same ones. Without `resume` they run
   /// again; until then the tables have their earlier results.
   void find_complete_tasks() {
-    const auto noted = options_.resume ? observer_.study.noted : nullptr;
+    const auto observer = options_.resume ? observer_ : RunObserver();
     for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) {
-      keep_if_done(task, take_over_complete_run(sweep_.tasks[task].study, directory_of(task), noted));
+      keep_if_done(task, take_over_complete_run(sweep_.tasks[task].study, directory_of(task), observer));
     }
     // All processes finish this search before one of them starts a task.
     static_cast<void>(parallel::gather({}));

@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "breccia/io/conflicting_results.hpp"
 #include "breccia/io/empty_directory.hpp"
-#include "breccia/io/foreign_results.hpp"
 #include "breccia/io/replacement.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/parallel/common_failure.hpp"
@@ -28,7 +28,7 @@ namespace breccia {
 namespace {
 
 namespace fs = std::filesystem;
-using Remedy = Objection::Remedy;
+using Remedy = ResultConflict::Remedy;
 
 /// The parsed `sweep.json` of a directory; null if it is missing or was not written by Breccia.
 nlohmann::json sweep_record(const fs::path& directory) {
@@ -80,10 +80,11 @@ fs::path directory_beside(const fs::path& taken) {
 }
 
 /// The reason why the tables of a sweep must not be written to a directory; nothing if they may.
-std::optional<Objection> objection_to_tables(const Sweep& sweep, const fs::path& directory, const RunOptions& options) {
+std::optional<ResultConflict> conflict_with_tables(const Sweep& sweep, const fs::path& directory,
+                                                   const RunOptions& options) {
   if (read_study_record(directory).has_tests) {
-    return Objection{fmt::format("{}: here are the results of a single study", directory.string()),
-                     Remedy::another_directory, directory_beside(directory).string()};
+    return ResultConflict{fmt::format("{}: here are the results of a single study", directory.string()),
+                          Remedy::another_directory, directory_beside(directory).string()};
   }
   const auto record = sweep_record(directory);
   if (record.is_null()) {
@@ -91,12 +92,12 @@ std::optional<Objection> objection_to_tables(const Sweep& sweep, const fs::path&
     for (const auto& name : files_of_a_sweep()) {
       const bool is_ours = std::ranges::find(of_study, name) != of_study.end();
       if (is_ours || !fs::exists(directory / name)) continue;
-      return Objection{fmt::format("{}: the results would replace this file, which Breccia did not write",
-                                   (directory / name).string())};
+      return ResultConflict{fmt::format("{}: the results would replace this file, which Breccia did not write",
+                                        (directory / name).string())};
     }
   }
   if (options.resume || options.overwrite || !holds_other_tasks(sweep, record)) return {};
-  return Objection{fmt::format("{}: here are the results of another sweep", directory.string()), Remedy::adding};
+  return ResultConflict{fmt::format("{}: here are the results of another sweep", directory.string()), Remedy::adding};
 }
 
 /// The names of the tasks' directories; none for a single task, which has that of the results.
@@ -107,19 +108,19 @@ std::vector<std::string> names_of_tasks(const Sweep& sweep) {
   return names;
 }
 
-/// An objection to each task that is not as the deck gives it: neither its name nor its hash would tell what it is.
-std::vector<Objection> objections_to_changed_tasks(const Sweep& sweep) {
-  std::vector<Objection> objections;
+/// A conflict with each task that is not as the deck gives it: neither its name nor its hash would tell what it is.
+std::vector<ResultConflict> conflicts_with_changed_tasks(const Sweep& sweep) {
+  std::vector<ResultConflict> conflicts;
   for (const auto& task : sweep.tasks) {
     const auto& provenance = task.study.provenance;
     if (provenance.content == content_of(task.study)) continue;
-    objections.push_back(
+    conflicts.push_back(
         {fmt::format("{}: this study of a sweep was changed after its deck was read; sweep a key of the deck, or run "
                      "the study alone",
                      task.name.empty() ? task.study.title : task.name),
          Remedy::none});
   }
-  return objections;
+  return conflicts;
 }
 
 }  // namespace
@@ -150,21 +151,21 @@ std::unique_ptr<DirectoryLock> hold_sweep_directory(const Sweep& sweep, const fs
   return lock;
 }
 
-void refuse_objections(const Sweep& sweep, const fs::path& directory, const RunOptions& options) {
-  auto objections = objections_to_changed_tasks(sweep);
+void refuse_conflicts(const Sweep& sweep, const fs::path& directory, const RunOptions& options) {
+  auto conflicts = conflicts_with_changed_tasks(sweep);
   if (!sweep.keys.empty()) {
-    if (auto objection = objection_to_tables(sweep, directory, options)) objections.push_back(*std::move(objection));
+    if (auto conflict = conflict_with_tables(sweep, directory, options)) conflicts.push_back(*std::move(conflict));
   }
   for (const auto& mistake : mistakes_of_links(directory, names_of_tasks(sweep))) {
-    objections.push_back({mistake, Remedy::none});
+    conflicts.push_back({mistake, Remedy::none});
   }
   const auto options_of = options_of_tasks(sweep, directory, options);
   for (std::size_t i = 0; i < sweep.tasks.size(); ++i) {
     const auto& task = sweep.tasks[i];
-    std::ranges::move(objections_to(task.study, task.directory_in(directory), options_of[i]),
-                      std::back_inserter(objections));
+    std::ranges::move(conflicts_with(task.study, task.directory_in(directory), options_of[i]),
+                      std::back_inserter(conflicts));
   }
-  if (!objections.empty()) throw ForeignResults(std::move(objections));
+  if (!conflicts.empty()) throw ConflictingResults(std::move(conflicts));
 }
 
 }  // namespace breccia

@@ -8,9 +8,9 @@
 
 #include "breccia/homogenisation/memory.hpp"
 #include "breccia/homogenisation/not_covered.hpp"
+#include "breccia/io/conflicting_results.hpp"
 #include "breccia/io/directory_lock.hpp"
 #include "breccia/io/display.hpp"
-#include "breccia/io/foreign_results.hpp"
 #include "breccia/results/stored_composite.hpp"
 #include "breccia/tables/unknown_columns.hpp"
 
@@ -46,10 +46,10 @@ std::string advice_on(const Error& error, const CLI::App& command) {
   return {};
 }
 
-/// The options of the command that help against an objection.
-std::string advice_on(const Objection& objection, const CLI::App& command) {
-  using Remedy = Objection::Remedy;
-  const auto remedy = objection.remedy;
+/// The options of the command that help against a conflict.
+std::string advice_on(const ResultConflict& conflict, const CLI::App& command) {
+  using Remedy = ResultConflict::Remedy;
+  const auto remedy = conflict.remedy;
   if (remedy == Remedy::none) return {};
   const bool can_replace = has(command, "--overwrite");
   std::vector<std::string> ways;
@@ -58,9 +58,9 @@ std::string advice_on(const Objection& objection, const CLI::App& command) {
     ways.emplace_back("replace them (--overwrite)");
   }
   if (remedy == Remedy::adding && has(command, "--resume")) ways.emplace_back("add to them (--resume)");
-  ways.push_back(objection.free_directory.empty()
+  ways.push_back(conflict.free_directory.empty()
                      ? "take another directory (--out)"
-                     : fmt::format("take another directory (--out {})", objection.free_directory));
+                     : fmt::format("take another directory (--out {})", conflict.free_directory));
   if (can_replace && remedy == Remedy::not_resuming) {
     ways.emplace_back(
         "run with --overwrite instead of --resume, which starts anew and replaces them when the new ones are complete");
@@ -73,11 +73,10 @@ std::string advice_on(const Objection& objection, const CLI::App& command) {
 }  // namespace
 
 std::string with_advice(const Error& error, const CLI::App& command) {
-  const auto* const foreign = dynamic_cast<const ForeignResults*>(&error);
+  const auto* const foreign = dynamic_cast<const ConflictingResults*>(&error);
   if (foreign == nullptr || !has(command, "--out")) return error.what() + advice_on(error, command);
   std::vector<std::string> lines;
-  for (const auto& objection : foreign->objections())
-    lines.push_back(objection.problem + advice_on(objection, command));
+  for (const auto& conflict : foreign->conflicts()) lines.push_back(conflict.problem + advice_on(conflict, command));
   return fmt::format("{}", fmt::join(lines, "\n"));
 }
 

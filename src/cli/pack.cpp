@@ -67,7 +67,7 @@ void add_pack(CLI::App& application) {
     const auto sweep = arguments->deck.read();
     ProgressLine progress(arguments->quiet || !parallel::is_first());
     const auto lock = hold_sweep_directory(sweep, arguments->results());
-    if (lock) refuse_objections(sweep, arguments->results(), options);
+    if (lock) refuse_conflicts(sweep, arguments->results(), options);
     if (sweep.keys.empty()) {
       pack(sweep.tasks.front().study, arguments->results(), options, progress);
     } else {

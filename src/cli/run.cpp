@@ -37,8 +37,7 @@ std::vector<std::string> tables_in(const std::filesystem::path& directory) {
 
 void run_single(const Study& study, const RunArguments& arguments, const RunOptions& options, ProgressLine& progress) {
   const auto directory = arguments.results();
-  const auto note = [&](const std::string& text) { progress.print("note: " + text); };
-  if (arguments.resume && take_over_complete_run(study, directory, note)) {
+  if (arguments.resume && take_over_complete_run(study, directory, narrate(progress))) {
     progress.print(fmt::format("The results in {} are complete", directory.string()));
     return;
   }

@@ -18,26 +18,26 @@ namespace breccia {
 namespace {
 
 namespace fs = std::filesystem;
-using Remedy = Objection::Remedy;
+using Remedy = ResultConflict::Remedy;
 using Json = nlohmann::ordered_json;
 
-ForeignResults refusal(const std::string& problem, Remedy remedy) {
-  return ForeignResults(std::vector{Objection{problem, remedy}});
+ConflictingResults refusal(const std::string& problem, Remedy remedy) {
+  return ConflictingResults(std::vector{ResultConflict{problem, remedy}});
 }
 
-/// Throws ForeignResults if there are mistakes, which say themselves what helps.
+/// Throws ConflictingResults if there are mistakes, which say themselves what helps.
 void refuse_all(const std::vector<std::string>& mistakes) {
-  std::vector<Objection> objections;
-  for (const auto& mistake : mistakes) objections.push_back({mistake, Remedy::none});
-  if (!objections.empty()) throw ForeignResults(std::move(objections));
+  std::vector<ResultConflict> conflicts;
+  for (const auto& mistake : mistakes) conflicts.push_back({mistake, Remedy::none});
+  if (!conflicts.empty()) throw ConflictingResults(std::move(conflicts));
 }
 
 bool is_of_breccia(const Json& record) {
   return record.is_object() && record.value("program", Json()) == "breccia";
 }
 
-/// The directory itself. Throws ForeignResults if it is in the unfinished results of a run, which could not be resumed
-/// with other files in them.
+/// The directory itself. Throws ConflictingResults if it is in the unfinished results of a run, which could not be
+/// resumed with other files in them.
 const fs::path& outside_of_unfinished(const fs::path& directory) {
   const auto results = results_with_unfinished(directory);
   if (!results) return directory;
@@ -111,7 +111,7 @@ void WholeResults::refuse_others() const {
     throw refusal(fmt::format("{}: here are the results of a {}", directory_.string(), record.stem().string()),
                   Remedy::another_directory);
   }
-  // A replacement that was interrupted is completed after all objections: its files count as if they were in place.
+  // A replacement that was interrupted is completed once there is no conflict: its files count as in place.
   const auto replaced = files_of_replacement(directory_, names());
   const bool is_record_new = !replaced.empty() && fs::exists(status_of(place_ / record_name()));
   const auto record = (is_record_new ? place_ : directory_) / record_name();

@@ -1,6 +1,8 @@
 #include "campaign/result_place.hpp"
 
 #include <filesystem>
+#include <string>
+#include <variant>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -154,8 +156,9 @@ TEST_F(CompleteRun, IsNotTakenFromDamagedFiles) {
     for (const auto& damaged : {std::string(), std::string(whole.size(), '\0'), whole.substr(1), flipped}) {
       write_text(entry.path(), damaged);
       std::string note;
-      const auto keep = [&](const std::string& text) { note = text; };
-      const auto time = take_over_complete_run(study, results, keep);
+      RunObserver observer;
+      observer.event = [&](const RunEvent& event) { note = std::get<Note>(event).text; };
+      const auto time = take_over_complete_run(study, results, observer);
       if (name == "report.html") {
         EXPECT_THAT(time, Optional(2.5));
         EXPECT_EQ(read_text(entry.path()), whole);

@@ -53,7 +53,7 @@ class SweepDirectory : public testing::Test {
     write_sweep_record(results, of, result, replaceable);
   }
   [[nodiscard]] std::string refusal(const RunOptions& options) const {
-    return test::message_of<InputError>([&] { refuse_objections(sweep, results, options); });
+    return test::message_of<InputError>([&] { refuse_conflicts(sweep, results, options); });
   }
   [[nodiscard]] std::vector<std::vector<std::string>> replaceable(const RunOptions& options) const {
     std::vector<std::vector<std::string>> hashes;
@@ -68,7 +68,7 @@ class SweepDirectory : public testing::Test {
 };
 
 TEST_F(SweepDirectory, IsFreeWhereNothingIs) {
-  EXPECT_NO_THROW(refuse_objections(sweep, results, {}));
+  EXPECT_NO_THROW(refuse_conflicts(sweep, results, {}));
   EXPECT_THAT(replaceable({}), ElementsAre(IsEmpty(), IsEmpty()));
 }
 
@@ -79,7 +79,7 @@ TEST_F(SweepDirectory, IsOverwrittenAsItWasWhenTheSweepBegan) {
   EXPECT_THAT(hashes, SizeIs(1));
   EXPECT_THAT(replaceable({.overwrite = true}), ElementsAre(IsEmpty(), hashes));
   EXPECT_THAT(options_of_tasks(sweep, results, {.overwrite = true}), Each(Field(&RunOptions::overwrite, false)));
-  EXPECT_NO_THROW(refuse_objections(sweep, results, {.overwrite = true}));
+  EXPECT_NO_THROW(refuse_conflicts(sweep, results, {.overwrite = true}));
 }
 
 TEST_F(SweepDirectory, IsResumedAsItsRecordSays) {
@@ -113,12 +113,12 @@ TEST_F(SweepDirectory, OfAnotherSweepIsReplacedOnRequestAlone) {
   EXPECT_THAT(refusal({}),
               HasSubstr("results: here are the results of another sweep; replace them, add to them or take another "
                         "directory"));
-  EXPECT_NO_THROW(refuse_objections(sweep, results, {.resume = true}));
-  EXPECT_NO_THROW(refuse_objections(sweep, results, {.overwrite = true}));
+  EXPECT_NO_THROW(refuse_conflicts(sweep, results, {.resume = true}));
+  EXPECT_NO_THROW(refuse_conflicts(sweep, results, {.overwrite = true}));
   write_record(sweep_over("stages.0.cells", {"16", "24"}), {TaskState::waiting, TaskState::failed});
-  EXPECT_NO_THROW(refuse_objections(sweep, results, {})) << "nothing of it is done";
+  EXPECT_NO_THROW(refuse_conflicts(sweep, results, {})) << "nothing of it is done";
   write_record(sweep, {TaskState::done, TaskState::done});
-  EXPECT_NO_THROW(refuse_objections(sweep, results, {})) << "the same sweep";
+  EXPECT_NO_THROW(refuse_conflicts(sweep, results, {})) << "the same sweep";
 }
 
 TEST_F(SweepDirectory, WithForeignTablesIsRefused) {

@@ -102,7 +102,7 @@ TEST_F(WholeResultsTest, AreRefusedWhereALinkIsInTheirPlace) {
   make("a", "first");
   fs::remove(directory() / "prony.csv");
   fs::create_symlink("prony.csv", directory() / "prony.csv");
-  EXPECT_THAT(test::message_of<ForeignResults>([&] { make("a", "new"); }),
+  EXPECT_THAT(test::message_of<ConflictingResults>([&] { make("a", "new"); }),
               HasSubstr("out/prony.csv: a symbolic link, through which files elsewhere would be written or removed"));
   EXPECT_FALSE(fs::exists(directory() / "unfinished"));
 }
@@ -115,7 +115,7 @@ TEST_F(WholeResultsTest, CarryOutNoListOfOthers) {
   const auto list = directory() / "unfinished/removing.list";
   for (const auto* text : {"fit.json\nnotes.txt\n", "notes.txt\n", "study.json\nprony.csv\n"}) {
     write_text(list, text);
-    EXPECT_THAT(test::message_of<ForeignResults>([&] { make("a", "new"); }),
+    EXPECT_THAT(test::message_of<ConflictingResults>([&] { make("a", "new"); }),
                 HasSubstr("removing.list: not as Breccia writes it here; remove it"));
     EXPECT_EQ(read_text(directory() / "notes.txt"), "mine");
     EXPECT_EQ(read_text(directory() / "prony.csv"), "first");
@@ -127,7 +127,7 @@ TEST_F(WholeResultsTest, ObjectBeforeAListIsCarriedOut) {
   fs::create_directories(directory() / "unfinished");
   write_text(directory() / "unfinished/removing.list", "fit.json\nprony.csv\n");
   write_text(directory() / "unfinished/fit.json", R"({"program": "breccia", "identity": "b"})");
-  EXPECT_THROW(make("a", "new"), ForeignResults);
+  EXPECT_THROW(make("a", "new"), ConflictingResults);
   EXPECT_EQ(read_text(directory() / "prony.csv"), "first");
   make("b", "second");
   EXPECT_EQ(read_text(directory() / "prony.csv"), "second");

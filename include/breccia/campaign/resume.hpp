@@ -1,10 +1,9 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <optional>
-#include <string>
 
+#include "breccia/campaign/run_observer.hpp"
 #include "breccia/study/study.hpp"
 
 namespace breccia {
@@ -14,11 +13,11 @@ namespace breccia {
 std::optional<double> time_of_complete_run(const Study& study, const std::filesystem::path& directory);
 
 /// The same. If that run was killed after its last test, first completes its work: writes the page and the checksums,
-/// and removes checkpoints and half-written files. Nothing, with a note for the user, if a file is missing or has
+/// and removes checkpoints and half-written files. Nothing, and a Note, if a file is missing or has
 /// changed since (results/checksums.hpp), but for the page, which is written anew. Throws DirectoryInUse if another
 /// process writes to the directory.
 std::optional<double> take_over_complete_run(const Study& study, const std::filesystem::path& directory,
-                                             const std::function<void(const std::string&)>& noted = {});
+                                             const RunObserver& observer = {});
 
 /// Whether a directory has results of tests, complete or not.
 bool holds_tests(const std::filesystem::path& directory);

@@ -13,7 +13,7 @@ namespace breccia {
 /// swept, `spread.csv` (docs/results.md). If a task fails with NumericalError or InputError, the others still run.
 /// With `resume`, complete tasks are skipped, and the others resume from their checkpoints. Throws FileError,
 /// Interrupted, DirectoryInUse if another process writes to the directory or to that of a task, and InputError as
-/// refuse_objections().
+/// refuse_conflicts().
 SweepResult run_sweep(const Sweep& sweep, const std::filesystem::path& directory, const RunOptions& options,
                       const RunObserver& observer = {});
 

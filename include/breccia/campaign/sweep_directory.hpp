@@ -20,9 +20,9 @@ std::vector<RunOptions> options_of_tasks(const Sweep& sweep, const std::filesyst
 /// process writes to it or to the directory of a task, and FileError.
 std::unique_ptr<DirectoryLock> hold_sweep_directory(const Sweep& sweep, const std::filesystem::path& directory);
 
-/// Throws ForeignResults, for all tasks at once, if a study was changed after its deck was read, and if the sweep would
-/// replace or resume results of another study, sweep or version without `overwrite`, or replace files that Breccia did
-/// not write.
-void refuse_objections(const Sweep& sweep, const std::filesystem::path& directory, const RunOptions& options);
+/// Throws ConflictingResults, for all tasks at once, if a study was changed after its deck was read, and if the sweep
+/// would replace or resume results of another study, sweep or version without `overwrite`, or replace files that
+/// Breccia did not write.
+void refuse_conflicts(const Sweep& sweep, const std::filesystem::path& directory, const RunOptions& options);
 
 }  // namespace breccia

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "breccia/io/conflicting_results.hpp"
 #include "breccia/io/directory_lock.hpp"
-#include "breccia/io/foreign_results.hpp"
 #include "breccia/io/replacement.hpp"
 
 namespace breccia {
@@ -25,8 +25,8 @@ struct ResultsOrigin {
 /// during the lifetime of this object.
 class WholeResults {
  public:
-  /// Throws ForeignResults where the directory is in `unfinished` or has the results of a study or a sweep, files of
-  /// these names that Breccia did not write, or results from another source that are not to be overwritten;
+  /// Throws ConflictingResults where the directory is in `unfinished` or has the results of a study or a sweep, files
+  /// of these names that Breccia did not write, or results from another source that are not to be overwritten;
   /// DirectoryInUse where another process writes to it; FileError where a file cannot be read or written.
   WholeResults(std::filesystem::path directory, ResultsOrigin origin);
   WholeResults(const WholeResults&) = delete;

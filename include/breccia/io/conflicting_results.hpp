@@ -8,7 +8,7 @@
 namespace breccia {
 
 /// The reason why results must not be written to a directory, and the remedy.
-struct Objection {
+struct ResultConflict {
   enum class Remedy {
     none,               ///< the problem has the remedy in its text
     another_directory,  ///< write to another directory
@@ -23,15 +23,15 @@ struct Objection {
   std::string free_directory = {};  ///< another directory to suggest
 };
 
-/// The error that a directory for results contains something else. The message has a line for each objection, with its
+/// The error that a directory for results contains something else. The message has a line for each conflict, with its
 /// remedy in the terms of the library.
-class ForeignResults : public InputError {
+class ConflictingResults : public InputError {
  public:
-  explicit ForeignResults(std::vector<Objection> objections);
-  [[nodiscard]] const std::vector<Objection>& objections() const noexcept { return objections_; }
+  explicit ConflictingResults(std::vector<ResultConflict> conflicts);
+  [[nodiscard]] const std::vector<ResultConflict>& conflicts() const noexcept { return conflicts_; }
 
  private:
-  std::vector<Objection> objections_;
+  std::vector<ResultConflict> conflicts_;
 };
 
 }  // namespace breccia
