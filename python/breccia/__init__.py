@@ -10,7 +10,7 @@ Numbers are in SI units: m, s, Pa, kg/m^3, K, rad/s. Where a deck takes a quanti
 import atexit as _atexit
 
 from . import _errors, _html, _native
-from ._calculations import pack, respond, run, solve
+from ._calculations import pack, plan, respond, run, solve
 from ._errors import Error, FileError, InputError, Interrupted, NumericalError
 from ._exports import Isochrone, export, isochrone
 from ._fits import master_curve, read_measured, read_sweeps
@@ -21,11 +21,14 @@ from ._native import (
     EngineeringModuli,
     MasterCurve,
     Microstructure,
+    Plan,
     PronySeries,
     RelaxationFit,
     Result,
     Solid,
+    StagePlan,
     StageResult,
+    TestPlan,
     TestResult,
     WilliamsLandelFerry,
     __version__,
@@ -41,10 +44,11 @@ from ._study import Measurement, Study, Tests, read_study, read_sweep
 __all__ = [
     "Coating", "CreepCompliance", "CreepFit", "EngineeringModuli", "Error", "FileError", "Filler", "Image",
     "InputError", "Interrupted", "Isochrone", "MasterCurve", "Material", "Measurement", "Microstructure",
-    "NumericalError", "Packing", "PronySeries", "RelaxationFit", "Result", "Solid", "Stage", "StageResult", "Study",
-    "TestResult", "Tests", "WilliamsLandelFerry",
-    "export", "fit", "fit_creep", "fit_dynamic", "isochrone", "master_curve", "pack", "quantity", "read_measured",
-    "read_results", "read_study", "read_sweep", "read_sweep_results", "read_sweeps", "respond", "run", "solve",
+    "NumericalError", "Packing", "Plan", "PronySeries", "RelaxationFit", "Result", "Solid", "Stage", "StagePlan",
+    "StageResult", "Study", "TestPlan", "TestResult", "Tests", "WilliamsLandelFerry",
+    "export", "fit", "fit_creep", "fit_dynamic", "isochrone", "master_curve", "pack", "plan", "quantity",
+    "read_measured", "read_results", "read_study", "read_sweep", "read_sweep_results", "read_sweeps", "respond", "run",
+    "solve",
 ]
 
 # The classes of the library are public under the name of this package, also for pickle.

@@ -1,4 +1,4 @@
-"""What is done with a study: solve, pack, run, respond."""
+"""What is done with a study: plan, solve, pack, run, respond."""
 
 from __future__ import annotations
 
@@ -25,6 +25,15 @@ def solve(study: Study, *, threads: int = 0, ignore_memory: bool = False,
     """
     with shown(progress) as show:
         return _native.solve(checked(study), threads, ignore_memory, show)
+
+
+def plan(study: Study) -> _native.Plan:
+    """What a study is expected to take, as `breccia check` tells it: plan.seconds, plan.memory [B], plan.stages.
+
+    plan[stage].grid_error is the largest relative error to be expected of the grid, plan[stage].cells_for(0.02) the
+    cells per side for one of 2 %. The boxes are packed for it, and a dynamic test is tried for a fraction of a second.
+    """
+    return _native.plan(checked(study))
 
 
 def pack(study: Study, directory: PathLike | None = None, *, overwrite: bool = False,

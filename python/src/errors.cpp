@@ -9,10 +9,10 @@
 #include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
-#include "breccia/homogenisation/memory.hpp"
 #include "breccia/homogenisation/new_materials.hpp"
 #include "breccia/homogenisation/not_covered.hpp"
 #include "breccia/io/conflicting_results.hpp"
+#include "breccia/homogenisation/plan.hpp"
 #include "breccia/io/display.hpp"
 #include "breccia/tables/unknown_columns.hpp"
 

@@ -8,6 +8,7 @@
 #include "master_curves.hpp"
 #include "materials.hpp"
 #include "measured.hpp"
+#include "plans.hpp"
 #include "quantities.hpp"
 #include "results.hpp"
 #include "stored_results.hpp"
@@ -27,6 +28,7 @@ PYBIND11_MODULE(_native, module) {
   python::bind_engineering(module);
   python::bind_results(module);
   python::bind_calculations(module);
+  python::bind_plans(module);
   python::bind_exports(module);
   python::bind_stored_results(module);
 }

@@ -179,3 +179,21 @@ def test_overrides_are_named_as_arguments():
     assert any(line.startswith("overrides stages.modle.cells=3: ") for line in error.value.mistakes)
     assert any(line.startswith("overrides tests.method=\"slow\": ") for line in error.value.mistakes)
     assert "--set" not in str(error.value)
+
+
+def test_a_plan_has_time_memory_and_the_error_of_the_grid(command):
+    study = breccia.read_study(MODEL, {"tests.method": "quasistatic"})
+    plan = breccia.plan(study)
+    (stage,) = plan.stages
+    assert plan.seconds == pytest.approx(sum(test.seconds for test in stage.tests))
+    assert plan.memory == max(test.memory for test in stage.tests)
+    assert plan["model"].cells_for(0.01) > plan["model"].cells_for(0.05)
+    finer = breccia.plan(breccia.read_study(MODEL, {"tests.method": "quasistatic", "stages.model.cells": 96}))
+    assert finer.seconds > plan.seconds and finer.memory > plan.memory
+    assert finer["model"].grid_error < 0.05
+    with pytest.raises(KeyError):
+        plan["another"]
+    with pytest.raises(breccia.InputError, match="between 0 and 1"):
+        plan["model"].cells_for(2.0)
+    with pytest.raises(breccia.InputError, match="expected a Study"):
+        breccia.plan(str(MODEL))

@@ -27,7 +27,7 @@ StudyResult run_study(const Study& study, const std::filesystem::path& directory
   DirectorySink sink(study, place, options, observer, shared);
   StudyResult result;
   try {
-    result = solve(study, options.solve, sink);
+    result = solve_checked(study, options.solve, sink);
   } catch (const NumericalError&) {
     sink.keep_failure(std::current_exception());
     throw;

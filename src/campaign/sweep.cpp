@@ -1,6 +1,5 @@
 #include "breccia/campaign/sweep.hpp"
 
-#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,10 +11,10 @@
 #include "breccia/campaign/resume.hpp"
 #include "breccia/campaign/sweep_directory.hpp"
 #include "breccia/error.hpp"
-#include "breccia/homogenisation/available_memory.hpp"
-#include "breccia/homogenisation/memory.hpp"
+#include "breccia/homogenisation/plan.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/parallel/common_failure.hpp"
+#include "breccia/parallel/available_memory.hpp"
 #include "breccia/parallel/session.hpp"
 #include "breccia/results/result_files.hpp"
 #include "breccia/results/sweep_plot.hpp"
@@ -48,7 +47,7 @@ class SweepRun {
     refuse_conflicts(sweep_, directory_, options_);
     options_of_ = options_of_tasks(sweep_, directory_, options_);
     find_complete_tasks();
-    if (!options_.solve.ignore_memory && parallel::is_alone()) refuse_too_large();
+    if (!options_.solve.ignore_memory && parallel::is_alone()) require_memory_of_tasks();
     prepare_directory();
     if (options_.resume) write();
     // Written before the first task, so that a resumed sweep knows which results it may replace.
@@ -100,22 +99,14 @@ class SweepRun {
     static_cast<void>(parallel::gather({}));
   }
 
-  /// Refuses tasks that may not fit into the memory. For equal messages it names the first task and counts the others.
-  void refuse_too_large() const {
-    const double available = available_memory();
-    std::map<std::string, std::vector<std::string>> tasks_of;
+  /// Refuses tasks that may not fit into the memory. The tasks themselves do not look again.
+  void require_memory_of_tasks() {
+    std::vector<std::size_t> tasks;
     for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) {
-      if (options_.resume && result_[task].state == TaskState::done) continue;
-      for (const auto& line : lacking_memory(sweep_.tasks[task].study, available)) {
-        tasks_of[line].push_back(sweep_.tasks[task].name);
-      }
+      if (!options_.resume || result_[task].state != TaskState::done) tasks.push_back(task);
     }
-    std::vector<std::string> mistakes;
-    for (const auto& [line, tasks] : tasks_of) {
-      const auto more = tasks.size() > 1 ? fmt::format(" and {} more", tasks.size() - 1) : "";
-      mistakes.push_back(fmt::format("{}{}: {}", tasks.front(), more, line));
-    }
-    if (!mistakes.empty()) throw LackingMemory(fmt::format("{}", fmt::join(mistakes, "\n")));
+    require_memory(sweep_, tasks, parallel::available_memory());
+    for (auto& options : options_of_) options.solve.ignore_memory = true;
   }
 
   void keep_if_done(std::size_t task, std::optional<double> seconds) {

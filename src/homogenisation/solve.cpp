@@ -3,9 +3,9 @@
 #include <chrono>
 #include <utility>
 
-#include "breccia/homogenisation/available_memory.hpp"
-#include "breccia/homogenisation/memory.hpp"
+#include "breccia/homogenisation/plan.hpp"
 #include "breccia/homogenisation/solve_stage.hpp"
+#include "breccia/parallel/available_memory.hpp"
 #include "breccia/parallel/session.hpp"
 #include "breccia/study/identity.hpp"
 #include "breccia/study/soundness.hpp"
@@ -31,7 +31,7 @@ void solve_stage(const Study& study, const Stage& stage, int threads, StudySink&
 
 void require_solvable(const Study& study, const SolveOptions& options) {
   require_sound(study);
-  if (!options.ignore_memory && parallel::is_alone()) require_memory(study, available_memory());
+  if (!options.ignore_memory && parallel::is_alone()) require_memory(study, parallel::available_memory());
 }
 
 StudyResult solve(const Study& study, const SolveOptions& options) {
@@ -40,8 +40,12 @@ StudyResult solve(const Study& study, const SolveOptions& options) {
 }
 
 StudyResult solve(const Study& study, const SolveOptions& options, StudySink& sink) {
-  const auto begin = std::chrono::steady_clock::now();
   require_solvable(study, options);
+  return solve_checked(study, options, sink);
+}
+
+StudyResult solve_checked(const Study& study, const SolveOptions& options, StudySink& sink) {
+  const auto begin = std::chrono::steady_clock::now();
   StudyResult result;
   result.study_hash = provenance_of(study).hash;
   for (const auto& stage : study.stages) solve_stage(study, stage, options.threads, sink, result);

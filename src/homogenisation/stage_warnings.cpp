@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "breccia/homogenisation/grid_estimate.hpp"
 #include "breccia/homogenisation/quality.hpp"
 #include "breccia/io/display.hpp"
 #include "breccia/io/units.hpp"
@@ -17,6 +16,7 @@
 #include "breccia/study/test_rules.hpp"
 
 #include "material_warnings.hpp"
+#include "plan/grid_error.hpp"
 #include "separation.hpp"
 
 namespace breccia {
@@ -136,19 +136,19 @@ std::optional<std::string> warning_of_small_spheres(const Stage& stage, const St
   if (packed.content<Microstructure<3>>() == nullptr || mixing == Mixing::points) return std::nullopt;
   const double diameter = packed.mean_diameter();
   const double cells = diameter / stage.side * stage.grids().front();
-  if (!std::isfinite(cells) || expected_sphere_error(cells, packed.fraction)) return std::nullopt;
-  constexpr double tenth = 0.1;
-  const auto needed = cells_per_diameter_for(tenth, packed.fraction);
-  if (!needed) {
+  const auto rule = error_rule_of_spheres(packed.fraction);
+  if (!std::isfinite(cells) || (rule && rule->error_with(cells))) return std::nullopt;
+  if (!rule) {
     if (stage.packed_by<LatticePacking>() != nullptr) return std::nullopt;  // all of its gaps are alike
     return fmt::format(
         "spheres that fill {:.3g} % are close to jamming, where the modulus at long times comes out far too low unless "
         "the grid resolves their gaps; the mean sphere, {}, is {:.2g} cells wide: try several grids",
         100.0 * packed.fraction, display(diameter, "m"), cells);
   }
+  constexpr double tenth = 0.1;
   return fmt::format("the mean sphere, {}, is {:.2g} cells wide, too few to tell the error of the grid{}",
                      display(diameter, "m"), cells,
-                     words_on_finer_grids(stage.grids(), std::ceil(*needed * stage.side / diameter)));
+                     words_on_finer_grids(stage.grids(), std::ceil(rule->cells_for(tenth) * stage.side / diameter)));
 }
 
 /// A coating that the grid does not resolve.

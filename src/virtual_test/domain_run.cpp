@@ -87,6 +87,31 @@ ReducedMaterial reduced_in_plane_strain(const Material& material, const TimeWind
           std::max(bulk.error_bound, shear.error_bound)};
 }
 
+/// The materials of a test, by PhaseIndex and then those of mixtures, with the terms that matter in a window.
+template <int dim>
+std::vector<ReducedMaterial> reduced_materials(const DynamicTest<dim>& test, const TimeWindow& window) {
+  const auto reduce = dim == 2 && !test.discretisation.mixtures().empty() ? reduced_in_plane_strain : reduced;
+  std::vector<ReducedMaterial> materials;
+  for (const auto& material : test.materials) {
+    materials.push_back(reduce(material, window, test.options.reduction_tolerance));
+  }
+  return materials;
+}
+
+/// The largest number of terms of a phase.
+template <int dim>
+std::size_t most_terms(const DynamicTest<dim>& test, const std::vector<ReducedMaterial>& materials) {
+  std::size_t most = 0;
+  const auto phases = materials.size() - test.discretisation.mixtures().size();
+  for (std::size_t phase = 0; phase < phases; ++phase) most = std::max(most, materials[phase].terms);
+  return most;
+}
+
+template <int dim>
+std::size_t terms_in(const DynamicTest<dim>& test, const TimeWindow& window) {
+  return most_terms(test, reduced_materials(test, window));
+}
+
 template <int dim>
 PreparedDomain<dim> prepare(const DynamicTest<dim>& test, const DomainRules& rules, const ShearModulusBounds& bounds,
                             const DomainSequence& sequence) {
@@ -95,15 +120,12 @@ PreparedDomain<dim> prepare(const DynamicTest<dim>& test, const DomainRules& rul
   constexpr double early = 1.0 / 6.0;
   TimeDomain domain;
   domain.mass_scaling = sequence.mass_scaling();
+  auto reduced_to_domain = reduced_materials(test, {begin, end});
+  domain.terms = most_terms(test, reduced_to_domain);
   std::vector<Material> materials;
-  const auto mixtures = test.discretisation.mixtures().size();
-  const auto reduce = dim == 2 && mixtures > 0 ? reduced_in_plane_strain : reduced;
-  for (const auto& material : test.materials) {
-    auto [of_domain, terms, error_bound] = reduce(material, {begin, end}, test.options.reduction_tolerance);
-    materials.push_back(std::move(of_domain));
+  for (auto& [material, terms, error_bound] : reduced_to_domain) {
+    materials.push_back(std::move(material));
     domain.reduction_error = std::max(domain.reduction_error, error_bound);
-    // The phases come before their mixtures.
-    if (materials.size() + mixtures <= test.materials.size()) domain.terms = std::max(domain.terms, terms);
   }
   domain.time_step = test.options.courant *
                      stable_time_step(test.discretisation, materials, test.options.volumetric, domain.mass_scaling);
@@ -188,6 +210,7 @@ void DomainRun<dim>::restore(const StateReader& state) {
 #define BRECCIA_INSTANTIATE(dim)                                                                               \
   template IndexRange<dim> cells_with_fields(const DynamicTest<dim>&);                                         \
   template DomainRules rules_of(const DynamicTest<dim>&);                                                      \
+  template std::size_t terms_in(const DynamicTest<dim>&, const TimeWindow&);                                   \
   template PreparedDomain<dim> prepare(const DynamicTest<dim>&, const DomainRules&, const ShearModulusBounds&, \
                                        const DomainSequence&);                                                 \
   template bool goes_on(const DynamicTest<dim>&, const ShearModulusBounds&, const TimeDomain&, const Sample&,  \

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <vector>
@@ -21,6 +22,10 @@ IndexRange<dim> cells_with_fields(const DynamicTest<dim>& test);
 /// The rules by which the time domains of a test are chosen.
 template <int dim>
 DomainRules rules_of(const DynamicTest<dim>& test);
+
+/// The largest number of Prony terms that is integrated in a domain of this window (TimeDomain::terms).
+template <int dim>
+std::size_t terms_in(const DynamicTest<dim>& test, const TimeWindow& window);
 
 /// The dynamic problem of one time domain, with the record of the domain.
 template <int dim>

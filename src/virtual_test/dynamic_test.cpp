@@ -88,17 +88,15 @@ double least_modulus(const DynamicTest<dim>& test, const ShearModulusBounds& bou
 }  // namespace
 
 template <int dim>
-DynamicPlan plan_dynamic_test(const DynamicTest<dim>& coarse, double refinement) {
+std::vector<TimeDomain> plan_dynamic_test(const DynamicTest<dim>& coarse, double refinement) {
   require_complete(coarse);
   // The time step is in proportion to the side of a cell.
   auto test = coarse;
   test.options.courant /= refinement;
-  auto grid = test.discretisation.grid();
-  for (auto& cells : grid.cells) cells = static_cast<int>(std::lround(cells * refinement));
   const auto rules = rules_of(test);
   const ShearModulusBounds bounds(test.discretisation, test.materials);
   DomainSequence sequence(rules, least_modulus(test, bounds));
-  DynamicPlan plan;
+  std::vector<TimeDomain> domains;
   for (;;) {
     auto domain = prepare(test, rules, bounds, sequence).domain;
     constexpr double increase = 1.01;
@@ -106,11 +104,27 @@ DynamicPlan plan_dynamic_test(const DynamicTest<dim>& coarse, double refinement)
     while (sequence.observe(time, bounds.estimate(time))) time *= increase;
     domain.window = window_wanted(sequence);
     domain.steps = static_cast<std::int64_t>(std::ceil((time + 0.5 * domain.ramp) / domain.time_step));
-    plan.bytes = std::max(plan.bytes, memory_of(test, grid, domain.terms));
-    plan.domains.push_back(std::move(domain));
-    if (sequence.is_complete()) return plan;
+    domains.push_back(std::move(domain));
+    if (sequence.is_complete()) return domains;
     sequence.advance();
   }
+}
+
+template <int dim>
+double dynamic_memory(const DynamicTest<dim>& test, double refinement) {
+  require_complete(test);
+  const auto rules = rules_of(test);
+  const ShearModulusBounds bounds(test.discretisation, test.materials);
+  // A domain is expected to begin at this time or later.
+  const double first = DomainSequence(rules, least_modulus(test, bounds)).expected_begin();
+  constexpr double increase = 2.0;
+  std::size_t terms = 0;
+  for (double begin = std::min(first, test.times.end); begin <= test.times.end; begin *= increase) {
+    terms = std::max(terms, terms_in(test, {begin, std::max(rules.last_time(begin), begin)}));
+  }
+  auto grid = test.discretisation.grid();
+  for (auto& cells : grid.cells) cells = static_cast<int>(std::lround(cells * refinement));
+  return static_cast<double>(memory_of(test, grid, terms));
 }
 
 template <int dim>
@@ -269,7 +283,8 @@ DynamicTestResult run_dynamic_test(const DynamicTest<dim>& test, const ProgressO
 }
 
 #define BRECCIA_INSTANTIATE(dim)                                                                                       \
-  template DynamicPlan plan_dynamic_test(const DynamicTest<dim>&, double);                                             \
+  template std::vector<TimeDomain> plan_dynamic_test(const DynamicTest<dim>&, double);                                 \
+  template double dynamic_memory(const DynamicTest<dim>&, double);                                                     \
   template DynamicTestResult run_dynamic_test(const DynamicTest<dim>&, const ProgressObserver&, const DomainObserver&, \
                                               Checkpoint*);                                                            \
   template double trial_speed(const DynamicTest<dim>&);                                                                \

@@ -16,6 +16,10 @@ double DomainRules::transit(double mass_scaling, double modulus) const {
   return side / shear_wave_speed(modulus, mass_scaling * density);
 }
 
+double DomainRules::last_time(double begin) const {
+  return mass_scaling_factors.empty() ? std::min(times.end, longest * begin) : times.end;
+}
+
 double DomainRules::admissible_factor(double time, double modulus) const {
   const double transits = time / (2.0 * there_and_back_transits * side);
   return transits * transits * modulus / density;
@@ -33,8 +37,7 @@ DomainSequence::DomainSequence(DomainRules rules, double modulus)
 }
 
 double DomainSequence::last_time() const {
-  if (!rules_.mass_scaling_factors.empty()) return rules_.times.end;
-  return std::min(rules_.times.end, rules_.longest * expected_begin_);
+  return rules_.last_time(expected_begin_);
 }
 
 std::optional<double> DomainSequence::next_factor() const {

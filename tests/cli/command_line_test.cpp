@@ -137,9 +137,9 @@ TEST_F(CommandLine, CheckTellsWhatEachOfSeveralProcessesTakes) {
   const auto shared = run({"check", "deck.toml", "--set", "stages.A.cells=2500", "--processes", "16"});
   EXPECT_EQ(shared.exit_code, 0) << shared.errors;
   EXPECT_THAT(shared.output, StartsWith(whole.output));
-  EXPECT_THAT(shared.output, testing::ContainsRegex(
-                                 "\non 16 processes with a core each about [0-9.]+ [a-z]+, at most "
-                                 "[0-9.]+ MB of memory a process and [0-9.]+ [kM]B more that a machine holds once\n$"));
+  EXPECT_THAT(shared.output,
+              testing::ContainsRegex("\non 16 processes with a core each at best 1/16 of the time, [0-9.]+ [a-z]+, and "
+                                     "[0-9.]+ MB of memory a process\n$"));
   const auto wrong = run({"check", "deck.toml", "--processes", "0"});
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_THAT(wrong.errors, HasSubstr("--processes"));

@@ -230,6 +230,32 @@ TEST(Sweep, CheckShowsTheTasks) {
                                   HasSubstr("12 x 12 cells")));
 }
 
+TEST(Sweep, CheckPlansEveryTask) {
+  const StudyDirectory study(deck.substr(0, deck.find("[sweep]")));
+  const std::vector<std::string> cells = {"--sweep", "stages.A.cells=[12, 24, 36]", "--seeds", "2"};
+  const auto check = study.breccia("check", cells);
+  EXPECT_EQ(check.exit_code, 0) << check.errors;
+  EXPECT_THAT(check.output, AllOf(HasSubstr("  cells-24_seed-1 and 1 more: about "), HasSubstr("\nall 6 tasks about "),
+                                  HasSubstr(" of memory, in cells-36_seed-1 and 1 more\n")));
+}
+
+TEST(Sweep, CheckRefusesWhatRunRefuses) {
+  const StudyDirectory study(test::good_deck);
+  const auto check = study.breccia(
+      "check", {"--sweep", "stages.A.cells=[12, 90000, 180000]", "--sweep", "stages.A.packing.seed=[1, 2, 3]"});
+  EXPECT_EQ(check.exit_code, 2) << check.output;
+  EXPECT_THAT(check.errors, AllOf(HasSubstr("cells-90000_seed-1 and 2 more: A: 90000 x 90000 cells take about "),
+                                  HasSubstr("cells-180000_seed-1 and 2 more: A: 180000 x 180000 cells take about ")));
+}
+
+TEST(Sweep, CheckSaysWhichTasksCannotBePacked) {
+  const StudyDirectory study(deck.substr(0, deck.find("[sweep]")));
+  const auto check = study.breccia("check", {"--sweep", "stages.A.filler.fraction=[0.3, 0.85, 0.35]"});
+  EXPECT_EQ(check.exit_code, 3);
+  EXPECT_THAT(check.output, AllOf(HasSubstr("  fraction-0.35: about "), HasSubstr("all 3 tasks about ")));
+  EXPECT_THAT(check.errors, AllOf(testing::StartsWith("fraction-0.85: A: "), Not(HasSubstr("fraction-0.3"))));
+}
+
 TEST(Sweep, PackPacksEveryTask) {
   const StudyDirectory study(deck);
   const auto pack = study.breccia("pack");

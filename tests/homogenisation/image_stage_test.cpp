@@ -7,10 +7,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/homogenisation/memory.hpp"
 #include "breccia/homogenisation/point_labels.hpp"
 #include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/homogenisation/stage_warnings.hpp"
+
+#include "homogenisation/plan/cell_memory.hpp"
 
 namespace breccia {
 namespace {

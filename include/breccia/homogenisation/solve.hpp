@@ -22,5 +22,7 @@ void require_solvable(const Study& study, const SolveOptions& options = {});
 /// random packing jams or another calculation fails, and what the sink throws.
 StudyResult solve(const Study& study, const SolveOptions& options = {});
 StudyResult solve(const Study& study, const SolveOptions& options, StudySink& sink);
+/// Solves a study for which require_solvable() has been called, which is not repeated.
+StudyResult solve_checked(const Study& study, const SolveOptions& options, StudySink& sink);
 
 }  // namespace breccia

@@ -75,16 +75,16 @@ struct DynamicTestResult {
 /// Is called with each time domain that is finished. An exception that it throws ends the test.
 using DomainObserver = std::function<void(const TimeDomain&)>;
 
-/// Estimate of the cost of a test, from an estimate of the composite's modulus (ShearModulusBounds).
-struct DynamicPlan {
-  std::vector<TimeDomain> domains;  ///< without histories and wall times
-  std::size_t bytes = 0;            ///< approximate memory of the largest run [B]
-};
-/// Plans the time domains of a test. Throws the errors of run_dynamic_test(). The plan is that of the test with
-/// `refinement` times as many cells along each axis, so that a large grid is planned by a small one in little time and
-/// memory. Instantiated, as the functions below, for 2 and 3 dimensions.
+/// Plans the time domains of a test, without histories and wall times, by an estimate of the composite's modulus
+/// (ShearModulusBounds). Throws the errors of run_dynamic_test(). The plan is that of the test with `refinement` times
+/// as many cells along each axis, so that a large grid is planned by a small one in little time and memory.
+/// Instantiated, as the functions below, for 2 and 3 dimensions.
 template <int dim>
-DynamicPlan plan_dynamic_test(const DynamicTest<dim>& test, double refinement = 1.0);
+std::vector<TimeDomain> plan_dynamic_test(const DynamicTest<dim>& test, double refinement = 1.0);
+
+/// Approximate memory [B] of the largest of the runs that a test may need, whichever time domains it has.
+template <int dim>
+double dynamic_memory(const DynamicTest<dim>& test, double refinement = 1.0);
 
 /// Runs the time domains that the test needs and stitches their curves. The share of the progress is estimated on the
 /// logarithmic time axis. With a checkpoint, the state is saved when that

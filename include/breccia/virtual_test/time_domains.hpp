@@ -25,6 +25,8 @@ struct DomainRules {
   /// Largest mass scaling factor with which a run is valid at a time when the composite's shear modulus is `modulus`
   /// [Pa]: (t / 6 L)^2 G(t) / density (theory, Eq. 14).
   [[nodiscard]] double admissible_factor(double time, double modulus) const;
+  /// Latest time [s] to which a run that is valid from a time on goes.
+  [[nodiscard]] double last_time(double begin) const;
   /// Time [s] that the shear wave takes through the box.
   [[nodiscard]] double transit(double mass_scaling, double modulus) const;
 };

@@ -1,4 +1,4 @@
-#include "breccia/homogenisation/film_estimate.hpp"
+#include "homogenisation/plan/film_costs.hpp"
 
 #include <array>
 #include <cmath>
@@ -8,7 +8,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/homogenisation/memory.hpp"
+#include "breccia/homogenisation/plan.hpp"
+
+#include "messages.hpp"
 
 namespace breccia {
 namespace {
@@ -36,30 +38,39 @@ Study study_of_grains(double side) {
 /// What runs of examples/pbx9501-films.toml took (docs/performance.md, "Grains and films").
 struct MeasuredFilms {
   double side;  ///< of the box [m]
-  double face_share;
   std::optional<int> layers;
   double unknowns, bytes;
 };
 
 const std::vector<MeasuredFilms> measured_films = {
-    {0.443e-3, 0.3, {}, 4871, 68e6},   {0.443e-3, 0.1, {}, 14823, 89e6},     {0.443e-3, 0.3, 2, 40575, 164e6},
-    {0.443e-3, 0.3, 4, 96627, 299e6},  {0.886e-3, 0.3, {}, 19730, 102e6},    {0.886e-3, 0.1, {}, 59410, 183e6},
-    {0.886e-3, 0.3, 2, 161836, 480e6}, {0.886e-3, 0.3, 4, 386572, 1035e6},   {2.8e-3, 0.3, {}, 192824, 539e6},
-    {2.8e-3, 0.1, {}, 588912, 1423e6}, {8.854e-3, 0.3, {}, 1938127, 3140e6},
-};
+    {0.443e-3, {}, 4871, 68e6}, {0.443e-3, 4, 96627, 299e6}, {8.854e-3, {}, 1938127, 3140e6}};
 
-TEST(FilmEstimate, OfMemoryIsWithinAThirdOfThatOfMeasuredRuns) {
-  for (const auto& [side, face_share, layers, unknowns, bytes] : measured_films) {
+// A run is refused by this memory, so that it must not be less than what runs take, but for a few per cent.
+TEST(FilmCosts, AreNotLessThanThoseOfMeasuredRuns) {
+  for (const auto& [side, layers, unknowns, bytes] : measured_films) {
     auto study = study_of_grains(side);
-    study.tests.films = {.face_share = face_share, .layers = layers};
+    study.tests.films.layers = layers;
     const auto grains = expected_grains(study.stages.front());
-    EXPECT_NEAR(film_unknowns(study.tests, grains) / unknowns, 1.0, 0.15) << side << " " << face_share;
-    EXPECT_NEAR(film_memory(study, study.stages.front(), grains) / bytes, 1.0, 0.3) << side << " " << face_share;
+    EXPECT_GT(film_unknowns(study.tests, grains), 0.9 * unknowns) << side;
+    EXPECT_GT(film_memory(study, study.stages.front(), grains), 0.95 * bytes) << side;
+  }
+}
+
+TEST(FilmCosts, GrowWithTheGrainsAndTheLayers) {
+  auto study = study_of_grains(1e-3);
+  const auto& stage = study.stages.front();
+  double last_seconds = 0.0;
+  for (const std::optional<int> layers : {std::optional<int>(), std::optional(2), std::optional(6)}) {
+    study.tests.films.layers = layers;
+    const double few = film_memory(study, stage, {25.0, 0.03}), many = film_memory(study, stage, {100.0, 0.03});
+    EXPECT_GT(many, few);
+    EXPECT_GT(film_time(study, stage, {100.0, 0.03}), last_seconds);
+    last_seconds = film_time(study, stage, {100.0, 0.03});
   }
 }
 
 // The layers near the faces are thinner in thinner films, and so are the elements along them; 25 grains.
-TEST(FilmEstimate, OfUnknownsGrowsAsResolvedFilmsBecomeThinner) {
+TEST(FilmCosts, OfUnknownsGrowsAsResolvedFilmsBecomeThinner) {
   constexpr std::array<std::array<double, 3>, 4> counted = {
       {{0.85, 27895, 138501}, {0.937, 40575, 166097}, {0.98, 57351, 200273}, {0.995, 79065, 240257}}};
   for (const auto& [fraction, of_two, of_six] : counted) {
@@ -74,7 +85,7 @@ TEST(FilmEstimate, OfUnknownsGrowsAsResolvedFilmsBecomeThinner) {
 }
 
 // A hexagon of the area a keeps (1 - t / 2r)^2 of it, with the apothem r = sqrt(a / 2 sqrt(3)).
-TEST(FilmEstimate, ExpectsTheFilmsOfHexagons) {
+TEST(FilmCosts, ExpectsTheFilmsOfHexagons) {
   const auto equal = expected_grains(study_of_grains(0.886e-3).stages.front());
   EXPECT_NEAR(equal.count, 100.0, 1.0);
   EXPECT_NEAR(equal.film, 2.0 * std::sqrt(1.0 / (2.0 * std::sqrt(3.0))) * (1.0 - std::sqrt(0.937)), 1e-12);
@@ -86,27 +97,31 @@ TEST(FilmEstimate, ExpectsTheFilmsOfHexagons) {
   EXPECT_NEAR(expected_grains(listed).film, 2e-3 * 4.0, 1e-15);
 }
 
-TEST(FilmEstimate, FieldsTakeTheirFiles) {
+TEST(FilmCosts, FieldsTakeTheirFiles) {
   auto study = study_of_grains(0.443e-3);
   const auto& stage = study.stages.front();
   const auto grains = expected_grains(stage);
   const double without = film_memory(study, stage, grains);
   study.tests.field_times = {1e-2};
-  EXPECT_NEAR(film_memory(study, stage, grains), 103e6, 10e6) << "measured";
+  const double with_fields = film_memory(study, stage, grains);
+  EXPECT_GT(with_fields, without);
   study.tests.films.layers = 2;
-  EXPECT_GT(film_memory(study, stage, grains), without) << "resolved films have no fields";
+  const double resolved = film_memory(study, stage, grains);
+  study.tests.field_times = {};
+  EXPECT_EQ(film_memory(study, stage, grains), resolved) << "resolved films have no fields";
 }
 
-TEST(FilmEstimate, LackingMemoryIsToldWithTheGrainsThatWouldFit) {
+TEST(FilmCosts, TooLittleMemoryIsRefusedWithTheGrainsThatWouldFit) {
   const auto study = study_of_grains(2.8e-3);
   const auto& stage = study.stages.front();
   const auto grains = expected_grains(stage);
   const double bytes = film_memory(study, stage, grains);
-  EXPECT_THAT(lacking_memory(study, bytes), testing::IsEmpty());
-  EXPECT_THAT(lacking_memory(study, 0.999 * bytes),
-              testing::ElementsAre(testing::MatchesRegex("grains: 998 grains and films take about .* GB, and .* GB are "
-                                                         "left; 99[0-9] grains would fit")));
-  EXPECT_THAT(lacking_memory(study, 1e6), testing::ElementsAre(testing::Not(testing::HasSubstr("would fit"))));
+  EXPECT_NO_THROW(require_memory(study, bytes));
+  EXPECT_THAT(test::message_of<LackingMemory>([&] { require_memory(study, 0.999 * bytes); }),
+              testing::MatchesRegex("grains: 998 grains and films take about .* GB, and .* GB are "
+                                    "left; 99[0-9] grains would fit"));
+  EXPECT_THAT(test::message_of<LackingMemory>([&] { require_memory(study, 1e6); }),
+              testing::Not(testing::HasSubstr("would fit")));
 }
 
 }  // namespace

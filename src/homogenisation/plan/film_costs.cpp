@@ -1,4 +1,4 @@
-#include "breccia/homogenisation/film_estimate.hpp"
+#include "film_costs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,13 +6,14 @@
 #include <variant>
 #include <vector>
 
-#include "breccia/homogenisation/expected_snapshots.hpp"
 #include "breccia/homogenisation/test_requests.hpp"
 #include "breccia/microstructure/draw_diameters.hpp"
 #include "breccia/study/chain.hpp"
 #include "breccia/study/filler_sizes.hpp"
 #include "breccia/study/test_rules.hpp"
 
+#include "expected_snapshots.hpp"
+#include "measured_costs.hpp"
 #include "named_errors.hpp"
 
 namespace breccia {
@@ -90,29 +91,31 @@ double film_unknowns(const Tests& tests, const FilmedGrains& grains) {
 }
 
 double film_memory(const Study& study, const Stage& stage, const FilmedGrains& grains) {
+  namespace costs = measured_costs;
   const double unknowns = film_unknowns(study.tests, grains);
   const auto loads = static_cast<double>(loads_of(study, stage).size());
-  constexpr double program = 57e6;
-  // Matrices and factors; the solver keeps factors in files if they took more than 2 GB.
-  constexpr double of_factors = 1.55e3, largest_factors = 2e9, in_memory = 2.0e3, in_files = 1.35e3;
-  const double bytes = of_factors * unknowns > largest_factors ? in_files : in_memory;
+  // Matrices and factors; the solver keeps factors in files if they took more than this.
+  const bool are_in_files = costs::film_factors * unknowns > costs::most_factors;
+  const double bytes = are_in_files ? costs::films_in_files : costs::films_in_memory;
   // Displacements and two forces for each snapshot, or a vector for each term in fine and in coarse steps.
   const bool is_reduced = study.tests.quasistatic.solver == Solver::reduced;
   const auto matrix = expected_matrix(study, stage);
   const auto terms = static_cast<double>(matrix.shear.terms().size() + matrix.bulk.terms().size());
-  const double vectors = is_reduced ? 3.0 * expected_snapshots(study.tests, stage) : 2.0 * terms;
-  const double solution = program + unknowns * (bytes + sizeof(double) * loads * vectors);
+  const double vectors = is_reduced ? 3.0 * expected_snapshots(study, stage) : 2.0 * terms;
+  const double solution = costs::program + unknowns * (bytes + sizeof(double) * loads * vectors);
   // Fields are written when the factors are gone.
   if (!has_fields(study.tests, stage)) return solution;
-  constexpr double of_files = 100e6, of_grain_in_files = 9e4, of_grain_and_time = 1e4;
   const auto times = static_cast<double>(study.tests.field_times.size());
-  return std::max(solution, of_files + (of_grain_in_files + of_grain_and_time * times) * grains.count);
+  return std::max(
+      solution, costs::field_files + (costs::fields_of_grain + costs::fields_of_grain_and_time * times) * grains.count);
 }
 
 double film_time(const Study& study, const Stage& stage, const FilmedGrains& grains) {
+  namespace costs = measured_costs;
   const double unknowns = film_unknowns(study.tests, grains);
-  const double size = std::max(1.0, unknowns / 1e5);
-  return expected_snapshots(study.tests, stage) * 5e-6 * unknowns * std::pow(size, 0.2);
+  const double size = std::max(1.0, unknowns / costs::unknowns_of_film_snapshot);
+  return expected_snapshots(study, stage) * costs::film_snapshot * unknowns *
+         std::pow(size, costs::power_of_film_snapshot);
 }
 
 }  // namespace breccia

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-namespace breccia {
+namespace breccia::parallel {
 
 /// Memory [B] that this process may still allocate: the smallest of the free memory of the machine, the limits of its
 /// control groups and that of `ulimit -v`; infinite if none of them can be read.
@@ -12,4 +12,4 @@ double available_memory();
 /// nesting; infinite without a limit. `membership` is its `/proc/<pid>/cgroup`, `root` the mount point of the groups.
 double left_in_control_groups(const std::filesystem::path& membership, const std::filesystem::path& root);
 
-}  // namespace breccia
+}  // namespace breccia::parallel

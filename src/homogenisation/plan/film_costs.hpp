@@ -5,7 +5,7 @@
 
 namespace breccia {
 
-/// Grains and films as far as they tell what a test of them takes (model "films").
+/// Grains and films as far as the cost of a test depends on them (model "films").
 struct FilmedGrains {
   double count = 0.0;
   double film = 0.0;  ///< thickness over the square root of the mean area of the cells [-]
@@ -24,7 +24,7 @@ double film_unknowns(const Tests& tests, const FilmedGrains& grains);
 /// Approximate memory [B] of a test of grains and films; an empirical formula.
 double film_memory(const Study& study, const Stage& stage, const FilmedGrains& grains);
 
-/// Approximate processor time [s] of such a test, on a core of the year 2020; an empirical formula.
+/// Approximate processor time [s] of such a test, on a core as that of the measured costs; an empirical formula.
 double film_time(const Study& study, const Stage& stage, const FilmedGrains& grains);
 
 }  // namespace breccia

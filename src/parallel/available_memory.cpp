@@ -1,4 +1,4 @@
-#include "breccia/homogenisation/available_memory.hpp"
+#include "breccia/parallel/available_memory.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -9,7 +9,7 @@
 
 #include <sys/resource.h>
 
-namespace breccia {
+namespace breccia::parallel {
 namespace {
 
 namespace fs = std::filesystem;
@@ -97,4 +97,4 @@ double available_memory() {
       {left_on_machine(), left_in_control_groups("/proc/self/cgroup", "/sys/fs/cgroup"), left_of_address_space()});
 }
 
-}  // namespace breccia
+}  // namespace breccia::parallel

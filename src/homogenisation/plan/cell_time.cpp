@@ -1,20 +1,17 @@
-#include "breccia/homogenisation/quasistatic_time.hpp"
+#include "cell_time.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
 #include <limits>
 #include <vector>
 
-#include "breccia/homogenisation/expected_snapshots.hpp"
-#include "breccia/homogenisation/memory.hpp"
-#include "breccia/homogenisation/stage_discretisation.hpp"
-#include "breccia/homogenisation/test_requests.hpp"
 #include "breccia/homogenisation/varying_phases.hpp"
-#include "breccia/quasistatic/carson_path.hpp"
 #include "breccia/study/chain.hpp"
-#include "breccia/study/test_rules.hpp"
+
+#include "cell_memory.hpp"
+#include "expected_snapshots.hpp"
+#include "measured_costs.hpp"
 
 namespace breccia {
 namespace {
@@ -26,30 +23,29 @@ double steps_of(const Tests& tests) {
   return fine_and_coarse * decades * tests.quasistatic.steps_per_decade;
 }
 
-/// On substructures, or by sparse factors.
-double time_with_factors(const Study& study, const Stage& stage, double unknowns, bool is_direct) {
+/// On substructures, or by sparse factors. Mixed cells are eliminated anew for each set of moduli.
+double time_with_factors(const Study& study, const Stage& stage, int cells, double unknowns, bool is_direct) {
+  namespace costs = measured_costs;
   const auto loads = static_cast<double>(loads_of(study, stage).size());
-  const double factorisation = is_direct ? 2.2e-6 : 1.2e-6, solve = is_direct ? 0.8e-6 : 1.5e-6;
+  const double size = std::max(1.0, unknowns / costs::unknowns_of_factorisation);
+  const double set_up =
+      is_direct ? costs::factorisation * std::pow(size, costs::power_of_factorisation) : costs::setup_of_substructures;
+  const double solution = (is_direct ? costs::solution_by_factors : costs::solution_on_substructures) +
+                          costs::mixed_cells * share_of_mixed_cells(study, stage, cells);
   if (study.tests.quasistatic.solver == Solver::reduced) {
-    return expected_snapshots(study.tests, stage) * unknowns * (factorisation + solve * loads);
+    return expected_snapshots(study, stage) * unknowns * (set_up + solution * loads);
   }
-  return steps_of(study.tests) * unknowns * (factorisation + solve) * loads;
+  return steps_of(study.tests) * unknowns * (set_up + solution) * loads;
 }
 
-/// What conjugate gradients on a cube take by fast transforms (docs/three-dimensions.md, "Cost").
-struct IterationsOfCube {
-  double of_root;  ///< iterations over the root of the contrast
-  double seconds;  ///< of an iteration, an unknown [s]
-};
-
-constexpr IterationsOfCube iterations_under(Boundary boundary) {
+constexpr measured_costs::IterationsOfCube iterations_under(Boundary boundary) {
   switch (boundary) {
     case Boundary::periodic:
-      return {6.5, 29e-9};
+      return measured_costs::periodic_cube;
     case Boundary::displacement:
-      return {7.0, 30e-9};
+      return measured_costs::held_cube;
     case Boundary::traction:
-      return {13.0, 33e-9};
+      return measured_costs::drawn_cube;
   }
   return {};
 }
@@ -68,39 +64,23 @@ double root_of_contrast(const std::vector<Moduli>& phases, Boundary boundary) {
   return std::sqrt(contrast);
 }
 
-/// The moduli of all phases on the path on which the solutions lie.
-std::vector<CarsonPoint> path_of(const Study& study, const Stage& stage) {
-  const auto materials = materials_of(stage, expected_matrix(study, stage));
-  const TimeWindow window = {study.tests.first_time, study.tests.last_time};
-  const bool is_whole =
-      study.tests.quasistatic.solver == Solver::reduced && study.tests.quasistatic.range == SampledRange::matrix;
-  auto path = is_whole ? relaxation_path(materials, window) : carson_path(materials, window);
-  const auto is_beyond = [](const CarsonPoint& point) { return std::ranges::any_of(point.moduli, is_like_softer); };
-  if (is_whole) path.erase(std::remove_if(std::next(path.begin()), path.end(), is_beyond), path.end());
-  return path;
-}
-
 double time_of_cube(const Study& study, const Stage& stage, Boundary boundary, double unknowns) {
-  const auto path = path_of(study, stage);
+  const auto path = expected_path(study, stage);
   double roots = 0.0;
   for (const auto& point : path) roots += root_of_contrast(point.moduli, boundary);
   const auto [of_root, seconds] = iterations_under(boundary);
   const double solution = of_root * roots / static_cast<double>(path.size()) * seconds;
-  // The forces of a part of the stiffness on a displacement.
-  constexpr double forces = 50e-9;
   const auto loads = static_cast<double>(loads_of(study, stage).size());
   if (study.tests.quasistatic.solver == Solver::stepping) {
-    constexpr double forces_of_step = 14.0;
-    return loads * unknowns * steps_of(study.tests) * (solution + forces_of_step * forces);
+    return loads * unknowns * steps_of(study.tests) *
+           (solution + measured_costs::forces_of_step * measured_costs::forces_of_cube);
   }
   // A new vector of the basis takes the products of the forces of its parts with those of all others.
-  const double snapshots = std::min(expected_snapshots(study.tests, stage), static_cast<double>(path.size()));
+  const double snapshots = expected_snapshots(study, stage);
   const double parts = 1.0 + 2.0 * static_cast<double>(varying_phases(study.tests, stage).size());
-  constexpr double forces_of_solution = 10.0;
-  // A solution for the basis begins with the one that the basis has, and ends where the basis needs no more.
-  constexpr double share_of_iterations = 0.8;
-  const double evaluations = snapshots * (0.5 * parts * parts * (snapshots + 1.0) + forces_of_solution);
-  return loads * unknowns * (snapshots * share_of_iterations * solution + evaluations * forces);
+  const double evaluations = snapshots * (0.5 * parts * parts * (snapshots + 1.0) + measured_costs::forces_of_solution);
+  return loads * unknowns *
+         (snapshots * measured_costs::share_of_iterations * solution + evaluations * measured_costs::forces_of_cube);
 }
 
 }  // namespace
@@ -110,7 +90,15 @@ double quasistatic_time(const Study& study, const Stage& stage, Boundary boundar
   const bool is_direct =
       study.tests.quasistatic.linear.is_direct(static_cast<std::int64_t>(unknowns), stage.dimensions());
   if (stage.dimensions() == 3 && !is_direct) return time_of_cube(study, stage, boundary, unknowns);
-  return time_with_factors(study, stage, unknowns, is_direct);
+  return time_with_factors(study, stage, cells, unknowns, is_direct);
+}
+
+double discretisation_time(const Study& study, const Stage& stage, int cells) {
+  const bool has_shapes =
+      std::ranges::any_of(stage.fillers, [](const Filler& filler) { return filler.shape.has_value(); });
+  if (!has_shapes) return 0.0;
+  return measured_costs::mixing_of_shapes * share_of_mixed_cells(study, stage, cells) *
+         std::pow(static_cast<double>(cells), stage.dimensions());
 }
 
 }  // namespace breccia

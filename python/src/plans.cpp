@@ -1,0 +1,75 @@
+#include "plans.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include "breccia/error.hpp"
+#include "breccia/homogenisation/plan.hpp"
+#include "breccia/study/soundness.hpp"
+
+#include "following.hpp"
+#include "words.hpp"
+
+namespace breccia::python {
+namespace {
+
+namespace py = pybind11;
+
+StudyPlan plan_study(const std::shared_ptr<const Study>& study) {
+  return calculate([&] {
+    require_sound(*study);
+    return plan_of(*study);
+  });
+}
+
+std::optional<double> cells_for(const StagePlan& stage, double error) {
+  if (!(error > 0.0 && error < 1.0)) {
+    throw InputError(fmt::format("error: expected a number between 0 and 1, such as 0.02, got {}", error));
+  }
+  return stage.grid ? stage.grid->cells_for(error) : std::nullopt;
+}
+
+const StagePlan& stage_named(const StudyPlan& plan, const std::string& name) {
+  const auto stage = std::ranges::find(plan.stages, name, &StagePlan::stage);
+  if (stage == plan.stages.end()) throw py::key_error(name);
+  return *stage;
+}
+
+}  // namespace
+
+void bind_plans(py::module_& module) {
+  py::class_<TestPlan>(module, "TestPlan", "What a virtual test is expected to take.")
+      .def_property_readonly("method", [](const TestPlan& test) { return name_of(test.method); })
+      .def_property_readonly("boundary", [](const TestPlan& test) { return name_of(test.boundary); })
+      .def_property_readonly(
+          "load",
+          [](const TestPlan& test) {
+            return test.load ? std::optional(std::string(name_of(*test.load))) : std::nullopt;
+          },
+          "Of a dynamic test; a quasi-static one takes all loads: None.")
+      .def_readonly("size", &TestPlan::size, "What it is computed with: \"100 x 100 cells\".")
+      .def_readonly("seconds", &TestPlan::seconds, "Time [s], of a quasi-static test on one core.")
+      .def_readonly("memory", &TestPlan::bytes, "Memory of the program [B].");
+  py::class_<StagePlan>(module, "StagePlan", "What the tests of a stage are expected to take.")
+      .def_readonly("name", &StagePlan::stage)
+      .def_readonly("tests", &StagePlan::tests)
+      .def_property_readonly(
+          "grid_error", [](const StagePlan& stage) { return stage.grid ? stage.grid->error() : std::nullopt; },
+          "Largest relative error [-] to be expected of the finest grid; None where no rule tells it.")
+      .def("cells_for", &cells_for, py::arg("error"),
+           "Cells per side for a relative error [-] of the moduli; None where no rule tells them.")
+      .def_readonly("warnings", &StagePlan::warnings);
+  py::class_<StudyPlan>(module, "Plan", "What a study is expected to take.")
+      .def_readonly("stages", &StudyPlan::stages)
+      .def_property_readonly("seconds", &StudyPlan::seconds, "Time of all tests, one after the other [s].")
+      .def_property_readonly("memory", &StudyPlan::bytes, "Memory of the largest test [B].")
+      .def("__getitem__", &stage_named, py::arg("stage"), py::return_value_policy::reference_internal);
+  module.def("plan", &plan_study, py::arg("study"));
+}
+
+}  // namespace breccia::python

@@ -1,0 +1,75 @@
+#include "grid_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+namespace breccia {
+namespace {
+
+/// A length of the microstructure on whose cells the error of a grid depends.
+struct ResolvedLength {
+  double length;  ///< [m]
+  std::string_view place;
+  std::optional<ErrorRule> rule = {};
+  std::string_view without_rule = {};
+};
+
+/// Was the rule of spheres measured about this fraction [-], or is it extrapolated to it?
+bool is_measured(double fraction) {
+  constexpr double least = 0.30, most = 0.50, about = 0.02;
+  return fraction > least - about && fraction < most + about;
+}
+
+ResolvedLength length_of_spheres(const StageMicrostructure& packed) {
+  const double diameter = packed.mean_diameter();
+  const auto rule = error_rule_of_spheres(packed.fraction);
+  const auto* place = is_measured(packed.fraction)
+                          ? "across the mean sphere"
+                          : "across the mean sphere, by a rule that is extrapolated from 30 to 50 % of spheres";
+  return {diameter, place, rule, "spheres close to jamming"};
+}
+
+ResolvedLength resolved_length(const Stage& stage, const StageMicrostructure& packed, Mixing mixing) {
+  const double gap = std::min(packed.gap, packed.wall_gap);
+  if (packed.grains() != nullptr) return {gap, "across a film", error_rule_of_films()};
+  constexpr auto in_a_gap = "in the narrowest gap";
+  if (stage.dimensions() == 2) return {gap, in_a_gap, error_rule_of_gaps(mixing)};
+  if (mixing == Mixing::points) return {gap, in_a_gap, {}, "points in three dimensions"};
+  if (packed.content<Microstructure<3>>() == nullptr) return {gap, in_a_gap, {}, "ellipsoids"};
+  return length_of_spheres(packed);
+}
+
+}  // namespace
+
+ErrorRule error_rule_of_gaps(Mixing mixing) {
+  return mixing == Mixing::series ? ErrorRule{0.10, 1.8, 1.5} : ErrorRule{3.0, 1.35, 3.0};
+}
+
+ErrorRule error_rule_of_films() {
+  return {0.15, 1.25, 2.4};
+}
+
+// What the grid does to the spheres counts the more the closer they are to jamming.
+std::optional<ErrorRule> error_rule_of_spheres(double fraction) {
+  constexpr double jammed = 0.70, largest = 0.60;
+  if (fraction > largest) return std::nullopt;
+  return ErrorRule{0.63 / (jammed - fraction), 1.65, 4.5};
+}
+
+std::optional<GridPlan> plan_of_grid(const Stage& stage, const StageMicrostructure& packed, Mixing mixing) {
+  const bool is_extrapolated = mixing == Mixing::points && !stage.coarser_cells.empty();
+  // Between grains no rule is known for points, which take far more cells.
+  const bool has_no_rule = mixing == Mixing::points && packed.grains() != nullptr;
+  if (is_extrapolated || has_no_rule) return std::nullopt;
+  const auto [length, place, rule, without_rule] = resolved_length(stage, packed, mixing);
+  if (!std::isfinite(length) || !(length > 0.0)) return std::nullopt;
+  return GridPlan{.cell_size = stage.cell_size(),
+                  .side = stage.side,
+                  .length = length,
+                  .place = place,
+                  .rule = rule,
+                  .without_rule = rule ? std::string_view() : without_rule};
+}
+
+}  // namespace breccia

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+
+#include "breccia/discretisation/mixture.hpp"
+#include "breccia/homogenisation/plan.hpp"
+#include "breccia/homogenisation/stage_microstructure.hpp"
+
+namespace breccia {
+
+/// The rule for the cells in the narrowest gap of a stage (theory, Eq. 43a).
+ErrorRule error_rule_of_gaps(Mixing mixing);
+
+/// The rule for mixed cells across the films between grains, which carry the load of the whole stage (theory, Eq. 43b).
+ErrorRule error_rule_of_films();
+
+/// The rule for mixed cells and random packings of spheres that fill a fraction of the box [-], by the cells across the
+/// sphere of the mean diameter: all volume over all surface, times six (theory, Eq. 43c). Nothing close to jamming.
+std::optional<ErrorRule> error_rule_of_spheres(double fraction);
+
+/// The finest grid of a stage of particles or grains that is computed with cells; nothing where no length of the
+/// microstructure determines its error.
+std::optional<GridPlan> plan_of_grid(const Stage& stage, const StageMicrostructure& packed, Mixing mixing);
+
+}  // namespace breccia

@@ -1,0 +1,101 @@
+#include "homogenisation/plan/grid_error.hpp"
+
+#include <array>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace breccia {
+namespace {
+
+/// The largest error of both bounds [-] of boxes like HB-1, between 10 ns and 10 ms, against eight cells in the
+/// narrowest gap and more; from docs/verification.md, "Cells in a gap".
+struct Measured {
+  double cells;
+  double of_series;
+};
+
+constexpr std::array<Measured, 4> measured = {{{1.5, 0.058}, {2.0, 0.031}, {3.0, 0.014}, {4.0, 0.0083}}};
+
+TEST(GridError, IsOfTheSizeOfMeasuredErrors) {
+  for (const auto& [cells, of_series] : measured) {
+    const auto expected = error_rule_of_gaps(Mixing::series).error_with(cells);
+    ASSERT_TRUE(expected);
+    EXPECT_GT(*expected, 0.7 * of_series) << cells;
+    EXPECT_LT(*expected, 1.3 * of_series) << cells;
+  }
+}
+
+TEST(GridError, IsUnknownWhereGapsAreBridged) {
+  EXPECT_FALSE(error_rule_of_gaps(Mixing::series).error_with(1.49));
+  EXPECT_TRUE(error_rule_of_gaps(Mixing::series).error_with(1.5));
+  EXPECT_FALSE(error_rule_of_gaps(Mixing::points).error_with(2.9));
+  EXPECT_TRUE(error_rule_of_gaps(Mixing::points).error_with(3.0));
+}
+
+TEST(GridError, TellsTheCellsForAnError) {
+  for (const auto mixing : {Mixing::series, Mixing::points}) {
+    for (const double error : {0.04, 0.01, 0.001}) {
+      EXPECT_NEAR(error_rule_of_gaps(mixing).error_with(error_rule_of_gaps(mixing).cells_for(error)).value(), error,
+                  1e-12);
+    }
+  }
+  EXPECT_EQ(error_rule_of_gaps(Mixing::series).cells_for(0.5), 1.5) << "below that the error may be of any size";
+}
+
+// docs/verification.md, "Thin films": the largest errors at any stiffness of the binder.
+TEST(GridError, OfFilmsIsOfTheSizeOfMeasuredErrors) {
+  EXPECT_NEAR(error_rule_of_films().error_with(2.4).value(), 0.051, 0.005);
+  EXPECT_NEAR(error_rule_of_films().error_with(4.8).value(), 0.022, 0.002);
+  EXPECT_FALSE(error_rule_of_films().error_with(2.3)) << "a soft binder cannot be squeezed out";
+  for (const double error : {0.05, 0.01})
+    EXPECT_NEAR(error_rule_of_films().error_with(error_rule_of_films().cells_for(error)).value(), error, 1e-12);
+  EXPECT_EQ(error_rule_of_films().cells_for(0.5), 2.4);
+}
+
+/// The largest error of the shear modulus [-] of periodic boxes of equal spheres at 40 % between 10 ns and 10 ms, by
+/// the cells across a sphere; from docs/verification.md, "Cells across a sphere".
+TEST(GridError, OfSpheresIsOfTheSizeOfMeasuredErrors) {
+  struct Sphere {
+    double cells, error;
+  };
+  const auto rule = error_rule_of_spheres(0.4);
+  ASSERT_TRUE(rule);
+  for (const auto& [cells, error] :
+       {Sphere{4.75, 0.158}, Sphere{7.125, 0.087}, Sphere{9.5, 0.052}, Sphere{14.25, 0.026}, Sphere{19.0, 0.016}}) {
+    const auto expected = rule->error_with(cells);
+    ASSERT_TRUE(expected);
+    EXPECT_GT(*expected, 0.9 * error) << cells;
+    EXPECT_LT(*expected, 1.1 * error) << cells;
+  }
+  EXPECT_FALSE(rule->error_with(4.4)) << "too few cells to know it";
+  EXPECT_FALSE(error_rule_of_spheres(0.61)) << "close to jamming";
+  for (const double error : {0.05, 0.01}) EXPECT_NEAR(rule->error_with(rule->cells_for(error)).value(), error, 1e-12);
+  EXPECT_EQ(rule->cells_for(0.5), 4.5);
+}
+
+/// The place that the plan of a periodic cube of spheres of this fraction names.
+std::string place_of_spheres(double fraction) {
+  Stage stage;
+  stage.packing = PackingMethod<3>();
+  stage.side = 1e-3;
+  stage.cells = 64;
+  StageMicrostructure packed;
+  packed.box = Box<3>(Microstructure<3>{});
+  packed.fraction = fraction;
+  packed.interface_per_area = 6.0 * fraction / 2e-4;
+  return std::string(plan_of_grid(stage, packed, Mixing::series).value().place);
+}
+
+TEST(GridError, OfSpheresSaysWhereItsRuleIsExtrapolated) {
+  for (const double measured_share : {0.29, 0.3, 0.4, 0.5}) {
+    EXPECT_EQ(place_of_spheres(measured_share), "across the mean sphere") << measured_share;
+  }
+  for (const double other : {0.1, 0.2, 0.55}) {
+    EXPECT_THAT(place_of_spheres(other), testing::HasSubstr("extrapolated")) << other;
+  }
+}
+
+}  // namespace
+}  // namespace breccia
