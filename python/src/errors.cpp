@@ -11,8 +11,8 @@
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/new_materials.hpp"
 #include "breccia/homogenisation/not_covered.hpp"
-#include "breccia/io/conflicting_results.hpp"
 #include "breccia/homogenisation/plan.hpp"
+#include "breccia/io/conflicting_results.hpp"
 #include "breccia/io/display.hpp"
 #include "breccia/tables/unknown_columns.hpp"
 

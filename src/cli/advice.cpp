@@ -7,8 +7,8 @@
 #include <fmt/ranges.h>
 
 #include "breccia/homogenisation/not_covered.hpp"
-#include "breccia/io/conflicting_results.hpp"
 #include "breccia/homogenisation/plan.hpp"
+#include "breccia/io/conflicting_results.hpp"
 #include "breccia/io/directory_lock.hpp"
 #include "breccia/io/display.hpp"
 #include "breccia/results/stored_composite.hpp"

@@ -199,7 +199,7 @@ TEST(RequiredMemory, OfTheDynamicMethodInCubesIsThatOfItsHistories) {
 // Mass scaling factors that are never valid have no plan; the other tests of the study are looked at all the same.
 TEST(RequiredMemory, DoesNotTakeAPlanOfTimeDomains) {
   auto study = box_to_plan(4000, {Method::dynamic, Method::quasistatic});
-  study.tests.dynamic.density_factors = {1e12};
+  study.tests.dynamic.mass_scaling_factors = {1e12};
   auto small = study;
   small.stages.front().cells = 20;
   EXPECT_THROW(static_cast<void>(plan_of(small)), NumericalError);
