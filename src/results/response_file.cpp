@@ -22,9 +22,10 @@ namespace breccia {
 namespace {
 
 /// Format of a file in which the moduli of the matrix alone vary, and of one with other phases that vary.
-constexpr std::int64_t format_of_matrix = 6, format_of_phases = 7;
-/// The same of files from before there were seals.
-constexpr std::int64_t unsealed_of_matrix = 4, unsealed_of_phases = 5;
+constexpr std::int64_t format_of_matrix = 4, format_of_phases = 5;
+
+/// The attribute of a file that ends with a seal; files of older versions have neither.
+constexpr auto sealed_attribute = "sealed";
 
 void write_matrix(Hdf5Writer& file, const std::string& name, const Eigen::MatrixXd& matrix) {
   // HDF5 stores matrices by rows, Eigen by columns.
@@ -288,6 +289,7 @@ void write_responses(const std::filesystem::path& directory, const StoredRespons
   if (responses.entries.empty()) return;
   Hdf5Writer file(directory / "response.h5");
   file.write_attribute("/", "format_version", responses.other_phases.empty() ? format_of_matrix : format_of_phases);
+  file.write_attribute("/", sealed_attribute, std::int64_t{1});
   file.write_attribute("/", "deck_hash", responses.deck_hash);
   file.write_attribute("/", "stage", responses.stage);
   file.write_attribute("/", "matrix", name_of(responses.matrix));
@@ -319,15 +321,15 @@ std::optional<std::string> note_on_responses(const std::filesystem::path& path) 
 }
 
 StoredResponses read_responses(const std::filesystem::path& path) {
-  const bool has_seal = is_sealed(path);
+  const bool has_seal = std::filesystem::exists(path) && is_sealed(path);
   if (has_seal) refuse_damage(path);
   const Hdf5Reader file(path);
   const auto version = file.attribute<std::int64_t>("/", "format_version");
-  if (version < unsealed_of_matrix || version > format_of_phases) {
-    throw FileError(fmt::format("{}: written in format {}; this program reads formats {} to {}", path.string(), version,
-                                unsealed_of_matrix, format_of_phases));
+  if (version != format_of_matrix && version != format_of_phases) {
+    throw FileError(fmt::format("{}: written in format {}; this program reads formats {} and {}", path.string(),
+                                version, format_of_matrix, format_of_phases));
   }
-  if (!has_seal && version > unsealed_of_phases) fail_as_damaged(path, "its checksum is missing");
+  if (!has_seal && file.has_attribute("/", sealed_attribute)) fail_as_damaged(path, "its checksum is missing");
   const Group root = {file, path, "/"};
   auto stored = read_stage(root);
   stored.other_phases = read_materials(file, path);
