@@ -48,7 +48,7 @@ TEST(ConvexPolygon, RefusesWhatIsNone) {
       [] {
         ConvexPolygon(Corners{{0.0, 0.0}, {1.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}});
       },
-      "corner 2", "different points");
+      "corner 2", "different places");
   expect_error<InputError>(
       [] {
         ConvexPolygon(Corners{{0.0, 0.0}, {1.0, 0.0}, {0.0, std::numeric_limits<double>::quiet_NaN()}});
