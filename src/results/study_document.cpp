@@ -1,5 +1,7 @@
 #include "study_document.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <variant>
@@ -52,7 +54,27 @@ void require_safe_names(const StudyDocument& document) {
   }
 }
 
+/// Throws InputError for a material of the deck with a negative modulus.
+void require_positive_moduli(const StudyDocument& document) {
+  for (const auto& material : document.materials) {
+    for (const auto* series : {&material.bulk, &material.shear}) {
+      static_cast<void>(PronySeries(series->equilibrium(), series->terms()));
+    }
+  }
+}
+
 }  // namespace
+
+PronySeries JsonForm<PronySeries>::read(const Json& json) {
+  const auto entry = value_from<SeriesEntry>(json);
+  std::vector<MaxwellTerm> positive, negative;
+  for (const auto& [time, modulus] : entry.terms) {
+    (modulus < 0.0 ? negative : positive).push_back({time, std::abs(modulus)});
+  }
+  PronySeries whole(std::max(entry.equilibrium, 0.0), std::move(positive));
+  if (entry.equilibrium >= 0.0 && negative.empty()) return whole;
+  return PronySeries::difference(whole, PronySeries(std::max(-entry.equilibrium, 0.0), std::move(negative)));
+}
 
 Json JsonForm<TemperatureShift>::write(const TemperatureShift& shift) {
   auto entry = std::visit([](const auto& law) { return entry_of(law); }, shift.law);
@@ -174,6 +196,7 @@ StudyDocument read_study_document(const std::filesystem::path& directory) {
   try {
     document = value_from<StudyDocument>(json);
     require_safe_names(document);
+    require_positive_moduli(document);
   } catch (const Json::exception& error) {
     refuse(fmt::format(": {}", error.what()));
   } catch (const InputError& error) {

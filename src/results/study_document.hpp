@@ -42,10 +42,8 @@ struct JsonForm<PronySeries> {
   static nlohmann::ordered_json write(const PronySeries& series) {
     return json_from(SeriesEntry{series.equilibrium(), series.terms()});
   }
-  static PronySeries read(const nlohmann::ordered_json& json) {
-    auto entry = value_from<SeriesEntry>(json);
-    return {entry.equilibrium, std::move(entry.terms)};
-  }
+  /// That of a composite in plane strain may have negative moduli, which a difference alone can have.
+  static PronySeries read(const nlohmann::ordered_json& json);
 };
 
 /// A law of Williams, Landel and Ferry, or a table.

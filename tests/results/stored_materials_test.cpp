@@ -28,9 +28,9 @@ class StoredMaterialsTest : public testing::Test {
   [[nodiscard]] StoredMaterials read(const std::string& materials) const {
     auto document = test::document_with("A");
     document.hash = "0123";
-    auto json = json_from(document);
-    json["materials"] = nlohmann::ordered_json::parse("[" + materials + "]");
-    directory.write("study.json", json.dump());
+    auto record = json_from(document);
+    record["materials"] = nlohmann::ordered_json::parse("[" + materials + "]");
+    directory.write("study.json", record.dump());
     return read_stored_materials(directory.path());
   }
 

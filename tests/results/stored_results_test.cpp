@@ -24,8 +24,8 @@ class StoredResults : public testing::Test {
     directory.write("curves.csv", "stage,load,boundary,method,cells,time_s,modulus_Pa\n" + row + "\n");
     return test::message_of<FileError>([&] { static_cast<void>(read_curves(directory.path())); });
   }
-  [[nodiscard]] std::string refusal_of_study(const nlohmann::ordered_json& json) const {
-    directory.write("study.json", json.dump());
+  [[nodiscard]] std::string refusal_of_study(const nlohmann::ordered_json& record) const {
+    directory.write("study.json", record.dump());
     return test::message_of<FileError>([&] { static_cast<void>(study_page_data(directory.path())); });
   }
 
@@ -45,9 +45,9 @@ TEST_F(StoredResults, CurvesAreOfGridsAndHaveNumbers) {
 }
 
 TEST_F(StoredResults, ARecordNamesGridsByIntegers) {
-  auto json = json_from(test::document_with("A", {TestEntry()}));
-  json["stages"][0]["tests"][0]["cells"] = 1e300;
-  EXPECT_THAT(refusal_of_study(json), HasSubstr("study.json: not as `breccia run` writes it: expected an integer"));
+  auto record = json_from(test::document_with("A", {TestEntry()}));
+  record["stages"][0]["tests"][0]["cells"] = 1e300;
+  EXPECT_THAT(refusal_of_study(record), HasSubstr("study.json: not as `breccia run` writes it: expected an integer"));
 }
 
 TEST_F(StoredResults, ANameThatNoFileCanHaveIsTreatedAsMissing) {
@@ -71,9 +71,9 @@ TEST_F(StoredResults, NamesThatLeadOutOfTheResultsAreRefused) {
                 HasSubstr("is not a name that `breccia run` gives"))
         << picture;
   }
-  auto json = json_from(test::document_with("A", {TestEntry()}));
-  json["stages"][0]["tests"][0]["load"] = "../x";
-  EXPECT_THAT(refusal_of_study(json), HasSubstr("unknown word \"../x\""));
+  auto record = json_from(test::document_with("A", {TestEntry()}));
+  record["stages"][0]["tests"][0]["load"] = "../x";
+  EXPECT_THAT(refusal_of_study(record), HasSubstr("unknown word \"../x\""));
   directory.write("sweep.json", R"({"title": "", "keys": [], "tasks": [{"state": "done", "name": "../other"}]})");
   EXPECT_THAT(test::message_of<FileError>([&] { static_cast<void>(sweep_page_data(directory.path())); }),
               HasSubstr("sweep.json: \"../other\" is not a name that `breccia run` gives to a task"));

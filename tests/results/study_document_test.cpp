@@ -78,7 +78,7 @@ class RandomValues {
     if (below(2) == 0) {
       shift = {WilliamsLandelFerry{1.0 + value<int>(), 50.0, 290.0}, temperature};
     } else {
-      shift = {ShiftTable({280.0, 300.0, 340.0}, {2.0, 0.0, -1.0 - value<int>()}, 300.0), temperature};
+      shift = {ShiftTable({280.0, 300.0, 340.0}, {2.0, 0.0, -1.0 - value<int>() % 50}, 300.0), temperature};
     }
   }
   TestGrid grid() {
@@ -171,7 +171,7 @@ class StudyDocumentFile : public testing::Test {
 };
 
 TEST_F(StudyDocumentFile, IsReadBackAsItWasWritten) {
-  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
     const auto document = RandomValues(seed).value<StudyDocument>();
     const auto found = read_back(document);
     const auto text = read_text(directory.path() / "study.json");
@@ -179,6 +179,18 @@ TEST_F(StudyDocumentFile, IsReadBackAsItWasWritten) {
     write_study_document(directory.path(), found);
     ASSERT_EQ(read_text(directory.path() / "study.json"), text) << "seed " << seed;
   }
+}
+
+// K = (K + G/3) - G/3 of a stage in plane strain.
+TEST_F(StudyDocumentFile, HasTheNegativeModuliOfAStageButOfNoMaterial) {
+  const auto series = PronySeries::difference(PronySeries(1.0, {{2.0, 3.0}}), PronySeries(2.0, {{5.0, 0.1}}));
+  StudyDocument document;
+  document.stages.push_back({.name = "A"});
+  document.stages.back().materials.push_back({.material = {"A", 1e3, series, PronySeries(1.0)}});
+  EXPECT_EQ(read_back(document).stages.at(0).materials.at(0).material.bulk, series);
+  document.materials.push_back({"binder", 1e3, series, PronySeries(1.0)});
+  write_study_document(directory.path(), document);
+  EXPECT_THAT(refusal_of(read_text(directory.path() / "study.json")), HasSubstr("must be finite and not negative"));
 }
 
 TEST_F(StudyDocumentFile, HasNullForNumbersThatAreNotFinite) {
@@ -196,12 +208,12 @@ TEST_F(StudyDocumentFile, IsRefusedWhereAKeyIsMissingOrOfAnotherType) {
   write_study_document(directory.path(), RandomValues(7).value<StudyDocument>());
   const auto whole = nlohmann::ordered_json::parse(read_text(directory.path() / "study.json"));
   for (const auto& [key, value] : whole.items()) {
-    auto json = whole;
-    json.erase(key);
-    EXPECT_THAT(refusal_of(json.dump()), HasSubstr("study.json: not as `breccia run` writes it")) << key;
-    json = whole;
-    json[key] = nlohmann::ordered_json::array({nlohmann::ordered_json::array({true})});
-    EXPECT_THAT(refusal_of(json.dump()), HasSubstr("not as `breccia run` writes it")) << key;
+    auto record = whole;
+    record.erase(key);
+    EXPECT_THAT(refusal_of(record.dump()), HasSubstr("study.json: not as `breccia run` writes it")) << key;
+    record = whole;
+    record[key] = nlohmann::ordered_json::array({nlohmann::ordered_json::array({true})});
+    EXPECT_THAT(refusal_of(record.dump()), HasSubstr("not as `breccia run` writes it")) << key;
   }
   for (const auto* text : {"", "[", "[]", "7", "{}"}) {
     EXPECT_THAT(refusal_of(text), HasSubstr("not as `breccia run` writes it")) << text;

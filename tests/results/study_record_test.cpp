@@ -36,8 +36,8 @@ class StudyRecordFile : public testing::Test {
     write_provenance(directory.path(), study, result);
     return read_study_record(directory.path());
   }
-  [[nodiscard]] StudyRecord record_with(const std::string& json) const {
-    directory.write("study.json", json);
+  [[nodiscard]] StudyRecord record_with(const std::string& text) const {
+    directory.write("study.json", text);
     return read_study_record(directory.path());
   }
 
@@ -124,10 +124,10 @@ TEST_F(StudyRecordFile, TellsTheDataFileThatDiffersWhereTheDeckDiffersInAComment
 TEST_F(StudyRecordFile, IsNoneWhereAnotherProgramWroteIt) {
   EXPECT_FALSE(read_study_record(directory.path()).is_ours) << "no file";
   EXPECT_FALSE(read_study_record(directory.path() / "nowhere").is_ours);
-  for (const auto* json : {"", "[", "[]", "7", "{}", R"({"program": "other", "hash": "0123456789abcdef"})",
+  for (const auto* text : {"", "[", "[]", "7", "{}", R"({"program": "other", "hash": "0123456789abcdef"})",
                            R"({"program": 1})", "\xff\xfe"}) {
-    EXPECT_FALSE(record_with(json).is_ours) << json;
-    EXPECT_FALSE(is_record_of_breccia(directory.path() / "study.json")) << json;
+    EXPECT_FALSE(record_with(text).is_ours) << text;
+    EXPECT_FALSE(is_record_of_breccia(directory.path() / "study.json")) << text;
   }
   std::filesystem::remove(directory.path() / "study.json");
   std::filesystem::create_directory(directory.path() / "study.json");
