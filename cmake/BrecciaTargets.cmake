@@ -82,10 +82,10 @@ function(breccia_library)
   install(TARGETS breccia EXPORT brecciaTargets
     LIBRARY COMPONENT command NAMELINK_COMPONENT development
     ARCHIVE COMPONENT development)
-  # The one header that takes more than Eigen and fmt, the headers of MPI, is for the modules alone.
+  # The two headers that take more than Eigen and fmt, those of MPI and of HDF5, are for the modules alone.
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/breccia
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development
-    PATTERN communicator.hpp EXCLUDE)
+    PATTERN communicator.hpp EXCLUDE PATTERN hdf5_handle.hpp EXCLUDE)
   install(EXPORT brecciaTargets
     NAMESPACE breccia:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/breccia COMPONENT development)
   configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/brecciaConfig.cmake.in
