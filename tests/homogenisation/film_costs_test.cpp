@@ -24,7 +24,7 @@ Study study_of_grains(double side) {
   filler.sizes = SingleSize{1e-4};
   Stage stage;
   stage.name = "grains";
-  stage.matrix = Material{"binder", 1.48e3, PronySeries(3.6e9), PronySeries(0.0, {{1e-3, 1e6}})};
+  stage.matrix = Material{"binder", 1.48e3, PronySeries(3.6e9), PronySeries(0.0, {{1e-3, 1e6}, {1e-9, 1e9}})};
   stage.side = side;
   stage.fillers = {filler};
   stage.packing = LaguerrePacking<2>{};

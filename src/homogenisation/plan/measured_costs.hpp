@@ -23,7 +23,7 @@ inline constexpr double unknowns_of_factorisation = 2e4, power_of_factorisation 
 /// Set-up of the substructures and a solution on them [s].
 inline constexpr double setup_of_substructures = 1.2e-6, solution_on_substructures = 1.5e-6;
 /// Mixed cells under one load and one set of moduli, for each unknown that they have [s].
-inline constexpr double mixed_cells = 3e-6;
+inline constexpr double mixed_cells = 1e-6;
 
 /// Parts of a cell that an interface of shaped particles crosses, for each such cell [s]; those of balls take no time.
 inline constexpr double mixing_of_shapes = 2e-4;
