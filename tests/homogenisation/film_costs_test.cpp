@@ -32,6 +32,8 @@ Study study_of_grains(double side) {
   study.tests.model = Model::films;
   study.tests.boundaries = {Boundary::periodic};
   study.tests.loads = {Load::shear, Load::diagonal_shear};
+  study.tests.first_time = 1e-8;
+  study.tests.last_time = 1e-2;
   return study;
 }
 
