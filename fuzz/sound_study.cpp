@@ -104,7 +104,7 @@ void require_sound(const Stage& stage) {
 }  // namespace
 
 void require_sound(const Study& study) {
-  for (const auto& material : study.materials) require_sound(material);
+  for (const auto& [material, shift] : study.materials) require_sound(material);
   require(!study.stages.empty(), "stages");
   for (const auto& stage : study.stages) require_sound(stage);
   const auto& tests = study.tests;

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "breccia/homogenisation/respond.hpp"
+#include "breccia/homogenisation/responder.hpp"
 #include "breccia/homogenisation/solve.hpp"
 #include "breccia/viscoelasticity/temperature_shift.hpp"
 
@@ -34,16 +34,16 @@ int main() {
   const Material binder = {"binder", 1000.0, PronySeries(1e9), PronySeries(0.1e6, {{1.0, 1e6}, {0.01, 5e6}})};
   const Study study = study_with(binder);
   const StudyResult solved = solve(study);
-  const std::vector<StoredResponses> responses = responses_of(study, solved);
+  const Responder responder = responder_of(study, solved);
 
   // At 40 degC the binder of 20 degC relaxes by the factor a_T faster.
   const WilliamsLandelFerry law = {.c1 = 6.5, .c2 = 120.0, .reference_temperature = 293.15};
   const double factor = law.shift_factor(313.15);
-  const auto warm = respond(responses, shifted(binder, factor));
+  const auto warm = responder.with({{"matrix", shifted(binder, factor)}}).respond();
 
   // Another binder has a bulk modulus and a spectrum of its own.
   const Material other = {"other binder", 1000.0, PronySeries(1.1e9), PronySeries(0.2e6, {{3.0, 1e6}, {0.05, 3e6}})};
-  const auto exchanged = respond(responses, other);
+  const auto exchanged = responder.with({{"matrix", other}}).respond();
   const StudyResult solved_anew = solve(study_with(other));
 
   fmt::print("a_T = {:.4f} at 40 degC\n\n{:>8}  {:>10}  {:>10}  {:>12}  {:>12}\n", factor, "G [MPa]", "20 degC",

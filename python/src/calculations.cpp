@@ -1,14 +1,11 @@
 #include "calculations.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -17,14 +14,11 @@
 
 #include "breccia/campaign/pack.hpp"
 #include "breccia/campaign/run.hpp"
-#include "breccia/deck/material_file.hpp"
 #include "breccia/error.hpp"
-#include "breccia/homogenisation/new_materials.hpp"
 #include "breccia/homogenisation/packed_stage.hpp"
-#include "breccia/homogenisation/respond.hpp"
+#include "breccia/homogenisation/responder.hpp"
 #include "breccia/homogenisation/solve.hpp"
 #include "breccia/parallel/session.hpp"
-#include "breccia/results/stored_materials.hpp"
 #include "breccia/study/identity.hpp"
 #include "breccia/study/soundness.hpp"
 
@@ -116,84 +110,12 @@ std::optional<TimeWindow> window_of(const std::optional<std::pair<double, double
   throw InputError(fmt::format("times: expected two rising times, got {} s and {} s", begin, end));
 }
 
-/// Adds the materials of the study that respond() needs and that are not replaced: matrices.
-void add_matrices_of_study(const Solution& solution, std::map<std::string, Material>& materials) {
-  for (const auto& one : solution.responses) {
-    if (!std::holds_alternative<Material>(one.matrix)) continue;
-    for (const auto& [material, shift] : solution.content.materials) {
-      if (material.name == name_of(one.matrix)) materials.emplace(material.name, material);
-    }
-  }
-}
-
-/// The varying materials of the study at a temperature [K].
-std::map<std::string, Material> materials_at(const Solution& solution, double temperature) {
-  std::map<std::string, Material> materials;
-  for (const auto& name : varying_materials(solution.responses)) {
-    for (const auto& stored : solution.content.materials) {
-      if (stored.material.name == name) materials.insert_or_assign(name, at_temperature(stored, temperature));
-    }
-  }
+/// The new materials of a caller, by the names of those that they replace.
+std::vector<NewMaterial> new_materials(const std::vector<std::pair<std::string, ShiftedMaterial>>& replaced) {
+  std::vector<NewMaterial> materials;
+  materials.reserve(replaced.size());
+  for (const auto& [name, one] : replaced) materials.push_back({name, one.material, one.shift});
   return materials;
-}
-
-/// New materials for those that a study names.
-struct Replacement {
-  std::map<std::string, Material> materials;                      ///< by the names of those that they replace
-  std::map<std::string, std::optional<TemperatureShift>> shifts;  ///< likewise
-};
-
-/// The materials of the study at another temperature [K], with the laws of their shifts.
-Replacement at_other_temperature(const Solution& solution, double temperature) {
-  Replacement replacement{materials_at(solution, temperature), {}};
-  for (const auto& [material, shift] : solution.content.materials) {
-    auto& moved = replacement.shifts[material.name] = shift;
-    if (moved) moved->temperature = temperature;
-  }
-  return replacement;
-}
-
-/// Other materials, with the laws of their shifts, by the names that a caller has given.
-Replacement by_names(const Solution& solution, const std::vector<std::pair<std::string, ShiftedMaterial>>& replaced) {
-  std::vector<Material> of_study;
-  of_study.reserve(solution.content.materials.size());
-  for (const auto& [material, shift] : solution.content.materials) of_study.push_back(material);
-  std::vector<NewMaterial> given;
-  given.reserve(replaced.size());
-  for (const auto& [name, one] : replaced) given.push_back({name, one.material});
-  Replacement replacement{by_replaced_material(given, solution.responses, of_study), {}};
-  for (const auto& one : given) {
-    const auto found = by_replaced_material({one}, solution.responses, of_study).begin()->first;
-    const auto place = static_cast<std::size_t>(&one - given.data());
-    replacement.shifts[found] = replaced[place].second.shift;
-  }
-  return replacement;
-}
-
-/// Puts new materials in the place of those of a study.
-void replace_materials(StudyContent& content, const Replacement& replacement) {
-  for (auto& stored : content.materials) {
-    const auto found = replacement.materials.find(stored.material.name);
-    if (found == replacement.materials.end()) continue;
-    stored.material = found->second;
-    stored.material.name = found->first;
-    stored.shift = replacement.shifts.at(found->first);
-  }
-}
-
-/// The reduced responses of a study with new materials, at the times of a response: what another one starts from.
-std::vector<StoredResponses> with_materials(std::vector<StoredResponses> responses, const StudyContent& content) {
-  const auto replace = [&content](Material& material) {
-    for (const auto& stored : content.materials) {
-      if (stored.material.name == material.name) material = stored.material;
-    }
-  };
-  for (auto& stored : responses) {
-    stored.times = content.times;
-    for (auto& [phase, material] : stored.other_phases) replace(material);
-    if (auto* const matrix = std::get_if<Material>(&stored.matrix)) replace(*matrix);
-  }
-  return responses;
 }
 
 std::shared_ptr<Solution> respond_with(const Solution& solution,
@@ -205,20 +127,17 @@ std::shared_ptr<Solution> respond_with(const Solution& solution,
         "this result has no reduced responses, which the quasi-static method with the reduced solver leaves");
   }
   if (replaced.empty() == !temperature) throw InputError("expected other materials, or a temperature");
-  const auto window = window_of(times);
-  auto answer = std::make_shared<Solution>();
-  answer->content = solution.content;
-  answer->content.times = window.value_or(solution.content.times);
+  const auto window = window_of(times).value_or(solution.content.times);
   return calculate([&] {
-    auto replacement = temperature ? at_other_temperature(solution, *temperature) : by_names(solution, replaced);
-    replace_materials(answer->content, replacement);
-    auto& materials = replacement.materials;
-    add_matrices_of_study(solution, materials);
-    for (auto& stage : respond(solution.responses, materials, window)) {
-      answer->stages.push_back({std::move(stage), std::nullopt});
-    }
-    answer->responses = with_materials(solution.responses, answer->content);
-    return answer;
+    const auto base = Responder(solution.responses, solution.content.materials).within(window);
+    const auto responder = temperature ? base.at(*temperature) : base.with(new_materials(replaced));
+    auto found = std::make_shared<Solution>();
+    for (auto& stage : responder.respond()) found->stages.push_back({std::move(stage), std::nullopt});
+    found->content = solution.content;
+    found->content.times = window;
+    found->content.materials = responder.materials();
+    found->responses = responder.stages();
+    return found;
   });
 }
 

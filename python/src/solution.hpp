@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "breccia/homogenisation/respond.hpp"
+#include "breccia/homogenisation/stage_responses.hpp"
 #include "breccia/homogenisation/study_result.hpp"
 #include "breccia/results/composite.hpp"
 #include "breccia/study/study.hpp"
@@ -25,7 +25,7 @@ struct Solution {
   StudyContent content;
   std::vector<SolvedStage> stages = {};
   std::optional<double> seconds = {};  ///< wall time [s]
-  std::vector<StoredResponses> responses = {};
+  std::vector<StageResponses> responses = {};
 };
 
 /// The solution of a study from its result.

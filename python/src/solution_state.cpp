@@ -47,14 +47,14 @@ class ScratchDirectory {
 };
 
 /// The bytes of the file in which results keep the reduced responses of a stage.
-py::bytes bytes_of_file(const StoredResponses& responses) {
+py::bytes bytes_of_file(const StageResponses& responses) {
   const ScratchDirectory scratch;
   write_responses(scratch.path(), responses);
   std::ifstream stream(scratch.path() / "response.h5", std::ios::binary);
   return std::string(std::istreambuf_iterator<char>(stream), {});
 }
 
-StoredResponses responses_from(const std::string& bytes) {
+StageResponses responses_from(const std::string& bytes) {
   const ScratchDirectory scratch;
   const auto file = scratch.path() / "response.h5";
   std::ofstream(file, std::ios::binary) << bytes;
@@ -111,7 +111,7 @@ py::dict state_of_solution(const Solution& solution) {
   py::list stages, responses;
   for (const auto& stage : solution.stages) stages.append(state_of_stage(stage));
   for (const auto& stored : solution.responses) {
-    if (!stored.entries.empty()) responses.append(bytes_of_file(stored));
+    if (!stored.entries.empty()) responses.append(py::make_tuple(bytes_of_file(stored), stored.warnings));
   }
   py::dict state;
   state["format"] = format;
@@ -130,7 +130,11 @@ std::shared_ptr<Solution> solution_from(const py::dict& state) {
   solution->content = content_from_bytes(bytes_in(state["content"]));
   solution->seconds = state["seconds"].cast<std::optional<double>>();
   for (const auto& stage : state["stages"]) solution->stages.push_back(stage_from(stage.cast<py::dict>()));
-  for (const auto& one : state["responses"]) solution->responses.push_back(responses_from(bytes_in(one)));
+  for (const auto& one : state["responses"]) {
+    const auto parts = one.cast<py::tuple>();
+    solution->responses.push_back(responses_from(bytes_in(parts[0])));
+    solution->responses.back().warnings = parts[1].cast<std::vector<std::string>>();
+  }
   return solution;
 }
 

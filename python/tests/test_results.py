@@ -259,6 +259,24 @@ def test_temperature_shifts_the_curve(binder, composite):
     assert warm["model"].prony().at(time) == pytest.approx(series.at(time / factor), rel=1e-4)
 
 
+def test_a_response_warns_as_the_study_and_of_its_temperature(binder, composite):
+    """The warnings of the study are carried over, also through a pickle, and those on the materials are made anew."""
+    composite.cells = 8
+    tests = breccia.Tests(times=(1e-3, 1e-1), boundaries="displacement", fields="none")
+    elastic = breccia.Material("binder", density=binder.density, bulk="1 GPa", shear="1 MPa")
+    composite.matrix = elastic
+    result = breccia.solve(breccia.Study(composite, tests))
+    carried = [warning for warning in result.warnings if "smallest gap" in warning]
+    assert carried
+    for base in (result, pickle.loads(pickle.dumps(result))):
+        warm = breccia.respond(base, temperature="40 degC")
+        assert carried[0] in warm.warnings
+        assert any("binder is elastic: its moduli do not depend on the temperature here" in warning
+                   for warning in warm.warnings)
+        other = breccia.respond(pickle.loads(pickle.dumps(warm)), breccia.PronySeries(equilibrium=0.97e6))
+        assert carried[0] in other.warnings and not any("is elastic" in warning for warning in other.warnings)
+
+
 def test_what_notebooks_show(model):
     html = model._repr_html_()
     assert "upper bound" in html and "lower bound" in html and "<polygon" in html

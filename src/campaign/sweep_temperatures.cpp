@@ -1,13 +1,11 @@
 #include "sweep_temperatures.hpp"
 
 #include <algorithm>
-#include <map>
 #include <string>
 #include <utility>
 
 #include "breccia/homogenisation/packed_stage.hpp"
-#include "breccia/homogenisation/respond.hpp"
-#include "breccia/results/response_file.hpp"
+#include "breccia/results/stored_responder.hpp"
 #include "breccia/results/sweep_spread.hpp"
 
 namespace breccia {
@@ -40,17 +38,26 @@ std::optional<std::size_t> task_that_answers(const Sweep& sweep, std::size_t tas
 }
 
 std::vector<StageResult> answered_stages(const Study& study, const std::filesystem::path& directory) {
-  std::vector<StoredResponses> stored;
-  for (const auto& stage : study.stages) stored.push_back(read_responses(directory / stage.name / "response.h5"));
-  std::map<std::string, Material> matrices;
-  for (const auto& material : study.materials) matrices.emplace(material.name, material);
-  auto answers = respond(stored, matrices, TimeWindow{study.tests.first_time, study.tests.last_time});
+  const auto base = read_responder(directory);
+  const auto varying = varying_materials(base.stages());
+  std::vector<NewMaterial> materials;
+  for (const auto& [material, shift] : study.materials) {
+    if (std::ranges::find(varying, material.name) != varying.end()) {
+      materials.push_back({material.name, material, shift});
+    }
+  }
+  auto responded = base.with(materials).within({study.tests.first_time, study.tests.last_time}).respond();
   std::vector<StageResult> results;
   for (const auto& stage : study.stages) {
-    auto& answer = *std::ranges::find(answers, stage.name, &StageResult::name);
+    auto& by_response = *std::ranges::find(responded, stage.name, &StageResult::name);
     auto& result = results.emplace_back(packed_stage(study, stage, make_microstructure(stage)));
-    result.tests = std::move(answer.tests);
-    result.materials = std::move(answer.materials);
+    result.tests = std::move(by_response.tests);
+    result.materials = std::move(by_response.materials);
+    for (auto& warning : by_response.warnings) {
+      if (std::ranges::find(result.warnings, warning) == result.warnings.end()) {
+        result.warnings.push_back(std::move(warning));
+      }
+    }
   }
   return results;
 }

@@ -1,12 +1,6 @@
 #pragma once
 
-#include <map>
 #include <string>
-#include <vector>
-
-#include "breccia/homogenisation/respond.hpp"
-#include "breccia/results/stored_materials.hpp"
-#include "breccia/viscoelasticity/material.hpp"
 
 namespace breccia::cli {
 
@@ -19,11 +13,5 @@ struct AskedTemperature {
 
 /// Reads "-40 degC". Throws InputError.
 AskedTemperature read_temperature(const std::string& text);
-
-/// The varying materials of the stages at one temperature, by their names. Throws InputError where one is not known, or
-/// not at that temperature.
-std::map<std::string, Material> materials_at(const std::vector<StoredMaterial>& materials,
-                                             const std::vector<StoredResponses>& stored,
-                                             const AskedTemperature& temperature);
 
 }  // namespace breccia::cli

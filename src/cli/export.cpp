@@ -1,5 +1,6 @@
+#include <algorithm>
 #include <filesystem>
-#include <map>
+#include <iterator>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -11,7 +12,6 @@
 #include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
-#include "breccia/homogenisation/respond.hpp"
 #include "breccia/io/display.hpp"
 #include "breccia/io/percentage.hpp"
 #include "breccia/io/text_file.hpp"
@@ -19,10 +19,10 @@
 #include "breccia/results/isochronal.hpp"
 #include "breccia/results/material_card.hpp"
 #include "breccia/results/stored_composite.hpp"
+#include "breccia/results/stored_responder.hpp"
 
 #include "asked_temperature.hpp"
 #include "command.hpp"
-#include "stored_stages.hpp"
 
 namespace breccia::cli {
 namespace {
@@ -209,27 +209,34 @@ std::string in_words(const MaterialCard& card) {
   return fmt::format("{}, from {} to {}", text, display_time(card.times.begin), display_time(card.times.end));
 }
 
+/// A composite, and reasons to doubt its moduli.
+struct ExportedComposite {
+  Composite composite;
+  std::vector<std::string> warnings = {};
+};
+
 /// The composite at another temperature than that of the run, at the same times, by the reduced responses that the run
 /// has left. Throws InputError where there are none, or the law of a material does not reach that temperature.
-Composite composite_at(const AskedTemperature& temperature, const fs::path& results, const CompositeChoice& choice) {
-  const auto stored = responses_of_chain(results, choice.stage);
-  const auto materials = materials_at(materials_of_study(results, stored), stored, temperature);
+ExportedComposite composite_at(const AskedTemperature& temperature, const fs::path& results,
+                               const CompositeChoice& choice) {
+  const auto all_stages = read_responder(results);
+  const auto responder = (choice.stage.empty() ? all_stages : all_stages.chain_of(choice.stage)).at(temperature.kelvin);
   std::vector<StageSeries> series;
-  for (const auto& stage : respond(stored, materials)) {
-    for (auto& one : series_of(stage)) series.push_back(std::move(one));
+  std::vector<std::string> warnings;
+  for (const auto& stage : responder.respond()) {
+    std::ranges::move(series_of(stage), std::back_inserter(series));
+    std::ranges::copy(stage.warnings, std::back_inserter(warnings));
   }
   auto content = read_stored_content(results);
   content.title += " at " + temperature.name;
-  for (auto& [material, shift] : content.materials) {
-    if (shift) shift->temperature = temperature.kelvin;
-  }
-  return composite_of(content, series, choice, results.string());
+  content.materials = responder.materials();
+  return {composite_of(content, series, choice, results.string()), std::move(warnings)};
 }
 
-Composite composite_for(const ExportRequest& request, const fs::path& results) {
+ExportedComposite composite_for(const ExportRequest& request, const fs::path& results) {
   require_stored_study(results);
   return request.temperature ? composite_at(*request.temperature, results, request.choice)
-                             : read_stored_composite(results, request.choice);
+                             : ExportedComposite{read_stored_composite(results, request.choice)};
 }
 
 /// Text of what was asked for, and lines about it.
@@ -241,7 +248,7 @@ struct ExportedText {
 
 ExportedText exported(const ExportArguments& arguments) {
   const auto request = read_request(arguments);
-  const auto composite = composite_for(request, arguments.results);
+  auto [composite, warnings] = composite_for(request, arguments.results);
   if (arguments.format == isochronal_format) {
     const auto samples =
         isochronal_curve(composite, request.angular_frequency, request.temperatures, request.temperature_step);
@@ -250,7 +257,8 @@ ExportedText exported(const ExportArguments& arguments) {
                         arguments.frequency)};
   }
   const auto card = material_card(composite, request.settings);
-  return {text_of(card, request.settings), in_words(card), card.warnings};
+  std::ranges::copy(card.warnings, std::back_inserter(warnings));
+  return {text_of(card, request.settings), in_words(card), std::move(warnings)};
 }
 
 void write_exported(const ExportArguments& arguments) {

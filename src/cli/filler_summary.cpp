@@ -10,7 +10,7 @@ namespace breccia::cli {
 std::string filler_summary(const Study& study, const std::vector<std::vector<FillerStatistics>>& packed) {
   std::string text;
   for (const auto& stage : study.stages) {
-    if (serves_as_matrix(study, stage)) continue;
+    if (serves_as_matrix(study.stages, stage.name)) continue;
     const auto whole = filler_of_the_whole(study, stage, packed);
     if (whole.fraction > 0.0) text += fmt::format("{}: filler of the whole: {}\n", stage.name, in_words(whole));
   }

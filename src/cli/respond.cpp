@@ -1,10 +1,8 @@
-#include "breccia/homogenisation/respond.hpp"
-
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,14 +12,13 @@
 
 #include "breccia/deck/material_file.hpp"
 #include "breccia/error.hpp"
-#include "breccia/homogenisation/new_materials.hpp"
+#include "breccia/homogenisation/responder.hpp"
 #include "breccia/results/response_curves.hpp"
-#include "breccia/results/stored_materials.hpp"
+#include "breccia/results/stored_responder.hpp"
 
 #include "advice.hpp"
 #include "asked_temperature.hpp"
 #include "command.hpp"
-#include "stored_stages.hpp"
 #include "tables.hpp"
 
 namespace breccia::cli {
@@ -40,14 +37,13 @@ struct RespondArguments {
   bool quiet = false;
 };
 
-/// The results of the stages with other materials.
-struct Answer {
+/// The stages of a study with other materials.
+struct RespondedStudy {
   std::string name;       ///< of the materials in the results: "aged", "binder at 40 degC"
-  std::string materials;  ///< in words: "aged as matrix, soft as interphase"
+  std::string materials;  ///< in a sentence: "aged as matrix, soft as interphase"
   fs::path out;
   std::string study;  ///< hash of the study with the reduced responses
   std::vector<StageResult> stages = {};
-  std::vector<std::string> warnings = {};  ///< on the materials
 };
 
 std::optional<TimeWindow> window_of(const std::vector<std::string>& times) {
@@ -91,49 +87,39 @@ std::vector<AskedTemperature> read_temperatures(const std::vector<std::string>& 
   return temperatures;
 }
 
-/// A warning on each matrix that is the same at all temperatures.
-std::vector<std::string> warnings_on_matrices(const std::map<std::string, Material>& materials,
-                                              const std::vector<StoredResponses>& stored) {
-  std::vector<std::string> warnings;
-  for (const auto& [original, material] : materials) {
-    const auto is_its_matrix = [&name = original](const auto& one) { return name_of(one.matrix) == name; };
-    if (!material.bulk.is_elastic() || !material.shear.is_elastic() || std::ranges::none_of(stored, is_its_matrix)) {
-      continue;
-    }
-    warnings.push_back(fmt::format(
-        "{} is elastic: its moduli do not depend on the temperature here, so they are those of the run", original));
-  }
-  return warnings;
+RespondedStudy responded(const Responder& responder, std::string name, std::string materials, fs::path out) {
+  return {std::move(name), std::move(materials), std::move(out), responder.stages().front().deck_hash,
+          responder.respond()};
 }
 
-/// The new materials in words: "binder at 40 degC", or several.
-std::string names_of(const std::map<std::string, Material>& materials) {
-  std::vector<std::string> names;
-  names.reserve(materials.size());
-  for (const auto& [original, material] : materials) names.push_back(material.name);
-  return fmt::format("{}", fmt::join(names, ", "));
+Responder within(Responder responder, const std::optional<TimeWindow>& window) {
+  return window ? responder.within(*window) : std::move(responder);
 }
 
-std::vector<Answer> answers_at_temperatures(const RespondArguments& arguments, const std::optional<TimeWindow>& window,
-                                            const CLI::App& command) {
+/// One stage and those that it builds on; all for an empty name.
+Responder with_chosen_stages(Responder responder, const std::string& stage) {
+  return stage.empty() ? std::move(responder) : responder.chain_of(stage);
+}
+
+std::vector<RespondedStudy> respond_at_temperatures(const RespondArguments& arguments, const Responder& all_stages,
+                                                    const CLI::App& command) {
   const auto temperatures = read_temperatures(arguments.temperatures, command);
-  const auto stored = responses_of_chain(arguments.results, arguments.stage);
-  const auto of_study = materials_of_study(arguments.results, stored);
+  const auto responder = with_chosen_stages(all_stages, arguments.stage);
   const auto parent = arguments.out.empty() ? arguments.results : arguments.out;
   const bool is_out_for_one = temperatures.size() == 1 && !arguments.out.empty();
-  std::vector<Answer> answers;
+  std::vector<RespondedStudy> studies;
   std::vector<std::string> mistakes;
   for (const auto& temperature : temperatures) {
     collect(mistakes, fmt::format("at {}: ", temperature.name), command, [&] {
-      const auto materials = materials_at(of_study, stored, temperature);
-      const auto names = names_of(materials);
-      answers.push_back({names, materials.size() == 1 ? names + " as matrix" : names,
-                         is_out_for_one ? arguments.out : parent / temperature.directory, stored.front().deck_hash,
-                         respond(stored, materials, window), warnings_on_matrices(materials, stored)});
+      const auto moved = responder.at(temperature.kelvin);
+      const auto names = moved.shown_names();
+      const auto name = fmt::format("{}", fmt::join(names, ", "));
+      studies.push_back(responded(moved, name, names.size() == 1 ? name + " as matrix" : name,
+                                  is_out_for_one ? arguments.out : parent / temperature.directory));
     });
   }
   refuse(mistakes);
-  return answers;
+  return studies;
 }
 
 /// A new material from the command line: FILE, which is the matrix, or NAME=FILE.
@@ -159,65 +145,50 @@ std::vector<NewMaterial> read_materials(const std::vector<AskedMaterial>& asked,
                                         std::vector<std::string>& mistakes) {
   std::vector<NewMaterial> materials;
   for (const auto& [name, file] : asked) {
-    auto& material = materials.emplace_back(NewMaterial{name, {}}).material;
-    collect(mistakes, "", command, [&, &path = file] { material = read_material_file(path); });
+    auto& material = materials.emplace_back(NewMaterial{name, {}});
+    collect(mistakes, "", command, [&, &path = file] {
+      auto read = read_shifted_material_file(path);
+      material.material = std::move(read.material);
+      material.shift = std::move(read.shift);
+    });
   }
   return materials;
 }
 
-/// The responses in which the materials are replaced. A stage that gets a matrix of its own takes none of the stages
-/// that it builds on.
-std::vector<StoredResponses> responses_for(const RespondArguments& arguments, bool is_matrix_given) {
-  if (arguments.stage.empty() || !is_matrix_given) return responses_of_chain(arguments.results, arguments.stage);
-  auto stored = responses_of_stage(arguments.results, arguments.stage);
-  const auto name = name_of(stored.front().matrix);
-  stored.front().matrix.emplace<Material>().name = name;
-  return stored;
-}
-
-/// The materials of the study that are not replaced but that respond() needs: matrices.
-void add_matrices_of_study(const std::vector<StoredResponses>& stored, const std::vector<Material>& of_study,
-                           std::map<std::string, Material>& materials) {
-  for (const auto& one : stored) {
-    if (!std::holds_alternative<Material>(one.matrix)) continue;
-    const auto found = std::ranges::find(of_study, name_of(one.matrix), &Material::name);
-    if (found != of_study.end()) materials.emplace(found->name, *found);
-  }
-}
-
-Answer answer_for_materials(const RespondArguments& arguments, const std::optional<TimeWindow>& window,
-                            const std::vector<AskedMaterial>& asked, const CLI::App& command) {
+RespondedStudy respond_with_materials(const RespondArguments& arguments, const Responder& all_stages,
+                                      const std::vector<AskedMaterial>& asked, const CLI::App& command) {
   std::vector<std::string> mistakes;
   const auto is_matrix = [](const AskedMaterial& one) { return one.name == name_of_matrix_phase; };
   const auto given = read_materials(asked, command, mistakes);
-  const auto stored = responses_for(arguments, std::ranges::any_of(asked, is_matrix));
-  std::vector<Material> of_study;
-  if (!std::ranges::all_of(asked, is_matrix)) {
-    for (const auto& [material, shift] : materials_of_study(arguments.results, stored)) of_study.push_back(material);
-  }
-  std::map<std::string, Material> materials;
-  collect(mistakes, "", command, [&] { materials = by_replaced_material(given, stored, of_study); });
+  // A stage that gets a matrix of its own needs none of the stages that it builds on.
+  const bool is_alone = !arguments.stage.empty() && std::ranges::any_of(asked, is_matrix);
+  auto responder = is_alone ? all_stages.alone(arguments.stage) : with_chosen_stages(all_stages, arguments.stage);
+  collect(mistakes, "", command, [&] { responder = responder.with(given); });
   refuse(mistakes);
-  add_matrices_of_study(stored, of_study, materials);
   std::vector<std::string> names, described;
-  for (const auto& [name, material] : given) {
+  for (const auto& [name, material, shift] : given) {
     names.push_back(material.name);
     described.push_back(fmt::format("{} as {}", material.name, name));
   }
-  const auto words = fmt::format("{}", fmt::join(described, ", "));
+  const auto description = fmt::format("{}", fmt::join(described, ", "));
   const bool is_matrix_alone = asked.size() == 1 && is_matrix(asked.front());
   const auto own = arguments.results / fmt::format("respond-{}", fmt::join(names, "-"));
-  return {is_matrix_alone ? names.front() : words, words, arguments.out.empty() ? own : arguments.out,
-          stored.front().deck_hash, respond(stored, materials, window)};
+  return responded(responder, is_matrix_alone ? names.front() : description, description,
+                   arguments.out.empty() ? own : arguments.out);
 }
 
-void print(const Answer& answer, const TimeWindow& times) {
-  for (const auto& warning : answer.warnings) fmt::print("warning: {}\n", warning);
-  for (const auto& stage : answer.stages) {
-    for (const auto& warning : stage.warnings) fmt::print("warning: {}\n", warning);
+/// Prints the warnings that were not printed for the studies before.
+void print_warnings(const RespondedStudy& study, std::set<std::string>& printed) {
+  for (const auto& stage : study.stages) {
+    for (const auto& warning : stage.warnings) {
+      if (printed.insert(warning).second) fmt::print("warning: {}\n", warning);
+    }
   }
+}
+
+void print(const RespondedStudy& study, const TimeWindow& times) {
   double error = 0.0;
-  for (const auto& stage : answer.stages) {
+  for (const auto& stage : study.stages) {
     for (const auto& test : stage.tests) {
       if (!std::isnan(test.error_estimate)) error = std::max(error, test.error_estimate);
     }
@@ -225,7 +196,7 @@ void print(const Answer& answer, const TimeWindow& times) {
   fmt::print(
       "{}\nwith {}; error of the reduced responses (at the Laplace variables of these times) about {:.1g} %\n"
       "Curves are in {}\n",
-      tables_of(answer.stages, times), answer.materials, 100.0 * error, answer.out.string());
+      tables_of(study.stages, times), study.materials, 100.0 * error, study.out.string());
 }
 
 /// First and last time of the curves of several stages.
@@ -244,15 +215,20 @@ void run_respond(const RespondArguments& arguments, const CLI::App& command) {
   const auto window = window_of(arguments.times);
   std::vector<AskedMaterial> asked;
   for (const auto& text : arguments.materials) asked.push_back(read_asked_material(text));
-  const auto answers = has_material ? std::vector{answer_for_materials(arguments, window, asked, command)}
-                                    : answers_at_temperatures(arguments, window, command);
+  const auto responder = within(read_responder(arguments.results), window);
+  const auto studies = has_material ? std::vector{respond_with_materials(arguments, responder, asked, command)}
+                                    : respond_at_temperatures(arguments, responder, command);
   std::vector<fs::path> inputs;
   for (const auto& [name, file] : asked) inputs.push_back(file);
-  for (const auto& [name, materials, out, study, stages, warnings] : answers) {
+  for (const auto& [name, materials, out, study, stages] : studies) {
     write_response_curves({out, name, study, inputs, arguments.overwrite}, stages);
   }
   if (arguments.quiet) return;
-  for (const auto& answer : answers) print(answer, times_of(answer.stages));
+  std::set<std::string> printed;
+  for (const auto& study : studies) {
+    print_warnings(study, printed);
+    print(study, times_of(study.stages));
+  }
 }
 
 }  // namespace

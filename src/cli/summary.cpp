@@ -167,15 +167,18 @@ std::string describe(const Stage& stage, Model model) {
                      length(stage.side), describe_grid(stage, model), describe_fillers(stage));
 }
 
-std::string describe(const DynamicOptions& options) {
+std::string describe(Volumetric volumetric) {
+  return volumetric == Volumetric::averaged ? "averaged volumetric" : "standard volumetric";
+}
+
+std::string describe(const DynamicOptions& options, Volumetric volumetric) {
   const auto ramp = options.ramp_time ? time(*options.ramp_time)
                                       : fmt::format("{:.4g} transits of the shear wave", options.ramp_transits);
   return fmt::format(
       "    method   dynamic, {}, from the {}, courant {:.4g}, {} strain\n    ramp     {}\n    scaling  mass scaling "
       "factors {}\n",
       options.formulation == Formulation::classical ? "classical" : "total Lagrangian",
-      options.start == Start::affine ? "whole field" : "boundary", options.courant,
-      options.volumetric == Volumetric::averaged ? "averaged volumetric" : "standard volumetric", ramp,
+      options.start == Start::affine ? "whole field" : "boundary", options.courant, describe(volumetric), ramp,
       options.mass_scaling_factors.empty() ? "chosen from the times"
                                            : fmt::format("{}", fmt::join(options.mass_scaling_factors, ", ")));
 }
@@ -191,15 +194,15 @@ std::string describe(const std::vector<VariedMaterial>& varied) {
   return text;
 }
 
-std::string describe(const QuasistaticOptions& options, const std::vector<VariedMaterial>& varied) {
+std::string describe(const QuasistaticOptions& options, const std::vector<VariedMaterial>& varied,
+                     Volumetric volumetric) {
   const auto how = options.solver == Solver::reduced
                        ? fmt::format("reduced basis to within {:.1g} over {}{}", options.sampling.tolerance,
                                      options.range == SampledRange::matrix ? "the whole relaxation of the matrix"
                                                                            : "the times of the tests",
                                      describe(varied))
                        : fmt::format("log-time stepping, {} steps a decade", options.steps_per_decade);
-  return fmt::format("    method   quasi-static, {}, {} strain\n", how,
-                     options.volumetric == Volumetric::averaged ? "averaged volumetric" : "standard volumetric");
+  return fmt::format("    method   quasi-static, {}, {} strain\n", how, describe(volumetric));
 }
 
 std::string describe(Mixing mixing) {
@@ -227,7 +230,8 @@ std::string describe(const Study& study) {
   }
   text += describe(tests.mixing);
   for (const auto method : tests.methods) {
-    text += method == Method::dynamic ? describe(tests.dynamic) : describe(tests.quasistatic, tests.varied);
+    text += method == Method::dynamic ? describe(tests.dynamic, tests.volumetric)
+                                      : describe(tests.quasistatic, tests.varied, tests.volumetric);
   }
   return text;
 }
@@ -237,7 +241,7 @@ std::string describe(const Study& study) {
 std::string summary(const Study& study) {
   auto text = fmt::format("{}\n{} (hash {})\n\nmaterials\n", study.title, study.provenance.deck.string(),
                           study.provenance.hash);
-  for (const auto& material : study.materials) text += describe(material, study.tests);
+  for (const auto& [material, shift] : study.materials) text += describe(material, study.tests);
   text += "\nstages\n";
   for (const auto& stage : study.stages) text += describe(stage, model_of(study.tests, stage));
   return text + "\ntests\n" + describe(study);

@@ -126,7 +126,7 @@ struct ReadAmount {
 };
 
 /// Reads `coating = { material = ..., thickness = ... }`.
-std::optional<Coating> read_coating(const Section& section, const std::vector<Material>& materials) {
+std::optional<Coating> read_coating(const Section& section, const std::vector<ShiftedMaterial>& materials) {
   const auto coating = section.optional_section("coating");
   if (!coating) return std::nullopt;
   auto material = read_material_reference(*coating, "material", materials);
@@ -134,7 +134,7 @@ std::optional<Coating> read_coating(const Section& section, const std::vector<Ma
 }
 
 /// Reads one filler of a stage whose packing has been read.
-Filler read_filler(const Section& section, const Stage& stage, const std::vector<Material>& materials) {
+Filler read_filler(const Section& section, const Stage& stage, const std::vector<ShiftedMaterial>& materials) {
   Filler filler;
   filler.material = read_material_reference(section, "material", materials);
   section.refuse({"image"}, image_elsewhere);
@@ -192,7 +192,7 @@ struct RequireRoom {
 
 }  // namespace
 
-void read_fillers(const Section& section, const std::vector<Material>& materials, Stage& stage) {
+void read_fillers(const Section& section, const std::vector<ShiftedMaterial>& materials, Stage& stage) {
   const auto tables = filler_sections(section);
   if (tables.empty()) {
     if (section.kind("filler") == Kind::array) section.report("filler", "expected at least one table");

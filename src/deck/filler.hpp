@@ -4,11 +4,12 @@
 
 #include "breccia/deckfile/deck.hpp"
 #include "breccia/study/stage.hpp"
+#include "breccia/viscoelasticity/shifted_material.hpp"
 
 namespace breccia {
 
 /// Reads `filler`, which is one table or several, and `packing` of a stage whose box and cells have been read. Without
 /// either the stage has no fillers.
-void read_fillers(const Section& section, const std::vector<Material>& materials, Stage& stage);
+void read_fillers(const Section& section, const std::vector<ShiftedMaterial>& materials, Stage& stage);
 
 }  // namespace breccia

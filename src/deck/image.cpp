@@ -37,7 +37,8 @@ std::size_t filler_of(const Material& material, Stage& stage) {
 
 /// Reads `labels = [{ value = 0, material = "..." }, ...]` and adds the fillers of the stage. Empty where a value is
 /// not known because of a mistake.
-std::vector<ValueLabel> read_labels(const Section& packing, const std::vector<Material>& materials, Stage& stage) {
+std::vector<ValueLabel> read_labels(const Section& packing, const std::vector<ShiftedMaterial>& materials,
+                                    Stage& stage) {
   constexpr Range values = {.lower = static_cast<double>(std::numeric_limits<std::int32_t>::min()),
                             .upper = static_cast<double>(std::numeric_limits<std::int32_t>::max())};
   const auto& matrix = name_of(stage.matrix);
@@ -263,7 +264,7 @@ bool has_image(const Section& stage) {
   return has_method(stage.section("packing"), PackingName::image);
 }
 
-void read_image(const Section& section, const std::vector<Material>& materials, Stage& stage) {
+void read_image(const Section& section, const std::vector<ShiftedMaterial>& materials, Stage& stage) {
   const auto packing = section.section("packing");
   constexpr auto filler_elsewhere =
       "the fillers of an image are the materials of its labels: packing.labels = [{ value = 0, material = \"...\" }, "

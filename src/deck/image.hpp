@@ -4,6 +4,7 @@
 
 #include "breccia/deckfile/deck.hpp"
 #include "breccia/study/stage.hpp"
+#include "breccia/viscoelasticity/shifted_material.hpp"
 
 namespace breccia {
 
@@ -12,7 +13,7 @@ bool has_image(const Section& stage);
 
 /// Reads `packing` and `box` of such a stage, whose matrix is known: the image, the side of the box, and the fillers,
 /// one for each material of the labels beside the matrix.
-void read_image(const Section& section, const std::vector<Material>& materials, Stage& stage);
+void read_image(const Section& section, const std::vector<ShiftedMaterial>& materials, Stage& stage);
 
 /// The cells per side of a stage that give each pixel of its image one material point. Reports an image that has none.
 int cells_of_points(const Section& section, const Stage& stage);

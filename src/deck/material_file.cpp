@@ -28,10 +28,6 @@ ShiftedMaterial read_shifted_material_file(const std::filesystem::path& file) {
   return material_of(Deck(file), file.stem().string());
 }
 
-Material read_material_file(const std::filesystem::path& file) {
-  return read_shifted_material_file(file).material;
-}
-
 ShiftedMaterial shifted_material_from_text(const std::string& text, const std::string& name,
                                            const std::filesystem::path& directory) {
   return material_of(Deck::from_text(text, name, directory), name);

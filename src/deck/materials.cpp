@@ -1,6 +1,5 @@
 #include "materials.hpp"
 
-#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -24,28 +23,24 @@ ShiftedMaterial read_shifted_material(const Section& section, const std::string&
   return {shift ? shifted(reference, shift_factor(shift->law, shift->temperature)) : reference, shift};
 }
 
-DeckMaterials read_materials(const Section& deck) {
+std::vector<ShiftedMaterial> read_materials(const Section& deck) {
   const auto section = deck.section("materials");
-  DeckMaterials read;
+  std::vector<ShiftedMaterial> materials;
   for (const auto& name : section.keys()) {
     if (!is_printable(name)) section.report(name, "expected a name without line breaks and other control characters");
-    const auto material = section.section(name);
-    auto [shifted, shift] = read_shifted_material(material, name);
-    read.materials.push_back(std::move(shifted));
-    if (shift) read.temperature_shifts.emplace(name, *shift);
+    materials.push_back(read_shifted_material(section.section(name), name));
   }
-  return read;
+  return materials;
 }
 
 Material read_material_reference(const Section& section, const std::string& key,
-                                 const std::vector<Material>& materials) {
+                                 const std::vector<ShiftedMaterial>& materials) {
   const auto name = section.text(key);
   if (name.empty()) return {};
-  const auto material = std::ranges::find(materials, name, &Material::name);
-  if (material != materials.end()) return *material;
+  if (const auto* const found = find_material(materials, name)) return found->material;
   std::vector<std::string> names;
   names.reserve(materials.size());
-  for (const auto& known : materials) names.push_back(known.name);
+  for (const auto& [known, shift] : materials) names.push_back(known.name);
   section.report(key, fmt::format("unknown material \"{}\"{}", name, suggestion(name, names)));
   return {};
 }

@@ -27,9 +27,7 @@ Study resolve(const Deck& document) {
   study.title = root.optional_text("title").value_or(printable(document.path().stem().string()));
   study.provenance.deck = document.path();
   study.provenance.deck_text = document.text();
-  auto [materials, temperature_shifts] = read_materials(root);
-  study.materials = std::move(materials);
-  study.temperature_shifts = std::move(temperature_shifts);
+  study.materials = read_materials(root);
   const auto model = read_model(root);
   study.stages = read_stages(root, study.materials, model);
   study.tests = read_tests(root, study.stages, model);
@@ -76,7 +74,7 @@ std::vector<std::string> stage_hashes_of(const Deck& document, const Study& stud
     auto content = document.content_with_first(hashes.size() + 1, "stages", left_out) + files;
     // A later stage that builds on this one adds loads to its tests.
     for (const auto load : loads_of(study, stage)) content += name_of(load);
-    content += serves_as_matrix(study, stage) ? "matrix" : "last";
+    content += serves_as_matrix(study.stages, stage.name) ? "matrix" : "last";
     hashes.push_back(content_hash(content));
   }
   return hashes;

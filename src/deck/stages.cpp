@@ -18,7 +18,7 @@ namespace breccia {
 namespace {
 
 std::string read_name(const Section& section, const std::vector<Stage>& earlier,
-                      const std::vector<Material>& materials) {
+                      const std::vector<ShiftedMaterial>& materials) {
   auto name = section.text("name");
   for (const auto& mistake : mistakes_of_name(name, earlier, materials)) section.report("name", mistake);
   return name;
@@ -26,11 +26,11 @@ std::string read_name(const Section& section, const std::vector<Stage>& earlier,
 
 /// Reads the name of a material or of an earlier stage.
 StageMatrix read_matrix(const Section& section, const std::vector<Stage>& earlier,
-                        const std::vector<Material>& materials) {
+                        const std::vector<ShiftedMaterial>& materials) {
   const auto name = section.text("matrix");
   if (name.empty()) return {};
   std::vector<std::string> known;
-  for (const auto& material : materials) {
+  for (const auto& [material, shift] : materials) {
     if (material.name == name) return material;
     known.push_back(material.name);
   }
@@ -85,21 +85,9 @@ bool needs_no_cells(const Section& section, Model model) {
 /// Cells per side of the labels of grains that are computed with films.
 constexpr int cells_of_labels = 512;
 
-/// A warning about a gap in material points together with several grids: the gap, and so the material, depends on the
-/// finest grid.
-std::optional<std::string> warning_of_gap_on_grids(const Stage& stage) {
-  const auto filler = std::ranges::find(stage.fillers, GapSource::points, &Filler::gap_source);
-  if (filler == stage.fillers.end() || stage.coarser_cells.empty()) return std::nullopt;
-  const auto gap = readable(filler->gap, Dimension::length);
-  return fmt::format(
-      "the gap between particles, {}, follows from the finest grid: with other cells it would be another "
-      "material; give it as a length, gap = \"{}\"",
-      gap, gap);
-}
-
 }  // namespace
 
-std::vector<Stage> read_stages(const Section& deck, const std::vector<Material>& materials, Model model) {
+std::vector<Stage> read_stages(const Section& deck, const std::vector<ShiftedMaterial>& materials, Model model) {
   const bool is_of_space = deck.optional_integer("dimensions", allowed::dimensions).value_or(2) == 3;
   std::vector<Stage> stages;
   for (const auto& section : deck.sections("stages")) {
@@ -127,7 +115,6 @@ std::vector<Stage> read_stages(const Section& deck, const std::vector<Material>&
     }
     section.refuse({"image"}, image_elsewhere);
     if (!is_image) read_fillers(section, materials, stage);
-    if (auto warning = warning_of_gap_on_grids(stage)) stage.warnings.push_back(*std::move(warning));
     stages.push_back(std::move(stage));
   }
   return stages;

@@ -5,10 +5,11 @@
 #include "breccia/deckfile/deck.hpp"
 #include "breccia/study/stage.hpp"
 #include "breccia/study/tests.hpp"
+#include "breccia/viscoelasticity/shifted_material.hpp"
 
 namespace breccia {
 
 /// Reads [[stages]]; their materials must be among the given ones. Grains that are computed with films need no cells.
-std::vector<Stage> read_stages(const Section& deck, const std::vector<Material>& materials, Model model);
+std::vector<Stage> read_stages(const Section& deck, const std::vector<ShiftedMaterial>& materials, Model model);
 
 }  // namespace breccia

@@ -109,10 +109,10 @@ void warn_of_gaps_on_grids(Sweep& sweep) {
     }
   }
   for (auto& task : sweep.tasks) {
-    for (auto& stage : task.study.stages) {
+    for (const auto& stage : task.study.stages) {
       if (!follows(stage) || found[stage.name].cell_sizes.size() < 2) continue;
       const auto& gaps = found[stage.name].gaps;
-      stage.warnings.push_back(fmt::format(
+      task.study.provenance.warnings[stage.name].push_back(fmt::format(
           "the gap between particles is given in points and follows the grids of this sweep, from {} to {}: its tasks "
           "differ in their material, too; give it as a length",
           readable(*gaps.begin(), Dimension::length), readable(*gaps.rbegin(), Dimension::length)));

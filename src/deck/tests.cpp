@@ -178,10 +178,9 @@ Tests read_tests(const Section& deck, const std::vector<Stage>& stages, Model mo
     tests.quasistatic.solver = section.choice<Solver>("solver").value_or(tests.quasistatic.solver);
   }
   if (section.has("volumetric")) {
-    const auto volumetric = section.choice<Volumetric>("volumetric");
-    tests.quasistatic.volumetric = tests.dynamic.volumetric = volumetric.value_or(Volumetric::averaged);
+    tests.volumetric = section.choice<Volumetric>("volumetric").value_or(tests.volumetric);
   }
-  tests.mixing = has_standard_points(tests) ? Mixing::points : Mixing::series;
+  tests.mixing = tests.volumetric == Volumetric::standard ? Mixing::points : Mixing::series;
   if (section.has("mixing")) tests.mixing = section.choice<Mixing>("mixing").value_or(tests.mixing);
   return tests;
 }

@@ -21,8 +21,15 @@ std::string poisson_warning(const Material& material, double bulk, double shear,
                      poisson_ratio(bulk, shear), when, pressure(bulk), pressure(shear));
 }
 
-std::optional<std::string> warning_of_poisson_ratio(const Material& material, const Tests& tests) {
-  for (const double time : {tests.first_time, tests.last_time}) {
+bool has_material(const Stage& stage, const std::string& name) {
+  const auto materials = named_materials(stage);
+  return std::ranges::find(materials, name, &Material::name) != materials.end();
+}
+
+}  // namespace
+
+std::optional<std::string> warning_of_poisson_ratio(const Material& material, const TimeWindow& times) {
+  for (const double time : {times.begin, times.end}) {
     const double bulk = material.bulk.at(time), shear = material.shear.at(time);
     const auto when = fmt::format("at {}, below zero", readable(time, Dimension::time));
     if (poisson_ratio(bulk, shear) < 0.0) return poisson_warning(material, bulk, shear, when);
@@ -34,22 +41,16 @@ std::optional<std::string> warning_of_poisson_ratio(const Material& material, co
   return std::nullopt;
 }
 
-bool has_material(const Stage& stage, const std::string& name) {
-  const auto materials = named_materials(stage);
-  return std::ranges::find(materials, name, &Material::name) != materials.end();
-}
-
-}  // namespace
-
 std::vector<std::string> warnings_on_materials(const Study& study, const Stage& stage) {
   const auto end = std::ranges::find(study.stages, stage.name, &Stage::name);
+  const TimeWindow times{study.tests.first_time, study.tests.last_time};
   std::vector<std::string> warnings;
   for (const auto& material : named_materials(stage)) {
     const bool is_known = end != study.stages.end() && std::any_of(study.stages.begin(), end, [&](const Stage& one) {
                             return has_material(one, material.name);
                           });
     if (is_known) continue;
-    if (auto warning = warning_of_poisson_ratio(material, study.tests)) warnings.push_back(*std::move(warning));
+    if (auto warning = warning_of_poisson_ratio(material, times)) warnings.push_back(*std::move(warning));
   }
   return warnings;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -7,8 +8,11 @@
 
 namespace breccia {
 
-/// Warnings about those materials of a stage that no earlier stage has: a Poisson's ratio below zero at the first or
-/// last time, or above 0.49999 before any relaxation (the ratio of a soft binder approaches one half only later).
+/// A warning if the Poisson's ratio of a material is below zero at the first or last time [s], or above 0.49999 before
+/// any relaxation (the ratio of a soft binder approaches one half only later); otherwise nothing.
+std::optional<std::string> warning_of_poisson_ratio(const Material& material, const TimeWindow& times);
+
+/// These warnings for those materials of a stage that no earlier stage has.
 std::vector<std::string> warnings_on_materials(const Study& study, const Stage& stage);
 
 /// A warning for each filler of a stage that is softer than its binder (binder_of) at the first time.

@@ -37,11 +37,13 @@ class StageSolution {
     } else {
       run_on_grids(threads);
     }
-    for (auto& test : extrapolate_tests(stage_, done_.tests, study_.tests.mixing)) add(std::move(test));
+    for (auto& test : extrapolate_tests(stage_.name, stage_.side, done_.tests, study_.tests.mixing))
+      add(std::move(test));
     for (const auto& warning : warnings_on_bounds(quality_of(stage_, done_))) {
       done_.warnings.push_back(fmt::format("{}: {}", stage_.name, warning));
     }
-    if (serves_as_matrix(study_, stage_)) done_.materials = materials_from(study_, stage_, result_.stages, done_);
+    if (serves_as_matrix(study_.stages, stage_.name))
+      done_.materials = materials_from(study_, stage_, result_.stages, done_);
     done_.comparisons = compare(study_, stage_, done_.tests);
     sink_.happened(StageFinished{stage_, result_});
   }
@@ -58,7 +60,7 @@ class StageSolution {
   }
 
   void run(const StageGrid& grid, Boundary boundary, Method method) {
-    const auto& matrix = matrix_of(stage_, result_.stages, boundary, method);
+    const auto& matrix = matrix_of(stage_.name, stage_.matrix, result_.stages, boundary, method);
     if (method == Method::quasistatic) {
       auto moduli = varying_moduli(study_, stage_, result_.stages, boundary);
       add_all_loads(run_quasistatic(grid, matrix, std::move(moduli), boundary, sink_));
@@ -70,7 +72,7 @@ class StageSolution {
   }
 
   void run(const StageFilms& films, Boundary boundary) {
-    const auto& matrix = matrix_of(stage_, result_.stages, boundary, Method::quasistatic);
+    const auto& matrix = matrix_of(stage_.name, stage_.matrix, result_.stages, boundary, Method::quasistatic);
     auto moduli = varying_moduli(study_, stage_, result_.stages, boundary);
     add_all_loads(run_films(films, matrix, std::move(moduli), boundary, sink_));
   }

@@ -36,13 +36,13 @@ std::string per_pascal(double compliance) {
 }
 
 /// The limit of a value at a time [s] over several grids, with an error of first order in the cell side. `shown` writes
-/// a value with its unit.
+/// a value with its unit; `side` is that of the box [m].
 template <class Value>
-Extrapolated limit(const Stage& stage, const std::vector<const TestResult*>& grids, double time, const Value& value,
+Extrapolated limit(double side, const std::vector<const TestResult*>& grids, double time, const Value& value,
                    std::string (*shown)(double)) {
   std::vector<double> cell_sides, values;
   for (const auto* grid : grids) {
-    cell_sides.push_back(stage.side / grid->id.grid.cells().value());
+    cell_sides.push_back(side / grid->id.grid.cells().value());
     values.push_back(value(*grid));
   }
   const auto extrapolated = extrapolate(cell_sides, values);
@@ -65,7 +65,7 @@ std::vector<double> moduli_of(const TestResult& test) {
   return moduli;
 }
 
-/// The test on the finest grid, with the error band that the next coarser one tells.
+/// The test on the finest grid, with the error band that follows from the next coarser one.
 TestResult finest_with_band(const std::vector<const TestResult*>& grids) {
   const auto& finest = *grids.back();
   TestResult result{
@@ -76,19 +76,19 @@ TestResult finest_with_band(const std::vector<const TestResult*>& grids) {
   return result;
 }
 
-TestResult extrapolate_test(const Stage& stage, const std::vector<const TestResult*>& grids) {
+TestResult extrapolate_test(double side, const std::vector<const TestResult*>& grids) {
   const auto& finest = *grids.back();
   TestResult result{.id = finest.id};
   result.id.grid = TestGrid::extrapolated();
   for (std::size_t i = 0; i < finest.modulus.size(); ++i) {
     const double time = finest.modulus[i].time;
     const auto [modulus, half_band] = limit(
-        stage, grids, time, [i](const TestResult& grid) { return grid.modulus[i].modulus; }, pascals);
+        side, grids, time, [i](const TestResult& grid) { return grid.modulus[i].modulus; }, pascals);
     result.modulus.push_back({time, modulus});
     result.half_bands.push_back(half_band);
     if (finest.compliance.empty()) continue;
     const auto creep = limit(
-        stage, grids, time, [i](const TestResult& grid) { return grid.compliance[i].compliance; }, per_pascal);
+        side, grids, time, [i](const TestResult& grid) { return grid.compliance[i].compliance; }, per_pascal);
     result.compliance.push_back({time, creep.value});
   }
   result.series = fitted(result.modulus);
@@ -104,21 +104,21 @@ bool has_exact_series(const TestResult& test) {
 
 }  // namespace
 
-std::vector<TestResult> extrapolate_tests(const Stage& stage, const std::vector<TestResult>& tests, Mixing mixing) {
+std::vector<TestResult> extrapolate_tests(const std::string& stage, double side, const std::vector<TestResult>& tests,
+                                          Mixing mixing) {
   std::vector<TestResult> extrapolated;
-  if (stage.coarser_cells.empty()) return extrapolated;
   for (const auto& test : tests) {
-    if (test.id.grid != TestGrid(stage.cells)) continue;
     const auto grids = same_on_all_grids(test, tests);
-    const auto name = fmt::format("{} {} {} {}", stage.name, name_of(test.id.load), bound_of(test.id.boundary),
-                                  name_of(test.id.method));
+    if (grids.size() < 2 || grids.back() != &test) continue;
+    const auto name =
+        fmt::format("{} {} {} {}", stage, name_of(test.id.load), bound_of(test.id.boundary), name_of(test.id.method));
     extrapolated.push_back(name_errors(
-        name, [&] { return mixing == Mixing::series ? finest_with_band(grids) : extrapolate_test(stage, grids); }));
+        name, [&] { return mixing == Mixing::series ? finest_with_band(grids) : extrapolate_test(side, grids); }));
   }
   return extrapolated;
 }
 
-Curve curve_at(const TestResult& test, const Stage& stage, const std::vector<TestResult>& tests, Mixing mixing,
+Curve curve_at(const TestResult& test, double side, const std::vector<TestResult>& tests, Mixing mixing,
                const std::vector<double>& times) {
   auto grids = test.id.grid.is_extrapolated() ? same_on_all_grids(test, tests) : std::vector{&test};
   if (mixing == Mixing::series) grids.erase(grids.begin(), std::prev(grids.end()));
@@ -127,7 +127,7 @@ Curve curve_at(const TestResult& test, const Stage& stage, const std::vector<Tes
   for (const double time : times) {
     const auto modulus = [time](const TestResult& grid) { return grid.series.at(time); };
     curve.push_back(
-        {time, grids.size() == 1 ? modulus(*grids.front()) : limit(stage, grids, time, modulus, pascals).value});
+        {time, grids.size() == 1 ? modulus(*grids.front()) : limit(side, grids, time, modulus, pascals).value});
   }
   return curve;
 }

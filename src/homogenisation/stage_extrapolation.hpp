@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "breccia/discretisation/mixture.hpp"
@@ -7,14 +8,16 @@
 
 namespace breccia {
 
-/// The limits of vanishing cells of all tests that were run on all grids of a stage (theory, section 11): with points
-/// they are extrapolated; with mixed cells they are the results on the finest grid, and the coarser grids tell their
-/// error. Throws NumericalError if a limit is not positive.
-std::vector<TestResult> extrapolate_tests(const Stage& stage, const std::vector<TestResult>& tests, Mixing mixing);
+/// The limits of vanishing cells of all tests of a stage that were run on several grids (theory, section 11): with
+/// points they are extrapolated; with mixed cells they are the results on the finest grid, and the coarser grids give
+/// their error. `side` is that of the box [m]. Throws NumericalError, with the name of the stage, if a limit is not
+/// positive.
+std::vector<TestResult> extrapolate_tests(const std::string& stage, double side, const std::vector<TestResult>& tests,
+                                          Mixing mixing);
 
 /// The relaxation modulus of a test of a stage at the given times [s], if it follows from exact series (`tests` are all
-/// tests of the stage); otherwise the curve of the test.
-Curve curve_at(const TestResult& test, const Stage& stage, const std::vector<TestResult>& tests, Mixing mixing,
+/// tests of the stage); otherwise the curve of the test. `side` is that of the box [m].
+Curve curve_at(const TestResult& test, double side, const std::vector<TestResult>& tests, Mixing mixing,
                const std::vector<double>& times);
 
 }  // namespace breccia

@@ -251,6 +251,17 @@ std::optional<std::string> warning_of_cut_particles(const Stage& stage, const st
   return visit_nested(CutContent(), packed.box);
 }
 
+/// A gap in material points together with several grids: the gap, and so the material, depends on the finest grid.
+std::optional<std::string> warning_of_gap_on_grids(const Stage& stage) {
+  const auto filler = std::ranges::find(stage.fillers, GapSource::points, &Filler::gap_source);
+  if (filler == stage.fillers.end() || stage.coarser_cells.empty()) return std::nullopt;
+  const auto gap = readable(filler->gap, Dimension::length);
+  return fmt::format(
+      "the gap between particles, {}, follows from the finest grid: with other cells it would be another "
+      "material; give it as a length, gap = \"{}\"",
+      gap, gap);
+}
+
 std::optional<std::string> warning_of_unknown_times(const Stage& stage, const Tests& tests) {
   const auto* matrix = std::get_if<Material>(&stage.matrix);
   return matrix == nullptr ? std::nullopt : warning_of_unknown_times(*matrix, {tests.first_time, tests.last_time});
@@ -287,7 +298,10 @@ std::optional<std::string> warning_of_unknown_times(const Material& matrix, cons
 
 std::vector<std::string> warnings_on(const Study& study, const Stage& stage,
                                      const StageMicrostructure& microstructure) {
-  auto of_stage = stage.warnings;
+  std::vector<std::string> of_stage;
+  if (auto warning = warning_of_gap_on_grids(stage)) of_stage.push_back(*std::move(warning));
+  const auto of_deck = study.provenance.warnings.find(stage.name);
+  if (of_deck != study.provenance.warnings.end()) std::ranges::copy(of_deck->second, std::back_inserter(of_stage));
   std::ranges::move(warnings_of_soft_fillers(study, stage), std::back_inserter(of_stage));
   const auto warning_of_gaps = model_of(study.tests, stage) == Model::films
                                    ? warning_of_short_films(microstructure, study.tests.films)

@@ -68,6 +68,7 @@ QuasistaticTest test_without_fields(const Study& study, const Stage& stage, cons
           .materials = materials,
           .varying = varying,
           .variants = variants_of(study.tests, varying, materials),
+          .volumetric = study.tests.volumetric,
           .boundary = boundary,
           .loads = loads_of(study, stage),
           .times = {study.tests.first_time, study.tests.last_time},
@@ -83,6 +84,7 @@ DynamicTest<dim> make_dynamic_test(const Study& study, const Stage& stage, const
                                    int threads) {
   return {.discretisation = discretisation,
           .materials = with_mixtures(discretisation, materials_of(stage, matrix)),
+          .volumetric = study.tests.volumetric,
           .boundary = boundary,
           .load = load,
           .times = {study.tests.first_time, study.tests.last_time},

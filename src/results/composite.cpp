@@ -110,11 +110,9 @@ class Chooser {
   std::vector<std::string> mistakes_;
 };
 
-const StoredMaterial& material_of(const StudyContent& content, const std::string& name, const std::string& place) {
-  const auto found = std::ranges::find(
-      content.materials, name, [](const StoredMaterial& one) -> const std::string& { return one.material.name; });
-  if (found == content.materials.end()) throw FileError(fmt::format("{}: no material \"{}\"", place, name));
-  return *found;
+const ShiftedMaterial& material_of(const StudyContent& content, const std::string& name, const std::string& place) {
+  if (const auto* const found = find_material(content.materials, name)) return *found;
+  throw FileError(fmt::format("{}: no material \"{}\"", place, name));
 }
 
 const StageContent* find_stage(const StudyContent& content, const std::string& name) {
@@ -130,10 +128,6 @@ std::string binder_of_chain(const StudyContent& content, std::string name) {
     name = stage->matrix;
   }
   return name;
-}
-
-bool is_elastic(const Material& material) {
-  return material.bulk.is_elastic() && material.shear.is_elastic();
 }
 
 /// Density and temperature shift of the composite.
@@ -165,12 +159,8 @@ std::string boundary_in_words(Boundary boundary) {
 }
 
 StudyContent study_content(const Study& study, const StudyResult& result) {
-  StudyContent content{.title = study.title, .times = {study.tests.first_time, study.tests.last_time}};
-  for (const auto& material : study.materials) {
-    const auto shift = study.temperature_shifts.find(material.name);
-    content.materials.push_back(
-        {material, shift == study.temperature_shifts.end() ? std::nullopt : std::optional(shift->second)});
-  }
+  StudyContent content{
+      .title = study.title, .times = {study.tests.first_time, study.tests.last_time}, .materials = study.materials};
   std::vector<std::vector<FillerStatistics>> packed;
   for (std::size_t i = 0; i < result.stages.size(); ++i) {
     const auto& stage = study.stages[i];

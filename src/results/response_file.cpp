@@ -206,7 +206,7 @@ std::map<std::string, Material> read_materials(const Hdf5Reader& file, const std
 }
 
 /// Throws FileError unless every response has a material for each phase that varies beside the matrix.
-void require_materials(const StoredResponses& stored, const Group& root) {
+void require_materials(const StageResponses& stored, const Group& root) {
   for (const auto& [grid, response] : stored.entries) {
     auto names = response.phases();
     std::erase(names, name_of_matrix_phase);
@@ -217,12 +217,12 @@ void require_materials(const StoredResponses& stored, const Group& root) {
 }
 
 /// The responses under one boundary and load, on all grids.
-std::vector<StoredResponses::Entry> read_entries(const Group& group, Boundary boundary, Load load) {
-  std::vector<StoredResponses::Entry> entries;
+std::vector<StageResponses::Entry> read_entries(const Group& group, Boundary boundary, Load load) {
+  std::vector<StageResponses::Entry> entries;
   for (const auto& name : group.file.names(group.name)) {
     const auto grid = grid_named(name);
     group.require(grid && !grid->is_extrapolated(), "numbers of cells, or films");
-    auto& entry = entries.emplace_back(StoredResponses::Entry{*grid, {}});
+    auto& entry = entries.emplace_back(StageResponses::Entry{*grid, {}});
     entry.response = read_response({group.file, group.path, group.name + "/" + name});
     entry.response.load = load;
     entry.response.boundary = boundary;
@@ -231,10 +231,10 @@ std::vector<StoredResponses::Entry> read_entries(const Group& group, Boundary bo
 }
 
 /// What the attributes of the file tell of the stage, all but its responses.
-StoredResponses read_stage(const Group& root) {
+StageResponses read_stage(const Group& root) {
   const auto number = [&root](const char* name) { return root.file.attribute<double>("/", name); };
   const auto text = [&root](const char* name) { return root.file.attribute<std::string>("/", name); };
-  StoredResponses stored;
+  StageResponses stored;
   stored.stage = text("stage");
   if (text("matrix_is") == "stage") {
     stored.matrix = EarlierStage{text("matrix")};
@@ -285,7 +285,7 @@ void refuse_damage(const std::filesystem::path& path) {
 
 }  // namespace
 
-void write_responses(const std::filesystem::path& directory, const StoredResponses& responses) {
+void write_responses(const std::filesystem::path& directory, const StageResponses& responses) {
   if (responses.entries.empty()) return;
   Hdf5Writer file(directory / "response.h5");
   file.write_attribute("/", "format_version", responses.other_phases.empty() ? format_of_matrix : format_of_phases);
@@ -320,7 +320,7 @@ std::optional<std::string> note_on_responses(const std::filesystem::path& path) 
                      path.string());
 }
 
-StoredResponses read_responses(const std::filesystem::path& path) {
+StageResponses read_responses(const std::filesystem::path& path) {
   const bool has_seal = std::filesystem::exists(path) && is_sealed(path);
   if (has_seal) refuse_damage(path);
   const Hdf5Reader file(path);

@@ -84,8 +84,8 @@ inline constexpr auto fields<StageFindings> =
                field("warnings", &StageFindings::warnings));
 
 template <>
-inline constexpr auto fields<StoredMaterial> = std::tuple(field("material", &StoredMaterial::material),
-                                                          field("shift", &StoredMaterial::shift));
+inline constexpr auto fields<ShiftedMaterial> = std::tuple(field("material", &ShiftedMaterial::material),
+                                                           field("shift", &ShiftedMaterial::shift));
 
 template <>
 inline constexpr auto fields<StageContent> = std::tuple(field("name", &StageContent::name),

@@ -76,7 +76,7 @@ std::vector<ReferenceCurve> references(const Study& study, const Stage& stage, c
   std::vector<ReferenceCurve> curves;
   const bool is_one = std::holds_alternative<Material>(stage.matrix);
   for (const auto boundary : study.tests.boundaries) {
-    const auto& matrix = matrix_of(stage, result.stages, boundary, study.tests.methods.front());
+    const auto& matrix = matrix_of(stage.name, stage.matrix, result.stages, boundary, study.tests.methods.front());
     auto& curve = curves.emplace_back();
     curve.label = is_one ? "matrix" : fmt::format("matrix, {}", bound_of(boundary));
     curve.boundary = boundary;

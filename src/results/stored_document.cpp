@@ -15,8 +15,8 @@ StageContent content_of(const StageEntry& stage) {
 
 }  // namespace
 
-std::vector<StoredMaterial> materials_of(const StudyDocument& document) {
-  std::vector<StoredMaterial> materials;
+std::vector<ShiftedMaterial> materials_of(const StudyDocument& document) {
+  std::vector<ShiftedMaterial> materials;
   for (const auto& [name, density, bulk, shear, shift] : document.materials) {
     materials.push_back({{name, density, bulk, shear}, shift});
   }

@@ -10,7 +10,7 @@
 namespace breccia {
 
 /// The materials of a study from its record.
-std::vector<StoredMaterial> materials_of(const StudyDocument& document);
+std::vector<ShiftedMaterial> materials_of(const StudyDocument& document);
 
 /// What is known of a study beside its moduli.
 StudyContent content_of(const StudyDocument& document);

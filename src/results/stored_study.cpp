@@ -153,7 +153,9 @@ StoredStudy read_stored_study(const fs::path& directory) {
   add_series(directory, stages);
   for (const auto& stage : stages) {
     const auto responses = directory / stage.name / "response.h5";
-    if (fs::exists(responses)) study.responses.push_back(read_responses(responses));
+    if (!fs::exists(responses)) continue;
+    study.responses.push_back(read_responses(responses));
+    study.responses.back().warnings = stage.warnings;
   }
   return study;
 }

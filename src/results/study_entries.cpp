@@ -74,7 +74,7 @@ struct RecordEntry {
       found.face_share = options.films.face_share;
       found.layers = options.films.layers;
     } else {
-      found.volumetric = options.quasistatic.volumetric;
+      found.volumetric = options.volumetric;
       found.mixing = options.mixing;
     }
     if (record.reduced) {
@@ -93,7 +93,7 @@ struct RecordEntry {
   void operator()(const DynamicRecord& record) const {
     DynamicEntry found{.formulation = options.dynamic.formulation,
                        .start = options.dynamic.start,
-                       .volumetric = options.dynamic.volumetric,
+                       .volumetric = options.volumetric,
                        .mixing = options.mixing,
                        .courant = options.dynamic.courant,
                        .overlaps = record.overlaps,
@@ -288,10 +288,8 @@ StudyDocument document_of(const Study& study, const StudyResult& result, const S
                          .deck_text = provenance.deck_text,
                          .times = {study.tests.first_time, study.tests.last_time}};
   if (result.seconds) document.date = date_of_now();
-  for (const auto& material : study.materials) {
-    auto& entry = document.materials.emplace_back(entry_of(material));
-    const auto shift = study.temperature_shifts.find(material.name);
-    if (shift != study.temperature_shifts.end()) entry.shift = shift->second;
+  for (const auto& [material, shift] : study.materials) {
+    document.materials.emplace_back(entry_of(material)).shift = shift;
   }
   for (const auto& stage : study.stages) document.stage_names.push_back(stage.name);
   std::vector<std::vector<FillerStatistics>> fillers;

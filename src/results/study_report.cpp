@@ -77,7 +77,7 @@ Json json_of(TestGrid grid) {
   return cells ? Json(*cells) : Json(name_of(grid));
 }
 
-Json json_of(const StoredResponses::Entry& entry, const std::map<std::string, Material>& other_phases) {
+Json json_of(const StageResponses::Entry& entry, const std::map<std::string, Material>& other_phases) {
   const auto& response = entry.response;
   Json json = {{"load", name_of(response.load)},
                {"boundary", name_of(response.boundary)},
@@ -103,7 +103,7 @@ Json responses_of(const fs::path& file, const std::string& hash) {
   // With mixed cells the finest grid gives the results, with points all grids do.
   Json responses = Json::array();
   if (stored.entries.empty()) return responses;
-  const auto finest = std::ranges::max(stored.entries, {}, &StoredResponses::Entry::grid).grid;
+  const auto finest = std::ranges::max(stored.entries, {}, &StageResponses::Entry::grid).grid;
   for (const auto& entry : stored.entries) {
     if (stored.mixing == Mixing::points || entry.grid == finest) {
       responses.push_back(json_of(entry, stored.other_phases));

@@ -14,16 +14,9 @@ const Material& binder_of(const Study& study, const Stage& stage) {
   return below == nullptr ? std::get<Material>(stage.matrix) : binder_of(study, *below);
 }
 
-bool serves_as_matrix(const Study& study, const Stage& stage) {
-  return std::ranges::any_of(study.stages, [&](const Stage& other) {
-    const auto* earlier = std::get_if<EarlierStage>(&other.matrix);
-    return earlier != nullptr && earlier->name == stage.name;
-  });
-}
-
 std::vector<Load> loads_of(const Study& study, const Stage& stage) {
   auto loads = study.tests.loads;
-  if (!serves_as_matrix(study, stage)) return loads;
+  if (!serves_as_matrix(study.stages, stage.name)) return loads;
   for (const auto load : {Load::shear, Load::bulk}) {
     if (std::ranges::find(loads, load) == loads.end()) loads.push_back(load);
   }

@@ -20,8 +20,8 @@ namespace {
 class Content {
  public:
   void add(const Study& study) {
-    const auto& [title, materials, temperature_shifts, stages, tests, measurements, provenance] = study;
-    add_all(title, materials, temperature_shifts, stages, tests, measurements);
+    const auto& [title, materials, stages, tests, measurements, provenance] = study;
+    add_all(title, materials, stages, tests, measurements);
     static_cast<void>(provenance);
   }
 
@@ -68,7 +68,14 @@ class Content {
     add(value.index());
     std::visit([this](const auto& one) { this->add(one); }, value);
   }
-  void add(const std::map<std::string, TemperatureShift>& shifts) {
+  /// All materials, then their shifts by name: the order of the versions that kept them apart.
+  void add(const std::vector<ShiftedMaterial>& materials) {
+    std::map<std::string, TemperatureShift> shifts;
+    add(materials.size());
+    for (const auto& [material, shift] : materials) {
+      add(material);
+      if (shift) shifts.emplace(material.name, *shift);
+    }
     add(shifts.size());
     for (const auto& [material, shift] : shifts) add_all(material, shift);
   }
@@ -113,12 +120,11 @@ class Content {
     add(name);
   }
   void add(const Stage& stage) {
-    const auto& [name, matrix, side, cells, coarser_cells, fillers, packing, warnings] = stage;
+    const auto& [name, matrix, side, cells, coarser_cells, fillers, packing] = stage;
     add_all(name, matrix, side, cells, coarser_cells, fillers);
     visit_nested([this](const auto& method) { this->add(method); }, packing);
     // A study in two dimensions keeps the content that it had before there were three.
     if (stage.dimensions() != 2) add_all(std::string("dimensions"), stage.dimensions());
-    static_cast<void>(warnings);
   }
   void add(const Filler& filler) {
     const auto& [material, fraction, smallest, largest, sizes, gap, gap_source, coating, shape] = filler;
@@ -257,11 +263,12 @@ class Content {
   }
 
   void add(const Tests& tests) {
-    const auto& [loads, boundaries, methods, model, films, mixing, first_time, last_time, by_frequency,
+    const auto& [loads, boundaries, methods, model, films, mixing, volumetric, first_time, last_time, by_frequency,
                  points_per_decade, field_times, lists_field_times, fit_tolerance, quasistatic, varied, dynamic] =
         tests;
-    add_all(loads, boundaries, methods, mixing, first_time, last_time, points_per_decade, field_times, fit_tolerance,
-            quasistatic, dynamic);
+    add_all(loads, boundaries, methods, mixing, first_time, last_time, points_per_decade, field_times, fit_tolerance);
+    add(quasistatic, volumetric);
+    add(dynamic, volumetric);
     static_cast<void>(by_frequency);
     static_cast<void>(lists_field_times);
     // Nothing without such materials: a study from before there were any keeps its hash.
@@ -283,8 +290,9 @@ class Content {
     const auto& [least, most] = interval;
     add_all(least, most);
   }
-  void add(const QuasistaticOptions& options) {
-    const auto& [solver, range, volumetric, sampling, steps_per_decade, linear] = options;
+  // Both methods have the volumetric strains among their options, as in the versions that kept them there.
+  void add(const QuasistaticOptions& options, Volumetric volumetric) {
+    const auto& [solver, range, sampling, steps_per_decade, linear] = options;
     add_all(solver, range, volumetric, sampling, steps_per_decade, linear);
   }
   void add(const SamplingOptions& options) {
@@ -304,9 +312,9 @@ class Content {
                               energy_tolerance == defaults.energy_tolerance;
     if (!has_defaults) add_all(std::string("linear in 3D"), most_unknowns_direct_in_3d, energy_tolerance);
   }
-  void add(const DynamicOptions& options) {
-    const auto& [formulation, start, volumetric, courant, ramp_transits, creep_ramp_transits, ramp_time,
-                 mass_scaling_factors, overlap, reduction_tolerance] = options;
+  void add(const DynamicOptions& options, Volumetric volumetric) {
+    const auto& [formulation, start, courant, ramp_transits, creep_ramp_transits, ramp_time, mass_scaling_factors,
+                 overlap, reduction_tolerance] = options;
     add_all(formulation, start, volumetric, courant, ramp_transits, creep_ramp_transits, ramp_time,
             mass_scaling_factors, overlap, reduction_tolerance);
   }

@@ -33,20 +33,12 @@ void check_material(const Material& material, const std::string& part, StudyMist
 }
 
 void check_materials(const Study& study, StudyMistakes& mistakes) {
-  const auto& materials = study.materials;
-  for (auto material = materials.begin(); material != materials.end(); ++material) {
-    const auto part = "material " + material->name;
-    check_material(*material, part, mistakes);
-    const bool is_repeated =
-        std::ranges::find(materials.begin(), material, material->name, &Material::name) != material;
-    if (is_repeated) mistakes.add(part, "another material has this name");
-  }
-  for (const auto& [name, shift] : study.temperature_shifts) {
-    const auto part = "temperature shift of " + name;
-    if (std::ranges::find(materials, name, &Material::name) == materials.end()) {
-      mistakes.add(part, "there is no material of this name");
-    }
-    check_shift(shift, part, mistakes);
+  for (const auto& one : study.materials) {
+    const auto& [material, shift] = one;
+    const auto part = "material " + material.name;
+    check_material(material, part, mistakes);
+    if (find_material(study.materials, material.name) != &one) mistakes.add(part, "another material has this name");
+    if (shift) check_shift(*shift, "temperature shift of " + material.name, mistakes);
   }
 }
 

@@ -48,7 +48,7 @@ struct SpacingIn {
 }  // namespace
 
 std::vector<std::string> mistakes_of_name(const std::string& name, std::span<const Stage> earlier,
-                                          std::span<const Material> materials) {
+                                          const std::vector<ShiftedMaterial>& materials) {
   if (name.empty()) return {};
   std::vector<std::string> mistakes;
   if (!is_safe_name(name)) {
@@ -65,7 +65,7 @@ std::vector<std::string> mistakes_of_name(const std::string& name, std::span<con
   if (std::ranges::find(earlier, name, &Stage::name) != earlier.end()) {
     mistakes.push_back(fmt::format("another stage is called \"{}\"", name));
   }
-  if (std::ranges::find(materials, name, &Material::name) != materials.end()) {
+  if (find_material(materials, name) != nullptr) {
     mistakes.push_back(fmt::format("a material is called \"{}\"", name));
   }
   return mistakes;

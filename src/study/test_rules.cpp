@@ -103,7 +103,7 @@ std::optional<std::string> vary_without_samples(const Tests& tests) {
 
 /// Mixed cells have averaged volumetric strains.
 std::optional<std::string> mixing_of_points(const Tests& tests) {
-  if (tests.mixing == Mixing::points || !has_standard_points(tests)) return std::nullopt;
+  if (tests.mixing == Mixing::points || tests.volumetric == Volumetric::averaged) return std::nullopt;
   return fmt::format(R"(mixing "{}" takes the volumetric strains "{}": expected these, or mixing "{}")",
                      name_of(Mixing::series), name_of(Volumetric::averaged), name_of(Mixing::points));
 }
@@ -175,11 +175,6 @@ std::vector<std::string> mistakes_of_loads(const std::vector<Load>& loads, int d
 bool has_fields(const Tests& tests, const Stage& stage) {
   if (tests.field_times.empty()) return false;
   return model_of(tests, stage) != Model::films || !tests.films.layers;
-}
-
-bool has_standard_points(const Tests& tests) {
-  return (uses(tests, Method::quasistatic) && tests.quasistatic.volumetric == Volumetric::standard) ||
-         (uses(tests, Method::dynamic) && tests.dynamic.volumetric == Volumetric::standard);
 }
 
 std::vector<std::string> contradictions(const Study& study) {

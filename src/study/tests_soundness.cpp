@@ -30,8 +30,17 @@ void check_list(const std::vector<T>& values, const char* noun, StudyMistakes& m
 void check_quasistatic(const QuasistaticOptions& options, StudyMistakes& mistakes) {
   constexpr auto part = "tests, quasi-static method";
   mistakes.check_number(part, "tolerance of the sampling", options.sampling.tolerance, allowed::accuracy);
+  mistakes.check_integer(part, "largest number of snapshots", options.sampling.most_snapshots, allowed::snapshots);
   mistakes.check_integer(part, "steps per decade", options.steps_per_decade, allowed::steps_per_decade);
-  mistakes.check_number(part, "tolerance of the linear systems", options.linear.tolerance, allowed::accuracy);
+  const auto& linear = options.linear;
+  mistakes.check_number(part, "tolerance of the linear systems", linear.tolerance, allowed::accuracy);
+  mistakes.check_number(part, "tolerance of the energy in three dimensions", linear.energy_tolerance,
+                        allowed::accuracy);
+  mistakes.check_integer(part, "threads", linear.threads, Range::not_negative());
+  for (const auto unknowns : {linear.most_unknowns_direct, linear.most_unknowns_direct_in_3d}) {
+    mistakes.check_number(part, "largest number of unknowns of a direct solver", static_cast<double>(unknowns),
+                          Range::not_negative());
+  }
 }
 
 void check_dynamic(const DynamicOptions& options, StudyMistakes& mistakes) {

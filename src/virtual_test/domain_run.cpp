@@ -127,8 +127,8 @@ PreparedDomain<dim> prepare(const DynamicTest<dim>& test, const DomainRules& rul
     materials.push_back(std::move(material));
     domain.reduction_error = std::max(domain.reduction_error, error_bound);
   }
-  domain.time_step = test.options.courant *
-                     stable_time_step(test.discretisation, materials, test.options.volumetric, domain.mass_scaling);
+  domain.time_step =
+      test.options.courant * stable_time_step(test.discretisation, materials, test.volumetric, domain.mass_scaling);
   // While the factors rise, the window begins, by definition, after a known number of transits, which gives the
   // duration of one. A factor that falls again is valid long before its window begins. The second estimate is lower,
   // since the composite is stiffer during the ramp.
@@ -148,7 +148,7 @@ PreparedDomain<dim> prepare(const DynamicTest<dim>& test, const DomainRules& rul
   }
   DynamicProblem<dim> problem = {.discretisation = test.discretisation,
                                  .materials = std::move(materials),
-                                 .volumetric = test.options.volumetric,
+                                 .volumetric = test.volumetric,
                                  .mass_scaling = domain.mass_scaling,
                                  .time_step = domain.time_step,
                                  .boundary = test.boundary,

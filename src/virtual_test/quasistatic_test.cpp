@@ -18,6 +18,7 @@
 #include "breccia/quasistatic/carson_path.hpp"
 #include "breccia/quasistatic/log_time_stepping.hpp"
 #include "breccia/virtual_test/quasistatic_test_state.hpp"
+#include "breccia/virtual_test/reduced_curves.hpp"
 #include "breccia/viscoelasticity/fit.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
@@ -30,7 +31,7 @@ template <int dim>
 QuasistaticProblem<dim> problem_of(const QuasistaticTest& test, const Discretisation<dim>& discretisation) {
   return {.discretisation = discretisation,
           .materials = test.materials,
-          .volumetric = test.options.volumetric,
+          .volumetric = test.volumetric,
           .boundary = test.boundary,
           .linear = test.options.linear};
 }
@@ -125,23 +126,15 @@ void run_reduced(const QuasistaticTest& test, QuasistaticTestResult& result, con
                  Checkpoint* checkpoint) {
   const auto materials = varying_materials(test);
   const auto path = training_set(test, materials);
-  auto responses = std::visit(
+  const auto responses = std::visit(
       [&](const auto& composite) { return sample(composite, test, materials, path, follow, checkpoint, result); },
       test.composite);
   const auto times = logarithmic_times(test.times, test.points_per_decade);
-  for (auto& reduced : responses) {
-    auto& response = result.responses.emplace_back();
-    response.load = reduced.load;
-    const auto compliance = creep_compliance(reduced, materials);
-    response.series = relaxation_modulus(compliance);
-    for (const double time : times) {
-      response.modulus.push_back({time, response.series.at(time)});
-      if (test.boundary == Boundary::traction) response.compliance.push_back({time, compliance.at(time)});
-    }
+  for (const auto& reduced : responses) {
+    auto& response = result.responses.emplace_back(reduced_curves(reduced, materials, times));
     for (const auto& moduli : path.points) {
       response.error_estimate = std::max(response.error_estimate, reduced.error_estimate(moduli));
     }
-    response.reduced = std::move(reduced);
   }
 }
 

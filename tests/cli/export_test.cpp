@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,9 @@
 namespace breccia::test {
 namespace {
 
+using ::testing::Contains;
 using ::testing::HasSubstr;
+using ::testing::IsSupersetOf;
 
 constexpr std::string_view composite_deck = R"(title = "Composite"
 
@@ -290,6 +293,27 @@ TEST_F(Export, ComputesTheCardAtAnotherTemperature) {
     EXPECT_NEAR(card.shear.at(time) / card_there.shear.at(time), 1.0, 2e-3 + 1e-3) << time;
   }
   EXPECT_NEAR(card.density, card_there.density, 1e-6);
+}
+
+/// The lines of a text that warn.
+std::vector<std::string> warnings_in(const std::string& text) {
+  std::vector<std::string> warnings;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("warning: ")) warnings.push_back(line);
+  }
+  return warnings;
+}
+
+/// At 150 degC the binder has relaxed long before the last time of the run.
+TEST_F(Export, WarnsAtATemperatureAsRespondDoes) {
+  const auto respond = run_breccia(study->path(), {"respond", "out", "--temperature", "150 degC", "--out", "hot"});
+  ASSERT_EQ(respond.exit_code, 0) << respond.errors;
+  const auto expected = warnings_in(respond.output);
+  EXPECT_THAT(expected, Contains(HasSubstr("of its matrix, binder at 150 degC, from")));
+  const auto card = export_card("csv", {"--boundary", "traction", "--poisson", "0.3", "--temperature", "150 degC"});
+  ASSERT_EQ(card.exit_code, 0) << card.errors;
+  EXPECT_THAT(warnings_in(card.errors), IsSupersetOf(expected));
 }
 
 TEST_F(Export, RefusesTemperaturesWithoutALaw) {

@@ -168,7 +168,7 @@ TEST_F(Quasistatic, RespondRefusesBadArguments) {
   study->write("stiff.toml", "density = \"1 g/cm^3\"\nbulk = \"1 MPa\"\nshear = \"3 GPa\"\n");
   study->write("bad.toml", "bulk = \"1 um\"\n");
   const std::vector<std::pair<std::vector<std::string>, std::string>> mistakes = {
-      {{"out", "--material", "stiff.toml"}, "stiff shows a shear modulus of 3 GPa; the study answers"},
+      {{"out", "--material", "stiff.toml"}, "stiff shows a shear modulus of 3 GPa; the responses hold from"},
       {{"out", "--material", "bad.toml"}, R"(bulk: expected a pressure, got "1 um")"},
       {{"out", "--material", "none.toml"}, "none.toml"},
       {{"nowhere", "--material", "stiff.toml"}, "nowhere: no such directory"},

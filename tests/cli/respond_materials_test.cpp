@@ -161,7 +161,7 @@ TEST_F(RespondWithMaterials, RefusesAllMistakesAtOnce) {
 TEST_F(RespondWithMaterials, RefusesAnInterphaseBeyondWhatWasSampledAndSaysWhatToDo) {
   const auto refused = respond({"--material", "interphase=rigid.toml"});
   EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_THAT(refused.errors, AllOf(HasSubstr("rigid shows a shear modulus of 9 GPa; the study answers "
+  EXPECT_THAT(refused.errors, AllOf(HasSubstr("rigid shows a shear modulus of 9 GPa; the responses hold from "
                                               "9.5 MPa to 1.05 GPa"),
                                     HasSubstr("are sampled with tests.quasistatic.vary")));
 }

@@ -20,6 +20,7 @@
 namespace breccia::test {
 namespace {
 
+using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using Json = nlohmann::json;
@@ -178,7 +179,7 @@ shear   = { terms = [{ time = "1 us", modulus = "10 GPa" }] }
   const auto refused = respond(wide);
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_THAT(refused.errors, HasSubstr("from 1 us to 100 us stiff shows a shear modulus from 99 MPa to 5 GPa; the "
-                                        "study answers"));
+                                        "responses hold from"));
   EXPECT_THAT(refused.errors, HasSubstr("a new study with this material as its matrix covers all of it"));
   EXPECT_THAT(refused.errors, HasSubstr("covered from 8.7 us to 100 us: --times \"8.7 us\" \"100 us\""));
   EXPECT_FALSE(std::filesystem::exists(study->path() / "stiff"));
@@ -199,6 +200,32 @@ shear   = { equilibrium = "1 MPa", terms = [{ time = "1 ms", modulus = "20 MPa" 
     EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
     EXPECT_THAT(outcome.output, HasSubstr("warning: fine: times reach from 1 ms to 1 s, but the relaxation times"));
   }
+}
+
+// The particles of the deck are few cells apart, whatever the binder; its own spectrum is replaced.
+TEST(RespondToAWarnedRun, RepeatsTheWarningsOfTheRunOnce) {
+  const StudyDirectory study(chain);
+  const auto run = study.breccia("run", {"--set", "stages.*.cells=6", "--set", "tests.times=[\"1 ms\", \"100 Ms\"]"});
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  const auto record = Json::parse(read_text(study.result("study.json")));
+  const auto of_run = record["stages"][0]["warnings"].get<std::vector<std::string>>();
+  const std::string gap = "fine: the smallest gap between particles or to a wall";
+  const std::string times = "fine: times reach from";
+  ASSERT_THAT(of_run, Contains(HasSubstr(gap)));
+  ASSERT_THAT(of_run, Contains(HasSubstr(times)));
+  study.write("slow.toml", R"(density = "1 g/cm^3"
+bulk    = "3 GPa"
+shear   = { equilibrium = "1 MPa", terms = [{ time = "100 Ms", modulus = "20 MPa" }, { time = "1 ms", modulus = "10 MPa" }] }
+)");
+  const auto slow = run_breccia(study.path(), {"respond", "out", "--material", "slow.toml"});
+  ASSERT_EQ(slow.exit_code, 0) << slow.errors;
+  EXPECT_THAT(slow.output, HasSubstr("warning: " + gap));
+  EXPECT_THAT(slow.output, Not(HasSubstr(times)));
+  const auto twice =
+      run_breccia(study.path(), {"respond", "out", "--temperature", "21 degC", "--temperature", "22 degC"}).output;
+  const auto first = twice.find(gap);
+  ASSERT_NE(first, std::string::npos);
+  EXPECT_EQ(twice.find(gap, first + 1), std::string::npos);
 }
 
 TEST_F(Respond, RefusesACopyOfAStage) {

@@ -14,7 +14,9 @@ const std::filesystem::path data = BRECCIA_DATA_DIRECTORY;
 PronySeries series_of(const std::string& file) {
   const test::DeckDirectory directory;
   const auto override_text = "materials.binder.shear={ prony = \"" + (data / file).string() + "\" }";
-  return directory.study(test::join(test::materials, test::stage, test::tests), {override_text}).materials.at(0).shear;
+  return directory.study(test::join(test::materials, test::stage, test::tests), {override_text})
+      .materials.at(0)
+      .material.shear;
 }
 
 TEST(Data, BinderInBothReadings) {

@@ -23,7 +23,9 @@ class EngineeringMaterials : public testing::Test {
     return test::join("[materials.binder]\ndensity = \"1 g/cm^3\"\n", lines,
                       "\n[[stages]]\nname = \"a\"\nmatrix = \"binder\"\nbox = \"1 mm\"\ncells = 4\n", test::tests);
   }
-  [[nodiscard]] Material material(std::string_view lines) const { return directory.study(deck(lines)).materials.at(0); }
+  [[nodiscard]] Material material(std::string_view lines) const {
+    return directory.study(deck(lines)).materials.at(0).material;
+  }
   [[nodiscard]] std::string mistakes(std::string_view lines) const { return directory.mistakes(deck(lines)); }
 
   test::DeckDirectory directory;
@@ -89,7 +91,7 @@ TEST_F(EngineeringMaterials, MeasuredModuliAtSeveralTemperaturesHaveTheirShiftLa
   const auto lines =
       test::join("bulk = \"3.6 GPa\"\nshear = { measured = \"", data, "\", reference_temperature = \"19 degC\" }\n");
   const auto study = directory.study(deck(lines));
-  const auto& shift = study.temperature_shifts.at("binder");
+  const auto& shift = study.materials.at(0).shift.value();
   const auto& law = std::get<WilliamsLandelFerry>(shift.law);
   EXPECT_NEAR(law.c1 / 6.5, 1.0, 0.01);
   EXPECT_NEAR(law.c2 / 120.0, 1.0, 0.01);
@@ -97,10 +99,10 @@ TEST_F(EngineeringMaterials, MeasuredModuliAtSeveralTemperaturesHaveTheirShiftLa
 
   const auto warm =
       directory.study(deck(lines + "temperature_shift = { law = \"measured\", temperature = \"40 degC\" }"));
-  EXPECT_EQ(warm.temperature_shifts.at("binder").temperature, 313.15);
+  EXPECT_EQ(warm.materials.at(0).shift.value().temperature, 313.15);
   const double factor = law.shift_factor(313.15);
-  const auto& cold_terms = study.materials.at(0).shear.terms();
-  const auto& warm_terms = warm.materials.at(0).shear.terms();
+  const auto& cold_terms = study.materials.at(0).material.shear.terms();
+  const auto& warm_terms = warm.materials.at(0).material.shear.terms();
   EXPECT_NEAR(warm_terms.at(0).relaxation_time / (cold_terms.at(0).relaxation_time * factor), 1.0, 1e-12);
 }
 

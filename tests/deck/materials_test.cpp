@@ -17,7 +17,9 @@ class DeckMaterials : public testing::Test {
     return test::join("[materials.binder]\ndensity = \"1 g/cm^3\"\nbulk = \"3 GPa\"\n", lines,
                       "\n[[stages]]\nname = \"a\"\nmatrix = \"binder\"\nbox = \"1 mm\"\ncells = 4\n", test::tests);
   }
-  [[nodiscard]] Material material(std::string_view lines) const { return directory.study(deck(lines)).materials.at(0); }
+  [[nodiscard]] Material material(std::string_view lines) const {
+    return directory.study(deck(lines)).materials.at(0).material;
+  }
   [[nodiscard]] std::string mistakes(std::string_view lines) const { return directory.mistakes(deck(lines)); }
 
   test::DeckDirectory directory;

@@ -18,9 +18,9 @@ TEST(StudyDeck, ResolvesEverything) {
   EXPECT_EQ(study.provenance.content, content_of(study));
   EXPECT_THAT(study.provenance.deck_text, HasSubstr("title = \"A\""));
   ASSERT_EQ(study.materials.size(), 2U);
-  EXPECT_EQ(study.materials[0].name, "binder");
+  EXPECT_EQ(study.materials[0].material.name, "binder");
   ASSERT_EQ(study.stages.size(), 1U);
-  EXPECT_EQ(std::get<Material>(study.stages[0].matrix), study.materials[0]);
+  EXPECT_EQ(std::get<Material>(study.stages[0].matrix), study.materials[0].material);
   EXPECT_DOUBLE_EQ(study.stages[0].cell_size(), 0.16e-6);
   EXPECT_EQ(study.tests.loads, std::vector{Load::shear});
 }

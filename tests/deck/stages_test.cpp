@@ -140,19 +140,6 @@ TEST_F(DeckStages, TheDefaultGapIsAShareOfTheSmallestDiameterOfACutDistribution)
   EXPECT_EQ(gap_of("sizes = { diameter = \"1 mm\" }"), 100e-6);
 }
 
-TEST_F(DeckStages, AGapInPointsOnSeveralGridsIsDoubtful) {
-  const auto warnings_of = [&](std::string_view cells, std::string_view gap) {
-    return stage(test::join("cells = ", cells, R"(
-filler = { material = "hmx", sizes = { list = ["1 mm"] }, gap = ")",
-                            gap, "\" }\npacking = { method = \"lubachevsky-stillinger\" }"))
-        .warnings;
-  };
-  EXPECT_THAT(warnings_of("[30, 60]", "6 points"),
-              ElementsAre(AllOf(HasSubstr("300 um, follows from the finest grid"), HasSubstr("gap = \"300 um\""))));
-  EXPECT_THAT(warnings_of("[30, 60]", "0.3 mm"), testing::IsEmpty());
-  EXPECT_THAT(warnings_of("60", "6 points"), testing::IsEmpty());
-}
-
 TEST_F(DeckStages, TheFractionMayBeInPerCent) {
   const auto fraction_of = [&](std::string_view fraction) {
     return filler(test::join(R"(filler = { material = "hmx", sizes = { diameter = "1 mm" }, fraction = )", fraction,

@@ -54,7 +54,7 @@ TEST_F(SweepDeck, HasAllCombinations) {
   EXPECT_EQ(sweep.tasks[1].name, "volumetric-averaged_seed-4");
   EXPECT_EQ(sweep.tasks[2].name, "volumetric-standard_seed-3");
   EXPECT_EQ(seed_of(sweep.tasks[1]), 4U);
-  EXPECT_EQ(sweep.tasks[2].study.tests.quasistatic.volumetric, Volumetric::standard);
+  EXPECT_EQ(sweep.tasks[2].study.tests.volumetric, Volumetric::standard);
   EXPECT_FALSE(sweep.keys[0].is_seed);
   EXPECT_TRUE(sweep.keys[1].is_seed);
   EXPECT_THAT(sweep.tasks[2].labels, ElementsAre("volumetric-standard", "seed-3"));
@@ -64,8 +64,7 @@ TEST_F(SweepDeck, ATaskIsTheDeckWithOverrides) {
   const auto task = read("[sweep]\n\"tests.volumetric\" = [\"standard\"]\n").tasks.at(0);
   EXPECT_THAT(task.study.provenance.overrides, ElementsAre("tests.volumetric=\"standard\""));
   EXPECT_EQ(task.study.provenance.content, content_of(task.study));
-  EXPECT_EQ(directory.study(deck + "# ", task.study.provenance.overrides).tests.quasistatic.volumetric,
-            Volumetric::standard);
+  EXPECT_EQ(directory.study(deck + "# ", task.study.provenance.overrides).tests.volumetric, Volumetric::standard);
 }
 
 TEST_F(SweepDeck, TakesNamesWithDotsInTables) {

@@ -31,13 +31,12 @@ TEST_F(DeckTests, Defaults) {
   EXPECT_THAT(defaults.boundaries, ElementsAre(Boundary::displacement, Boundary::traction));
   EXPECT_THAT(defaults.methods, ElementsAre(Method::quasistatic));
   EXPECT_EQ(defaults.quasistatic.solver, Solver::reduced);
-  EXPECT_EQ(defaults.quasistatic.volumetric, Volumetric::averaged);
+  EXPECT_EQ(defaults.volumetric, Volumetric::averaged);
   EXPECT_EQ(defaults.quasistatic.range, SampledRange::matrix);
   EXPECT_EQ(defaults.quasistatic.linear.method, LinearMethod::automatic);
   EXPECT_EQ(defaults.first_time, 1e-8);
   EXPECT_EQ(defaults.last_time, 1e-2);
   EXPECT_EQ(defaults.points_per_decade, 20);
-  EXPECT_EQ(defaults.dynamic.volumetric, Volumetric::averaged);
   EXPECT_EQ(defaults.dynamic.courant, DynamicOptions().courant);
   EXPECT_THAT(defaults.dynamic.mass_scaling_factors, IsEmpty());
   EXPECT_THAT(defaults.field_times, ElementsAre(defaults.last_time));
@@ -133,7 +132,7 @@ linear_tolerance = 1e-8
   EXPECT_THAT(given.loads, ElementsAre(Load::diagonal_shear, Load::bulk));
   EXPECT_THAT(given.boundaries, ElementsAre(Boundary::traction, Boundary::periodic));
   EXPECT_EQ(given.quasistatic.solver, Solver::stepping);
-  EXPECT_EQ(given.quasistatic.volumetric, Volumetric::standard);
+  EXPECT_EQ(given.volumetric, Volumetric::standard);
   EXPECT_EQ(given.quasistatic.sampling.tolerance, 1e-4);
   EXPECT_EQ(given.quasistatic.range, SampledRange::times);
   EXPECT_EQ(given.quasistatic.steps_per_decade, 40);
@@ -163,7 +162,7 @@ reduction_tolerance = 1e-4
 )"));
   EXPECT_THAT(given.loads, ElementsAre(Load::bulk, Load::shear));
   EXPECT_EQ(given.points_per_decade, 10);
-  EXPECT_EQ(given.dynamic.volumetric, Volumetric::standard);
+  EXPECT_EQ(given.volumetric, Volumetric::standard);
   EXPECT_EQ(given.dynamic.formulation, Formulation::classical);
   EXPECT_EQ(given.dynamic.start, Start::affine);
   EXPECT_EQ(given.dynamic.courant, 1.0);

@@ -1,11 +1,11 @@
-#include "homogenisation/coverage_refusal.hpp"
+#include "homogenisation/respond/coverage_refusal.hpp"
 
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/homogenisation/respond.hpp"
+#include "breccia/homogenisation/responder.hpp"
 
 #include "messages.hpp"
 #include "one_vector_response.hpp"
@@ -24,14 +24,18 @@ ReducedResponse sampled(Boundary boundary) {
                                    {{{{.bulk = 2e9, .shear = 1e8}}, 0.0}, {{{.bulk = 2e9, .shear = 1e6}}, 0.0}});
 }
 
-StoredResponses stored() {
-  StoredResponses stored;
+StageResponses stored() {
+  StageResponses stored;
   stored.stage = "A";
   stored.matrix = Material{"binder", 1000.0, PronySeries(2e9), PronySeries(1e7)};
   stored.side = 1.0;
   stored.times = {1e-3, 1e6};
   stored.entries = {{TestGrid(12), sampled(Boundary::displacement)}, {TestGrid(12), sampled(Boundary::traction)}};
   return stored;
+}
+
+Responder with_matrix(const Material& matrix) {
+  return Responder({stored()}).with({{"matrix", matrix}});
 }
 
 /// Its Carson modulus at s = 1/t is 1 GPa / (1 + t / 1 s).
@@ -46,19 +50,19 @@ MatrixUnder everywhere(const Material& material) {
 // 105 MPa at 8.52 s and 0.95 MPa at 1051.6 s. The times are looked at with 48 to a decade, and rounded inwards.
 TEST(CoverageRefusal, TellsWhatIsShownWhatWasSampledAndWhatIsCovered) {
   const auto gel = maxwell();
-  EXPECT_EQ(test::message_of<InputError>([&] { static_cast<void>(respond(stored(), gel)); }),
-            "stage A: from 1 ms to 1 Ms gel shows a shear modulus from 1 kPa to 999 MPa; the study answers 950 kPa to "
-            "105 MPa\n"
+  EXPECT_EQ(test::message_of<InputError>([&] { static_cast<void>(with_matrix(gel).respond()); }),
+            "stage A: from 1 ms to 1 Ms gel shows a shear modulus from 1 kPa to 999 MPa; the responses hold from "
+            "950 kPa to 105 MPa\n"
             "a new study with this material as its matrix covers all of it\n"
             "covered from 8.7 s to 1 ks");
 }
 
 TEST(CoverageRefusal, NamesTimesThatAreAnswered) {
   const auto gel = maxwell();
-  const auto answer = respond(stored(), gel, TimeWindow{8.7, 1000.0});
-  ASSERT_EQ(answer.tests.size(), 2U);
+  const auto stage = with_matrix(gel).within({8.7, 1000.0}).respond().front();
+  ASSERT_EQ(stage.tests.size(), 2U);
   // A composite with the modulus 3 + 2 G.
-  for (const auto& [time, modulus] : answer.tests[0].modulus) {
+  for (const auto& [time, modulus] : stage.tests[0].modulus) {
     EXPECT_NEAR(modulus / (3.0 + 2.0 * gel.shear.at(time)), 1.0, 1e-9) << time;
   }
 }
@@ -73,8 +77,8 @@ TEST(CoverageRefusal, IsOfTheBulkModulusWhereTheShearModulusIsCovered) {
   for (const double bulk : {1.79e9, 2.21e9}) {
     material.bulk = PronySeries(bulk);
     const auto refusal = [&] { require_coverage(stored(), everywhere(material), {1.0, 10.0}); };
-    EXPECT_THAT(test::message_of<NotCovered>(refusal),
-                AllOf(HasSubstr("gel shows a bulk modulus of "), HasSubstr("the study answers 1.8 GPa to 2.2 GPa")));
+    EXPECT_THAT(test::message_of<NotCovered>(refusal), AllOf(HasSubstr("gel shows a bulk modulus of "),
+                                                             HasSubstr("the responses hold from 1.8 GPa to 2.2 GPa")));
   }
 }
 
@@ -118,21 +122,21 @@ TEST(CoverageRefusal, TellsTimesThatTheWholeAttemptCovers) {
     return 1;
   };
   EXPECT_EQ(test::message_of<InputError>([&] {
-              or_tell_covered_times({1.0, 9.0}, attempt);
+              or_refuse_with_covered_times({1.0, 9.0}, attempt);
             }),
             "the first stage\ncovered from 3 s to 7 s");
   EXPECT_THAT(tried, ElementsAre(TimeWindow{1.0, 9.0}, TimeWindow{2.0, 8.0}, TimeWindow{3.0, 7.0}));
-  EXPECT_EQ(or_tell_covered_times({4.0, 5.0}, attempt), 1);
+  EXPECT_EQ(or_refuse_with_covered_times({4.0, 5.0}, attempt), 1);
 }
 
 TEST(CoverageRefusal, TellsNoTimesWhereNoneAreLeft) {
   const auto refused = [](const TimeWindow&) -> int { throw NotCovered("no", std::nullopt); };
-  EXPECT_EQ(test::message_of<InputError>([&] { or_tell_covered_times({1.0, 9.0}, refused); }), "no");
+  EXPECT_EQ(test::message_of<InputError>([&] { or_refuse_with_covered_times({1.0, 9.0}, refused); }), "no");
   const auto fails = [](const TimeWindow& window) -> int {
     if (window.begin < 2.0) throw NotCovered("no", TimeWindow{2.0, 8.0});
     throw NumericalError("the fit is bad");
   };
-  EXPECT_EQ(test::message_of<InputError>([&] { or_tell_covered_times({1.0, 9.0}, fails); }), "no");
+  EXPECT_EQ(test::message_of<InputError>([&] { or_refuse_with_covered_times({1.0, 9.0}, fails); }), "no");
 }
 
 }  // namespace

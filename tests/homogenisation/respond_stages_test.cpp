@@ -9,7 +9,7 @@
 
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/not_covered.hpp"
-#include "breccia/homogenisation/respond.hpp"
+#include "breccia/homogenisation/responder.hpp"
 
 #include "messages.hpp"
 #include "one_vector_response.hpp"
@@ -23,8 +23,8 @@ using testing::IsEmpty;
 using testing::SizeIs;
 
 /// A stage whose composite has the moduli in_shear G, and in the plane K + in_shear G / 3.
-StoredResponses linear_stage(const std::string& name, StageMatrix matrix, double in_shear) {
-  StoredResponses stored;
+StageResponses linear_stage(const std::string& name, StageMatrix matrix, double in_shear) {
+  StageResponses stored;
   stored.stage = name;
   stored.matrix = std::move(matrix);
   stored.side = 1.0;
@@ -41,8 +41,8 @@ StoredResponses linear_stage(const std::string& name, StageMatrix matrix, double
 
 // Twice the binder, and three times that.
 TEST(Respond, TakesWhatAStageMakesOfTheMatrixAsTheMatrixOfTheNext) {
-  const auto answers = respond(
-      {linear_stage("coarse", EarlierStage{"fine"}, 3.0), linear_stage("fine", test::binder, 2.0)}, test::binder);
+  const auto answers =
+      Responder({linear_stage("coarse", EarlierStage{"fine"}, 3.0), linear_stage("fine", test::binder, 2.0)}).respond();
   ASSERT_THAT(answers, SizeIs(2));
   EXPECT_EQ(answers[0].name, "fine") << "in the order in which they build on each other";
   EXPECT_EQ(answers[1].name, "coarse");
@@ -56,8 +56,9 @@ TEST(Respond, TakesWhatAStageMakesOfTheMatrixAsTheMatrixOfTheNext) {
 }
 
 TEST(Respond, TellsTheCreepComplianceUnderATraction) {
+  const Material elastic{"elastic", 1e3, PronySeries(1e9), PronySeries(1e6)};
   const auto answer =
-      respond(linear_stage("fine", test::binder, 2.0), {"elastic", 1e3, PronySeries(1e9), PronySeries(1e6)});
+      Responder({linear_stage("fine", test::binder, 2.0)}).with({{"matrix", elastic}}).respond().front();
   const auto& in_shear = preferred_test(answer.tests, Load::shear, Boundary::traction);
   ASSERT_EQ(in_shear.compliance.size(), in_shear.modulus.size());
   EXPECT_NEAR(in_shear.compliance.front().compliance * 2e6, 1.0, 1e-12);
@@ -67,10 +68,10 @@ TEST(Respond, TellsTheCreepComplianceUnderATraction) {
 
 TEST(Respond, RefusesStagesThatDoNotBelongTogether) {
   const auto fine = linear_stage("fine", test::binder, 2.0);
-  const auto refusal_of = [](const std::vector<StoredResponses>& stored) {
-    return test::message_of<InputError>([&] { static_cast<void>(respond(stored, test::binder)); });
+  const auto refusal_of = [](const std::vector<StageResponses>& stored) {
+    return test::message_of<InputError>([&] { static_cast<void>(Responder(stored).with({{"matrix", test::binder}})); });
   };
-  EXPECT_THAT(respond(std::vector<StoredResponses>{}, test::binder), IsEmpty());
+  EXPECT_THAT(Responder({}).respond(), IsEmpty());
   EXPECT_THAT(refusal_of({fine, linear_stage("coarse", EarlierStage{"middle"}, 3.0)}),
               HasSubstr("stage coarse: its matrix is the result of stage middle, of which there is no response"));
   auto elsewhere = linear_stage("coarse", EarlierStage{"fine"}, 3.0);
@@ -80,27 +81,36 @@ TEST(Respond, RefusesStagesThatDoNotBelongTogether) {
       HasSubstr("the responses of stages fine and coarse are of different studies (deck hashes 0123456789abcdef "
                 "and fedcba9876543210)"));
   EXPECT_THAT(refusal_of({fine, linear_stage("other", test::glass, 3.0)}),
-              HasSubstr("stages fine and other have different matrices, binder and glass"));
+              HasSubstr("matrix stands for several materials of the stages, binder, glass; give the name of one"));
   EXPECT_EQ(refusal_of({fine, linear_stage("coarse", EarlierStage{"fine"}, 3.0), fine}),
             "the responses of stage fine are given twice; give those of each stage once");
 }
 
 TEST(Respond, TakesAMaterialForEachThatStagesHaveAsTheirMatrix) {
-  const std::vector<StoredResponses> stored = {linear_stage("fine", test::binder, 2.0),
-                                               linear_stage("other", test::glass, 3.0)};
+  const std::vector<StageResponses> stored = {linear_stage("fine", test::binder, 2.0),
+                                              linear_stage("other", test::glass, 3.0)};
   const Material soft{"soft", 1e3, PronySeries(1e9), PronySeries(1e4)},
       hard{"hard", 1e3, PronySeries(1e9), PronySeries(1e7)};
-  const auto answers = respond(stored, {{"binder", soft}, {"glass", hard}});
-  EXPECT_NEAR(answers.at(0).tests.at(0).modulus.front().modulus / 2e4, 1.0, 1e-9);
-  EXPECT_NEAR(answers.at(1).tests.at(0).modulus.front().modulus / 3e7, 1.0, 1e-9);
+  const auto both = Responder(stored).with({{"binder", soft}, {"glass", hard}}).respond();
+  EXPECT_NEAR(both.at(0).tests.at(0).modulus.front().modulus / 2e4, 1.0, 1e-9);
+  EXPECT_NEAR(both.at(1).tests.at(0).modulus.front().modulus / 3e7, 1.0, 1e-9);
+}
+
+// A file has no more than the name of the matrix.
+TEST(Respond, NeedsTheModuliOfEachMatrix) {
+  const std::vector<StageResponses> stored = {linear_stage("fine", test::binder, 2.0),
+                                              linear_stage("other", Material{"gel", 0.0, {}, {}}, 3.0)};
+  const Material soft{"soft", 1e3, PronySeries(1e9), PronySeries(1e4)};
   EXPECT_THAT(test::message_of<InputError>([&] {
-                static_cast<void>(respond(stored, {{"binder", soft}}));
+                static_cast<void>(Responder(stored).with({{"binder", soft}}).respond());
               }),
-              HasSubstr("no new material for \"glass\", which is the matrix of a stage"));
+              HasSubstr("no new material for \"gel\", which is the matrix of a stage"));
+  const Material gel{"gel", 1e3, PronySeries(1e9), PronySeries(1e7)};
+  EXPECT_NEAR(Responder(stored, {{gel}}).respond().at(1).tests.at(0).modulus.front().modulus / 3e7, 1.0, 1e-9);
 }
 
 /// The binder and a coating: the modulus 2 G + 5 G_coating, sampled from 10 to 100 kPa of the coating.
-StoredResponses coated_stage() {
+StageResponses coated_stage() {
   auto stored = linear_stage("fine", test::binder, 2.0);
   stored.entries.pop_back();
   auto& response = stored.entries.front().response;
@@ -121,8 +131,8 @@ TEST(RespondWithSeveralPhases, KeepsTheCoatingOrTakesAnotherByTheNameOfItsMateri
   const auto modulus = [](const std::vector<StageResult>& answer, double time) {
     return preferred_test(answer.at(0).tests, Load::shear, Boundary::traction).series.at(time);
   };
-  const auto kept = respond(std::vector{stored}, {{"binder", soft}});
-  const auto replaced = respond(std::vector{stored}, {{"binder", soft}, {"interphase", stiffer}});
+  const auto kept = Responder({stored}).with({{"binder", soft}}).respond();
+  const auto replaced = Responder({stored}).with({{"binder", soft}, {"interphase", stiffer}}).respond();
   for (const double time : {1e-3, 1e-2, 5e-2}) {
     const auto& interphase = stored.other_phases.at("coating");
     EXPECT_NEAR(modulus(kept, time) / (2.0 * soft.shear.at(time) + 5.0 * interphase.shear.at(time)), 1.0, 1e-9);
@@ -132,15 +142,16 @@ TEST(RespondWithSeveralPhases, KeepsTheCoatingOrTakesAnotherByTheNameOfItsMateri
 
 TEST(RespondWithSeveralPhases, RefusesACoatingBeyondWhatWasSampled) {
   const Material hard{"hard", 1e3, PronySeries(1e9), PronySeries(1e6)};
-  EXPECT_EQ(test::message_of<NotCovered>([&] {
-              static_cast<void>(respond(std::vector{coated_stage()}, {{"binder", test::binder}, {"interphase", hard}}));
-            }),
-            "stage fine: from 1 ms to 50 ms hard shows a shear modulus of 1 MPa; the study answers 9.5 "
-            "kPa to 105 kPa\na new study with these materials covers all of them; moduli of elastic materials between "
-            "two ends are sampled with tests.quasistatic.vary");
+  EXPECT_EQ(
+      test::message_of<NotCovered>([&] {
+        static_cast<void>(Responder({coated_stage()}).with({{"interphase", hard}}).respond());
+      }),
+      "stage fine: from 1 ms to 50 ms hard shows a shear modulus of 1 MPa; the responses hold from "
+      "9.5 kPa to 105 kPa\na new study with these materials covers all of them; moduli of elastic materials between "
+      "two ends are sampled with tests.quasistatic.vary");
   auto incomplete = coated_stage();
   incomplete.other_phases.clear();
-  EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(respond(incomplete, test::binder)); }),
+  EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(Responder({incomplete}).respond()); }),
               HasSubstr("the phase coating has no material"));
 }
 

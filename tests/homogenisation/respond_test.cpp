@@ -1,11 +1,10 @@
-#include "breccia/homogenisation/respond.hpp"
-
 #include <cmath>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
+#include "breccia/homogenisation/responder.hpp"
 #include "breccia/homogenisation/solve.hpp"
 
 #include "messages.hpp"
@@ -29,7 +28,7 @@ TEST(ResponsesOf, AStudyAnswerForItsOwnBinderAsItsSolution) {
   ASSERT_THAT(responses, SizeIs(2));
   EXPECT_EQ(responses[0].side, study.stages[0].side);
   EXPECT_THAT(responses[0].entries, SizeIs(solved.stages[0].tests.size()));
-  const auto answered = respond(responses, test::binder);
+  const auto answered = responder_of(study, solved).respond();
   ASSERT_THAT(answered, SizeIs(2));
   for (const auto& test : last(solved.stages).tests) {
     const auto& other = preferred_test(last(answered).tests, test.id.load, test.id.boundary);
@@ -45,7 +44,7 @@ TEST(ResponsesOf, AStageAnswersAtAnotherTemperatureByAShiftOfTime) {
   const auto solved = solve(study);
   const auto stored = responses_of(study, study.stages[0], solved.stages[0]);
   constexpr double factor = 0.05;
-  const auto warm = respond(stored, shifted(test::binder, factor));
+  const auto warm = Responder({stored}).with({{"binder", shifted(test::binder, factor)}}).respond().front();
   for (const auto& [time, modulus] : preferred_test(solved.stages[0].tests, Load::shear, Boundary::traction).modulus) {
     const auto& series = preferred_test(warm.tests, Load::shear, Boundary::traction).series;
     EXPECT_NEAR(series.at(factor * time) / modulus, 1.0, 1e-9) << time;
@@ -95,16 +94,16 @@ TEST(Respond, ResponsesOfTwoStudiesInTheMemoryAreNotMixed) {
   other.stages[0].name = "coarse";
   auto responses = responses_of(one, solve(one));
   responses.push_back(responses_of(other, solve(other)).front());
-  EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(respond(responses, test::binder)); }),
+  EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(Responder(responses)); }),
               HasSubstr("of different studies"));
 }
 
 TEST(Respond, AStageWithoutResponsesIsRefused) {
-  StoredResponses empty;
+  StageResponses empty;
   empty.stage = "A";
   empty.matrix = test::binder;
   empty.times = {1e-3, 1.0};
-  EXPECT_EQ(test::message_of<InputError>([&] { static_cast<void>(respond(empty, test::binder)); }),
+  EXPECT_EQ(test::message_of<InputError>([&] { static_cast<void>(Responder({empty}).respond()); }),
             "stage A has no reduced response");
 }
 

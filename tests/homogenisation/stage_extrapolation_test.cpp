@@ -18,13 +18,9 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-Stage on_grids(std::vector<int> coarser, int finest) {
-  Stage stage;
-  stage.name = "A";
-  stage.side = 1e-3;
-  stage.cells = finest;
-  stage.coarser_cells = std::move(coarser);
-  return stage;
+/// The limits of tests in a box of 1 mm.
+std::vector<TestResult> limits_of(const std::vector<TestResult>& tests, Mixing mixing) {
+  return extrapolate_tests("A", 1e-3, tests, mixing);
 }
 
 /// A test with a constant modulus.
@@ -41,7 +37,7 @@ std::vector<int> grids_of(const TestResult& test) {
 // The modulus 10 + 40 h / L on two grids is 14 and 12; the band of two grids is half of what the finest is corrected
 // by.
 TEST(ExtrapolateTests, TakesTheLimitOfTwoGrids) {
-  const auto limits = extrapolate_tests(on_grids({10}, 20), {constant(10, 14.0), constant(20, 12.0)}, Mixing::points);
+  const auto limits = limits_of({constant(10, 14.0), constant(20, 12.0)}, Mixing::points);
   ASSERT_EQ(limits.size(), 1U);
   EXPECT_EQ(limits[0].id, (TestId{.grid = TestGrid::extrapolated()}));
   ASSERT_EQ(limits[0].modulus.size(), 11U);
@@ -54,8 +50,7 @@ TEST(ExtrapolateTests, TakesTheLimitOfTwoGrids) {
 
 // 18, 14 and 11: the two finest tell 8, the two coarsest 10.
 TEST(ExtrapolateTests, TakesTheBandFromThreeGrids) {
-  const auto limits = extrapolate_tests(on_grids({10, 20}, 40),
-                                        {constant(10, 18.0), constant(20, 14.0), constant(40, 11.0)}, Mixing::points);
+  const auto limits = limits_of({constant(10, 18.0), constant(20, 14.0), constant(40, 11.0)}, Mixing::points);
   ASSERT_EQ(limits.size(), 1U);
   EXPECT_THAT(limits[0].modulus.front().modulus, DoubleNear(8.0, 1e-12));
   EXPECT_THAT(grids_of(limits[0]), ElementsAre(10, 20, 40));
@@ -68,7 +63,7 @@ TEST(ExtrapolateTests, TakesCompliancesByThemselves) {
     coarse.compliance.push_back({time, 0.2});
     fine.compliance.push_back({time, 0.5});
   }
-  const auto limits = extrapolate_tests(on_grids({10}, 20), {coarse, fine}, Mixing::points);
+  const auto limits = limits_of({coarse, fine}, Mixing::points);
   ASSERT_EQ(limits.size(), 1U);
   ASSERT_EQ(limits[0].compliance.size(), 11U);
   EXPECT_THAT(limits[0].compliance.front().compliance, DoubleNear(0.8, 1e-12));
@@ -76,10 +71,9 @@ TEST(ExtrapolateTests, TakesCompliancesByThemselves) {
 }
 
 TEST(ExtrapolateTests, KeepsTestsApart) {
-  const auto limits = extrapolate_tests(on_grids({10}, 20),
-                                        {constant(10, 14.0), constant(10, 7.0, Boundary::traction), constant(20, 12.0),
-                                         constant(20, 6.0, Boundary::traction)},
-                                        Mixing::points);
+  const auto limits = limits_of({constant(10, 14.0), constant(10, 7.0, Boundary::traction), constant(20, 12.0),
+                                 constant(20, 6.0, Boundary::traction)},
+                                Mixing::points);
   ASSERT_EQ(limits.size(), 2U);
   EXPECT_THAT(limits[0].modulus.front().modulus, DoubleNear(10.0, 1e-12));
   EXPECT_EQ(limits[1].id.boundary, Boundary::traction);
@@ -93,7 +87,7 @@ TEST(ExtrapolateTests, TakesTheFinestGridOfMixedCells) {
   fine.modulus.back().modulus = 6.0;
   fine.compliance = {{1.0, 0.2}};
   fine.series = PronySeries(3.0);
-  const auto limits = extrapolate_tests(on_grids({10, 20}, 40), {constant(10, 99.0), coarse, fine}, Mixing::series);
+  const auto limits = limits_of({constant(10, 99.0), coarse, fine}, Mixing::series);
   ASSERT_EQ(limits.size(), 1U);
   EXPECT_EQ(limits[0].id, (TestId{.grid = TestGrid::extrapolated()}));
   EXPECT_EQ(limits[0].modulus, fine.modulus);
@@ -105,13 +99,13 @@ TEST(ExtrapolateTests, TakesTheFinestGridOfMixedCells) {
 }
 
 TEST(ExtrapolateTests, IsOfSeveralGridsAlone) {
-  EXPECT_THAT(extrapolate_tests(on_grids({}, 20), {constant(20, 12.0)}, Mixing::points), IsEmpty());
+  EXPECT_THAT(limits_of({constant(20, 12.0)}, Mixing::points), IsEmpty());
 }
 
 // 30 and 10 have the limit -10.
 TEST(ExtrapolateTests, RefusesALimitThatIsNoModulus) {
   const auto message = test::message_of<NumericalError>([] {
-    static_cast<void>(extrapolate_tests(on_grids({10}, 20), {constant(10, 30.0), constant(20, 10.0)}, Mixing::points));
+    static_cast<void>(limits_of({constant(10, 30.0), constant(20, 10.0)}, Mixing::points));
   });
   EXPECT_THAT(message, AllOf(HasSubstr("A shear upper bound quasistatic: extrapolation to vanishing cells gives -10 Pa "
                                        "at 10 ms"),
@@ -122,7 +116,7 @@ TEST(ExtrapolateTests, RefusesALimitThatIsNoModulus) {
     fine.compliance.push_back({time, 0.4});
   }
   const auto of_compliance = test::message_of<NumericalError>([&] {
-    static_cast<void>(extrapolate_tests(on_grids({10}, 20), {coarse, fine}, Mixing::points));
+    static_cast<void>(limits_of({coarse, fine}, Mixing::points));
   });
   EXPECT_THAT(of_compliance, HasSubstr("extrapolation to vanishing cells gives -0.1 1/Pa at 10 ms"));
 }
@@ -140,7 +134,7 @@ TestResult with_series(int cells, const PronySeries& series) {
 TEST(CurveAt, FollowsASeriesBeyondTheCurve) {
   const PronySeries series(2.0, {{1.0, 4.0}});
   const auto test = with_series(20, series);
-  const auto curve = curve_at(test, on_grids({}, 20), {test}, Mixing::points, {1e-5, 100.0});
+  const auto curve = curve_at(test, 1e-3, {test}, Mixing::points, {1e-5, 100.0});
   EXPECT_EQ(curve, (Curve{{1e-5, series.at(1e-5)}, {100.0, series.at(100.0)}}));
 }
 
@@ -148,7 +142,7 @@ TEST(CurveAt, FollowsTheLimitOfTheSeriesOfAllGrids) {
   const std::vector tests = {with_series(10, PronySeries(14.0)), with_series(20, PronySeries(12.0))};
   TestResult limit{.id = {.grid = TestGrid::extrapolated()}};
   limit.modulus = {{1.0, 1.0}};
-  const auto curve = curve_at(limit, on_grids({10}, 20), tests, Mixing::points, {1e-5});
+  const auto curve = curve_at(limit, 1e-3, tests, Mixing::points, {1e-5});
   ASSERT_EQ(curve.size(), 1U);
   EXPECT_EQ(curve[0].time, 1e-5);
   EXPECT_THAT(curve[0].modulus, DoubleNear(10.0, 1e-12));
@@ -158,14 +152,14 @@ TEST(CurveAt, FollowsTheSeriesOfTheFinestGridOfMixedCells) {
   const std::vector tests = {with_series(10, PronySeries(14.0)), with_series(20, PronySeries(12.0))};
   TestResult limit{.id = {.grid = TestGrid::extrapolated()}};
   limit.modulus = {{1.0, 1.0}};
-  EXPECT_EQ(curve_at(limit, on_grids({10}, 20), tests, Mixing::series, {1e-5}), (Curve{{1e-5, 12.0}}));
+  EXPECT_EQ(curve_at(limit, 1e-3, tests, Mixing::series, {1e-5}), (Curve{{1e-5, 12.0}}));
 }
 
 // A series that was fitted to a curve says nothing beyond it.
 TEST(CurveAt, KeepsToTheCurveWhereASeriesIsAFit) {
   auto test = constant(20, 3.0);
   test.series = PronySeries(5.0);
-  EXPECT_EQ(curve_at(test, on_grids({}, 20), {test}, Mixing::points, {1e-5, 100.0}), test.modulus);
+  EXPECT_EQ(curve_at(test, 1e-3, {test}, Mixing::points, {1e-5, 100.0}), test.modulus);
 }
 
 }  // namespace

@@ -95,15 +95,19 @@ TEST_F(StageMaterials, AreTheMatrixOfLaterStagesUnderTheSameBoundaryAndMethod) {
   fine.materials = {{Boundary::traction, Method::quasistatic, {test::glass, {}, 0.0, 0.0}},
                     {Boundary::displacement, Method::dynamic, {test::binder, {}, 0.0, 0.0}}};
   const auto matrix = [&](Boundary boundary, Method method) -> const Material& {
-    return matrix_of(study.stages[1], {fine}, boundary, method);
+    return matrix_of("coarse", study.stages[1].matrix, {fine}, boundary, method);
   };
   std::vector<StageResult> earlier = {fine};
-  EXPECT_EQ(matrix_of(study.stages[1], earlier, Boundary::traction, Method::quasistatic), test::glass);
-  EXPECT_EQ(matrix_of(study.stages[1], earlier, Boundary::displacement, Method::dynamic), test::binder);
-  EXPECT_EQ(matrix_of(study.stages[0], {}, Boundary::periodic, Method::dynamic), test::binder) << "a material is one";
+  EXPECT_EQ(matrix_of("coarse", study.stages[1].matrix, earlier, Boundary::traction, Method::quasistatic), test::glass);
+  EXPECT_EQ(matrix_of("coarse", study.stages[1].matrix, earlier, Boundary::displacement, Method::dynamic),
+            test::binder);
+  EXPECT_EQ(matrix_of("fine", study.stages[0].matrix, {}, Boundary::periodic, Method::dynamic), test::binder)
+      << "a material is one";
   EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(matrix(Boundary::traction, Method::dynamic)); }),
               HasSubstr("stage coarse: stage fine has no result for the lower bound, dynamic"));
-  EXPECT_THROW(static_cast<void>(matrix_of(study.stages[1], {}, Boundary::traction, Method::quasistatic)), InputError);
+  EXPECT_THROW(
+      static_cast<void>(matrix_of("coarse", study.stages[1].matrix, {}, Boundary::traction, Method::quasistatic)),
+      InputError);
 }
 
 }  // namespace

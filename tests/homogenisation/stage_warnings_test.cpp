@@ -198,9 +198,21 @@ TEST(StageWarnings, OfBoundsThatCutParticles) {
 }
 
 TEST(StageWarnings, OfTheDeckComeWithTheOthers) {
-  auto stage = two_discs(0.15e-3);
-  stage.warnings = {"the gap follows the grid"};
-  EXPECT_THAT(warnings(stage), ElementsAre("A: the gap follows the grid"));
+  auto study = within(1.0, 2.0);
+  study.provenance.warnings["A"] = {"the gap follows the grids of a sweep"};
+  EXPECT_THAT(warnings(two_discs(0.15e-3), study), ElementsAre("A: the gap follows the grids of a sweep"));
+}
+
+TEST(StageWarnings, OfAGapInPointsOnSeveralGrids) {
+  auto stage = two_discs(0.3e-3);
+  stage.fillers[0].gap = 0.3e-3;
+  stage.coarser_cells = {190};
+  EXPECT_THAT(warnings(stage), IsEmpty()) << "a length";
+  stage.fillers[0].gap_source = GapSource::points;
+  EXPECT_THAT(warnings(stage),
+              ElementsAre(AllOf(HasSubstr("300 um, follows from the finest grid"), HasSubstr("gap = \"300 um\""))));
+  stage.coarser_cells.clear();
+  EXPECT_THAT(warnings(stage), IsEmpty()) << "one grid";
 }
 
 /// A box of 10 mm that grains fill, of these sizes and with films of one thickness [m].

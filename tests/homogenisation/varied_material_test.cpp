@@ -9,14 +9,14 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/homogenisation/new_materials.hpp"
 #include "breccia/homogenisation/not_covered.hpp"
-#include "breccia/homogenisation/respond.hpp"
+#include "breccia/homogenisation/responder.hpp"
 #include "breccia/homogenisation/solve.hpp"
 #include "breccia/homogenisation/varying_phases.hpp"
 
 #include "homogenisation/plan/cell_memory.hpp"
 #include "homogenisation/plan/expected_snapshots.hpp"
+#include "homogenisation/respond/replaced_materials.hpp"
 #include "messages.hpp"
 #include "study/two_stages.hpp"
 
@@ -60,10 +60,9 @@ TEST(VariedCoating, OneRunAnswersForAllModuliOfItsIntervals) {
   auto study = coated_discs(interphase(100e6));
   study.tests.varied = {{"interphase", ModulusInterval{10e6, 1e9}, ModulusInterval{1e9, 4e9}}};
   const auto responses = responses_of(study, solve(study));
-  const auto& binder = std::get<Material>(study.stages.front().matrix);
   for (const auto& coating :
        {interphase(10e6), interphase(1e9, 4e9), interphase(33e6, 1e9), interphase(470e6, 1.7e9)}) {
-    const auto answer = respond(responses, {{"binder", binder}, {"interphase", coating}}).front();
+    const auto answer = Responder(responses).with({{"interphase", coating}}).respond().front();
     const auto run = solve(coated_discs(coating)).stages.front();
     EXPECT_LT(largest_difference(answer, run), 1e-3) << coating.shear.equilibrium();
   }
@@ -74,10 +73,9 @@ TEST(VariedCoating, ACoatingThatRelaxesWithinTheIntervalMayTakeItsPlace) {
   auto study = coated_discs(interphase(100e6));
   study.tests.varied = {{"interphase", ModulusInterval{10e6, 1e9}, {}}};
   const auto responses = responses_of(study, solve(study));
-  const auto& binder = std::get<Material>(study.stages.front().matrix);
   auto relaxing = interphase(20e6);
   relaxing.shear = PronySeries(20e6, {{3e-3, 200e6}});
-  const auto answer = respond(responses, {{"binder", binder}, {"interphase", relaxing}}).front();
+  const auto answer = Responder(responses).with({{"interphase", relaxing}}).respond().front();
   EXPECT_LT(largest_difference(answer, solve(coated_discs(relaxing)).stages.front()), 5e-3);
 }
 
@@ -93,9 +91,8 @@ TEST(VariedCoating, OfAnEarlierStageVariesTheMatrixOfTheNext) {
   auto study = chain_with(interphase(100e6));
   study.tests.varied = {{"interphase", ModulusInterval{10e6, 1e9}, {}}};
   const auto responses = responses_of(study, solve(study));
-  const auto& binder = std::get<Material>(study.stages.front().matrix);
   for (const double shear : {10e6, 1e9}) {
-    const auto answers = respond(responses, {{"binder", binder}, {"interphase", interphase(shear)}});
+    const auto answers = Responder(responses).with({{"interphase", interphase(shear)}}).respond();
     const auto run = solve(chain_with(interphase(shear)));
     EXPECT_LT(largest_difference(answers.at(0), run.stages.at(0)), 1e-3) << shear;
     EXPECT_LT(largest_difference(answers.at(1), run.stages.at(1)), 5e-3) << shear;
@@ -108,15 +105,14 @@ TEST(VariedCoating, IsRefusedBeyondItsInterval) {
   study.tests.boundaries = {Boundary::displacement};
   study.tests.varied = {{"interphase", ModulusInterval{50e6, 200e6}, {}}};
   const auto responses = responses_of(study, solve(study));
-  const auto& binder = std::get<Material>(study.stages.front().matrix);
   const auto refusal_of = [&](const Material& coating) {
     return test::message_of<NotCovered>([&] {
-      static_cast<void>(respond(responses, {{"binder", binder}, {"interphase", coating}}));
+      static_cast<void>(Responder(responses).with({{"interphase", coating}}).respond());
     });
   };
   EXPECT_THAT(refusal_of(interphase(1e9)),
-              AllOf(HasSubstr("interphase shows a shear modulus of 1 GPa; the study answers 47.5 MPa to "
-                              "210 MPa"),
+              AllOf(HasSubstr("interphase shows a shear modulus of 1 GPa; the responses hold from 47.5 MPa "
+                              "to 210 MPa"),
                     HasSubstr("are sampled with tests.quasistatic.vary")));
   EXPECT_THAT(refusal_of(interphase(100e6, 5e9)), HasSubstr("interphase shows a bulk modulus of 5 GPa"));
 }
@@ -144,8 +140,8 @@ TEST(VariedCoating, TakesMoreSnapshotsAndTheirMemory) {
 }
 
 /// Responses whose matrix, coating and filler vary, without anything to compute from.
-std::vector<StoredResponses> names_alone() {
-  StoredResponses fine, coarse;
+std::vector<StageResponses> names_alone() {
+  StageResponses fine, coarse;
   fine.stage = "fine";
   fine.matrix = test::binder;
   fine.other_phases = {{"interphase", interphase(1e8)}, {"filler", test::glass}};
@@ -158,7 +154,7 @@ std::vector<StoredResponses> names_alone() {
 TEST(NewMaterials, AreGivenByTheNameOfAMaterialOrOfAPhase) {
   const auto soft = interphase(1e6);
   const auto by_name = [&](const std::string& name) {
-    return by_replaced_material({{name, soft}}, names_alone(), {}).begin()->first;
+    return replaced_materials({{name, soft}}, names_alone(), {}).front();
   };
   EXPECT_EQ(by_name("binder"), "binder");
   EXPECT_EQ(by_name("matrix"), "binder");
@@ -170,9 +166,9 @@ TEST(NewMaterials, MistakesAreToldAtOnce) {
   const auto one = interphase(1e6);
   const Material rigid = {"steel", 7800.0, PronySeries(160e9), PronySeries(80e9)};
   const auto message = test::message_of<InputError>([&] {
-    static_cast<void>(by_replaced_material(
+    static_cast<void>(replaced_materials(
         {{"interfase", one}, {"filler", one}, {"binder", one}, {"matrix", one}, {"steel", one}, {"quartz", one}},
-        names_alone(), {test::binder, rigid}));
+        names_alone(), {{test::binder}, {rigid}}));
   });
   EXPECT_THAT(message, HasSubstr("no material or phase \"interfase\" varies, did you mean \"interphase\"?\n"));
   EXPECT_THAT(message, HasSubstr("filler stands for several materials of the stages, glass, sand; give the name of"));

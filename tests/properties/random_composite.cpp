@@ -81,7 +81,7 @@ QuasistaticTest quasistatic_test(const Composite& composite, Boundary boundary) 
                        .loads = {Load::shear, Load::bulk},
                        .times = window,
                        .points_per_decade = 4};
-  test.options.volumetric = composite.volumetric;
+  test.volumetric = composite.volumetric;
   return test;
 }
 
@@ -92,7 +92,7 @@ DynamicTest<2> dynamic_test(const Composite& composite, Boundary boundary) {
                       .times = window,
                       .points_per_decade = 4,
                       .threads = 1};
-  test.options.volumetric = composite.volumetric;
+  test.volumetric = composite.volumetric;
   return test;
 }
 

@@ -51,7 +51,7 @@ class WriteProvenance : public testing::Test {
 };
 
 TEST_F(WriteProvenance, TellsWhatWasAskedFor) {
-  study.temperature_shifts.emplace("binder", TemperatureShift{WilliamsLandelFerry{6.5, 120.0, 293.15}, 313.15});
+  study.materials.at(0).shift = TemperatureShift{WilliamsLandelFerry{6.5, 120.0, 293.15}, 313.15};
   const auto record = written({});
   EXPECT_EQ(record.at("program"), "breccia");
   EXPECT_EQ(record.at("version"), BRECCIA_VERSION);

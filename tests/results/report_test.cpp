@@ -63,7 +63,7 @@ class Report : public testing::Test {
     write_history(directory.path() / "fine", other, stage(), dynamic, 1, domain);
   }
   void write_response_of(const std::string& hash) const {
-    StoredResponses responses;
+    StageResponses responses;
     responses.stage = "fine";
     responses.matrix = test::binder;
     responses.side = 6e-3;

@@ -35,8 +35,8 @@ ReducedResponse two_vector_response() {
   return response;
 }
 
-StoredResponses two_responses() {
-  StoredResponses stored;
+StageResponses two_responses() {
+  StageResponses stored;
   stored.stage = "A";
   stored.matrix = Material{"binder", 1000.0, PronySeries(2.0), PronySeries(1.0)};
   stored.filler_density = 1850.0;
@@ -172,7 +172,7 @@ TEST_F(ResponseFile, KeepsEveryNumberInItsPlace) {
 }
 
 /// A stage whose coating varies beside the matrix.
-StoredResponses with_a_coating() {
+StageResponses with_a_coating() {
   auto stored = two_responses();
   stored.entries.erase(stored.entries.begin());
   auto& response = stored.entries.front().response;

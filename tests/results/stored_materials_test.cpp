@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -28,6 +29,7 @@ class StoredMaterialsTest : public testing::Test {
   [[nodiscard]] StoredMaterials read(const std::string& materials) const {
     auto document = test::document_with("A");
     document.hash = "0123";
+    document.stages.front().warnings = {"a gap"};
     auto record = json_from(document);
     record["materials"] = nlohmann::ordered_json::parse("[" + materials + "]");
     directory.write("study.json", record.dump());
@@ -40,19 +42,20 @@ class StoredMaterialsTest : public testing::Test {
 TEST_F(StoredMaterialsTest, AreShiftedFromTheTemperatureOfTheStudy) {
   const auto stored = read(binder + law + "}");
   EXPECT_EQ(stored.deck_hash, "0123");
+  EXPECT_EQ(stored.warnings.at("A"), std::vector<std::string>{"a gap"});
   ASSERT_EQ(stored.materials.size(), 1U);
   // log10 a_T is -10 x 20 / 120 at 320 K and 10 x 20 / 80 at 280 K.
-  const auto cold = at_temperature(stored.materials.front(), 280.0);
+  const auto cold = at_temperature(stored.materials.front(), 280.0).material;
   ASSERT_EQ(cold.shear.terms().size(), 1U);
   EXPECT_NEAR(std::log10(cold.shear.terms().front().relaxation_time / 3.0), 200.0 / 80.0 + 200.0 / 120.0, 1e-12);
   EXPECT_EQ(cold.shear.terms().front().modulus, 1e6);
-  EXPECT_EQ(at_temperature(stored.materials.front(), 320.0), stored.materials.front().material);
+  EXPECT_EQ(at_temperature(stored.materials.front(), 320.0).material, stored.materials.front().material);
 }
 
 TEST_F(StoredMaterialsTest, AreShiftedByATable) {
   const auto stored = read(binder + R"(, "temperature_shift": {"temperatures_K": [280.0, 300.0, 340.0],
     "log10_shift_factors": [2.0, 0.0, -1.0], "reference_K": 300.0, "temperature_K": 320.0}})");
-  const auto cold = at_temperature(stored.materials.front(), 290.0);
+  const auto cold = at_temperature(stored.materials.front(), 290.0).material;
   EXPECT_NEAR(std::log10(cold.shear.terms().front().relaxation_time / 3.0), 1.5, 1e-12);
   EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(at_temperature(stored.materials.front(), 270.0)); }),
               HasSubstr("the table of shift factors reaches from 280 K"));
@@ -67,7 +70,7 @@ TEST_F(StoredMaterialsTest, NeedAShiftLawIfTheyRelaxAndATemperatureInItsRange) {
               HasSubstr("the shift law has no meaning at or below"));
   auto elastic = without;
   elastic.material.shear = PronySeries(1e6);
-  EXPECT_EQ(at_temperature(elastic, 280.0), elastic.material);
+  EXPECT_EQ(at_temperature(elastic, 280.0).material, elastic.material);
 }
 
 TEST_F(StoredMaterialsTest, RefuseFilesThatTheProgramHasNotWritten) {

@@ -16,8 +16,8 @@ TEST(Chain, FindsTheStageThatAStageBuildsOn) {
   EXPECT_EQ(stage_of_matrix(study, fine), nullptr);
   EXPECT_EQ(stage_of_matrix(study, coarse), &fine);
   EXPECT_EQ(binder_of(study, coarse).name, "binder");
-  EXPECT_TRUE(serves_as_matrix(study, fine));
-  EXPECT_FALSE(serves_as_matrix(study, coarse));
+  EXPECT_TRUE(serves_as_matrix(study.stages, fine.name));
+  EXPECT_FALSE(serves_as_matrix(study.stages, coarse.name));
   EXPECT_EQ(name_of(fine.matrix), "binder");
   EXPECT_EQ(name_of(coarse.matrix), "fine");
 }

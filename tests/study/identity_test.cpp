@@ -38,7 +38,7 @@ TEST(ContentOf, EveryChangeOfWhatIsAskedMakesAnother) {
       [](Study& study) { study.title = "another"; },
       [](Study& study) { study.materials.pop_back(); },
       [](Study& study) {
-        study.temperature_shifts["binder"] = {WilliamsLandelFerry{6.5, 120.0, 293.15}, 300.0};
+        study.materials[0].shift = {WilliamsLandelFerry{6.5, 120.0, 293.15}, 300.0};
       },
       [](Study& study) { study.stages.pop_back(); },
       [](Study& study) { study.stages[0].name = "another"; },
@@ -100,7 +100,7 @@ TEST(ContentOf, EveryChangeOfWhatIsAskedMakesAnother) {
 TEST(ContentOf, LeavesAsideThreadsAndWarnings) {
   auto study = test::two_stages();
   study.tests.quasistatic.linear.threads = 3;
-  study.stages[0].warnings = {"doubtful"};
+  study.provenance.warnings["fine"] = {"doubtful"};
   study.provenance.hash = "0123456789abcdef";
   EXPECT_EQ(content_of(study), content_of(test::two_stages()));
 }

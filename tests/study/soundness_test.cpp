@@ -93,31 +93,27 @@ TEST(RequireSound, RefusesAStudyWithoutStages) {
 }
 
 TEST(RequireSound, NamesEachMistakeOfMaterials) {
-  expect_each(
-      {{[](Study& study) { study.title = "two\nlines"; }, "title: expected a text without control characters"},
-       {[](Study& study) { study.materials.push_back(test::glass); }, "material glass: another material has this name"},
-       {[](Study& study) { study.materials[0].density = 0.0; },
-        "material binder: density: expected a positive density, got 0 kg/m^3"},
-       {[](Study& study) { study.materials[0].bulk = PronySeries(0.0); },
-        "material binder: unrelaxed bulk modulus: expected a positive pressure"},
-       {[](Study& study) { study.materials[0].name = "a\tb"; }, "expected a name without line breaks"},
-       {[](Study& study) {
-          study.stages[0].matrix = Material{"binder", 1e3, PronySeries(1e9), {}};
-        },
-        "fine, matrix: unrelaxed shear modulus: expected a positive pressure"},
-       {[](Study& study) {
-          study.temperature_shifts["glue"] = {WilliamsLandelFerry{17.4, 51.6, 290.0}, 300.0};
-        },
-        "temperature shift of glue: there is no material of this name"},
-       {[](Study& study) {
-          study.temperature_shifts["binder"] = {WilliamsLandelFerry{-17.4, 51.6, 290.0}, 300.0};
-        },
-        "temperature shift of binder: c1: expected a positive number, got -17.4"},
-       {[](Study& study) {
-          study.temperature_shifts["binder"] = {WilliamsLandelFerry{17.4, 51.6, 290.0}, 200.0};
-        },
-        "temperature shift of binder: the shift law has no meaning"}},
-      test::two_stages());
+  expect_each({{[](Study& study) { study.title = "two\nlines"; }, "title: expected a text without control characters"},
+               {[](Study& study) { study.materials.push_back({test::glass}); },
+                "material glass: another material has this name"},
+               {[](Study& study) { study.materials[0].material.density = 0.0; },
+                "material binder: density: expected a positive density, got 0 kg/m^3"},
+               {[](Study& study) { study.materials[0].material.bulk = PronySeries(0.0); },
+                "material binder: unrelaxed bulk modulus: expected a positive pressure"},
+               {[](Study& study) { study.materials[0].material.name = "a\tb"; }, "expected a name without line breaks"},
+               {[](Study& study) {
+                  study.stages[0].matrix = Material{"binder", 1e3, PronySeries(1e9), {}};
+                },
+                "fine, matrix: unrelaxed shear modulus: expected a positive pressure"},
+               {[](Study& study) {
+                  study.materials[0].shift = {WilliamsLandelFerry{-17.4, 51.6, 290.0}, 300.0};
+                },
+                "temperature shift of binder: c1: expected a positive number, got -17.4"},
+               {[](Study& study) {
+                  study.materials[0].shift = {WilliamsLandelFerry{17.4, 51.6, 290.0}, 200.0};
+                },
+                "temperature shift of binder: the shift law has no meaning"}},
+              test::two_stages());
 }
 
 TEST(RequireSound, NamesEachMistakeOfStages) {
@@ -318,6 +314,15 @@ TEST(RequireSound, NamesEachMistakeOfTheOptionsOfMethods) {
        {[](Study& study) { study.tests.quasistatic.steps_per_decade = 1; }, "method: steps per decade:"},
        {[](Study& study) { study.tests.quasistatic.linear.tolerance = 0.1; },
         "method: tolerance of the linear systems:"},
+       {[](Study& study) { study.tests.quasistatic.linear.energy_tolerance = 0.0; },
+        "method: tolerance of the energy in three dimensions:"},
+       {[](Study& study) { study.tests.quasistatic.linear.energy_tolerance = not_a_number; },
+        "method: tolerance of the energy in three dimensions:"},
+       {[](Study& study) { study.tests.quasistatic.sampling.most_snapshots = 0; },
+        "method: largest number of snapshots: expected an integer from 2 to 10000, got 0"},
+       {[](Study& study) { study.tests.quasistatic.linear.threads = -1; }, "method: threads:"},
+       {[](Study& study) { study.tests.quasistatic.linear.most_unknowns_direct = -1; },
+        "method: largest number of unknowns of a direct solver:"},
        {[](Study& study) { study.tests.dynamic.courant = 1.1; },
         "tests, dynamic method: Courant number: expected a number above 0 and up to 1, got 1.1"},
        {[](Study& study) { study.tests.dynamic.ramp_transits = -1.0; }, "method: transits of the strain ramp:"},
@@ -353,7 +358,7 @@ TEST(RequireSound, NamesWhatMixedCellsDoNotServe) {
   auto study = test::two_stages();
   study.tests.mixing = Mixing::series;
   EXPECT_NO_THROW(require_sound(study));
-  study.tests.quasistatic.volumetric = Volumetric::standard;
+  study.tests.volumetric = Volumetric::standard;
   EXPECT_THAT(mistakes_of(study), HasSubstr(R"(takes the volumetric strains "averaged")"));
 }
 

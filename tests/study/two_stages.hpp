@@ -23,7 +23,7 @@ inline Stage four_discs(const std::string& name, StageMatrix matrix, double side
 /// The stage "fine" between the particles of the stage "coarse".
 inline Study two_stages() {
   Study study;
-  study.materials = {binder, glass};
+  study.materials = {{binder}, {glass}};
   study.stages = {four_discs("fine", binder, 6e-3, 12), four_discs("coarse", EarlierStage{"fine"}, 60e-3, 12)};
   study.tests.first_time = 1e-3;
   study.tests.last_time = 50e-3;

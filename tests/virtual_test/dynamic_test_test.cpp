@@ -102,7 +102,7 @@ class ModelComposite : public testing::TestWithParam<Start> {};
 
 TEST_P(ModelComposite, AgreesWithTheQuasiStaticLimit) {
   auto test = relaxation(model_composite(48), {binder, particle}, {1e-3, 0.05});
-  test.options.volumetric = Volumetric::standard;
+  test.volumetric = Volumetric::standard;
   test.options.start = GetParam();
   const auto result = run_dynamic_test(test);
   for (const auto& [time, modulus] : known_standard_48) {

@@ -23,10 +23,10 @@ class Methods : public testing::TestWithParam<std::tuple<Boundary, Load>> {
     const QuasistaticTest still = {.composite = test.discretisation,
                                    .materials = test.materials,
                                    .varying = {{composites::matrix, "matrix"}},
+                                   .volumetric = test.volumetric,
                                    .boundary = test.boundary,
                                    .loads = {test.load},
-                                   .times = test.times,
-                                   .options = {.volumetric = test.options.volumetric}};
+                                   .times = test.times};
     const auto dynamic = run_dynamic_test(test);
     const auto quasistatic = run_quasistatic_test(still).responses.front();
     for (const auto& overlap : dynamic.overlaps) EXPECT_LT(overlap.mismatch, 0.01);
@@ -51,7 +51,7 @@ TEST_P(Methods, AgreeOnTheModelComposite) {
   DynamicTest<2> test = {.discretisation = composites::model_composite(24),
                          .materials = {composites::binder, composites::particle},
                          .times = {1e-3, 0.05}};
-  test.options.volumetric = Volumetric::standard;
+  test.volumetric = Volumetric::standard;
   expect_agreement(test);
 }
 

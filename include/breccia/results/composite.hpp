@@ -8,10 +8,10 @@
 #include "breccia/discretisation/load.hpp"
 #include "breccia/homogenisation/study_result.hpp"
 #include "breccia/homogenisation/whole_filler.hpp"
-#include "breccia/results/stored_materials.hpp"
 #include "breccia/study/study.hpp"
 #include "breccia/viscoelasticity/prony_series.hpp"
 #include "breccia/viscoelasticity/reduction.hpp"
+#include "breccia/viscoelasticity/shifted_material.hpp"
 #include "breccia/viscoelasticity/temperature_shift.hpp"
 
 namespace breccia {
@@ -57,7 +57,7 @@ struct StudyContent {
   std::string title;
   TimeWindow times = {};  ///< [s]
   std::vector<StageContent> stages = {};
-  std::vector<StoredMaterial> materials = {};
+  std::vector<ShiftedMaterial> materials = {};
 };
 
 /// The content of a study, from its result with the microstructures.

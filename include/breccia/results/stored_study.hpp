@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "breccia/homogenisation/respond.hpp"
+#include "breccia/homogenisation/stage_responses.hpp"
 #include "breccia/homogenisation/study_result.hpp"
 #include "breccia/results/composite.hpp"
 
@@ -16,8 +16,8 @@ struct StoredStudy {
   /// Without fields, the stages as materials, and records of the computation. Of the series there are those of the
   /// preferred tests (is_preferred); those of others are empty.
   std::vector<StageFindings> stages = {};
-  std::optional<double> seconds = {};           ///< wall time of the complete study [s]
-  std::vector<StoredResponses> responses = {};  ///< of the stages that have left some
+  std::optional<double> seconds = {};          ///< wall time of the complete study [s]
+  std::vector<StageResponses> responses = {};  ///< of the stages that have left some
 };
 
 /// Reads `study.json`, the tables of curves and the reduced responses in a directory of results, complete or not.

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <string>
+#include <variant>
 #include <vector>
 
 #include "breccia/study/study.hpp"
@@ -12,8 +15,14 @@ const Stage* stage_of_matrix(const Study& study, const Stage& stage);
 /// The binder of a stage: its matrix if that is a material, or else the binder of the stage that is its matrix.
 const Material& binder_of(const Study& study, const Stage& stage);
 
-/// Whether the result of a stage is the matrix of a later stage.
-bool serves_as_matrix(const Study& study, const Stage& stage);
+/// Whether the result of a stage is the matrix of another one. `Stages` is a list of what has a `matrix` (StageMatrix).
+template <class Stages>
+bool serves_as_matrix(const Stages& stages, const std::string& stage) {
+  return std::ranges::any_of(stages, [&stage](const auto& other) {
+    const auto* earlier = std::get_if<EarlierStage>(&other.matrix);
+    return earlier != nullptr && earlier->name == stage;
+  });
+}
 
 /// The loads under which a stage is tested: those of the study, and also shear and bulk if its result is the matrix of
 /// a later stage.

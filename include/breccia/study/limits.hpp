@@ -21,6 +21,7 @@ inline constexpr Range fit_tolerance = Range::above_and_up_to(0.0, 1.0);     ///
 
 /// Tolerances of the quasi-static method: of the reduced basis and of the linear systems [-].
 inline constexpr Range accuracy = Range::between(0.0, 0.1);
+inline constexpr Range snapshots = {.lower = 2.0, .upper = 10000.0};  ///< of the reduced basis
 inline constexpr Range steps_per_decade = {.lower = 2.0, .upper = 1000.0};
 
 /// Length of the elements along films over the size of a grain [-].

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct Provenance {
   /// One hash for each stage, of everything that its results depend on: the deck up to this stage without title and
   /// measurements, the data files, and the loads of the stage.
   std::vector<std::string> stage_hashes;
+  std::map<std::string, std::vector<std::string>> warnings = {};  ///< about the deck, by the names of its stages
   std::string content;  ///< content_of the study as the deck gave it: the hashes hold for no other content
 };
 

@@ -35,7 +35,6 @@ struct Stage {
   /// Of the particles of all fillers together. Without a filler only its dimensions count, PackingMethod<2>() for a
   /// square (plane strain) or PackingMethod<3>() for a cube; they are the same for all stages of a study.
   StagePacking packing = {};
-  std::vector<std::string> warnings = {};  ///< warnings about the deck, without the name of the stage
 
   /// Dimensions of the box, 2 or 3.
   [[nodiscard]] int dimensions() const;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "breccia/study/stage.hpp"
+#include "breccia/viscoelasticity/shifted_material.hpp"
 
 namespace breccia {
 
@@ -14,7 +15,7 @@ namespace breccia {
 /// A name must be fit for a directory and not be the name of a file of results, an earlier stage or a material. An
 /// empty name makes no mistake here.
 std::vector<std::string> mistakes_of_name(const std::string& name, std::span<const Stage> earlier,
-                                          std::span<const Material> materials);
+                                          const std::vector<ShiftedMaterial>& materials);
 
 /// The gap between particles must be narrower than the box, of the given side [m].
 std::vector<std::string> mistakes_of_gap(const Filler& filler, double side);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -8,8 +7,7 @@
 #include "breccia/study/provenance.hpp"
 #include "breccia/study/stage.hpp"
 #include "breccia/study/tests.hpp"
-#include "breccia/viscoelasticity/material.hpp"
-#include "breccia/viscoelasticity/temperature_shift.hpp"
+#include "breccia/viscoelasticity/shifted_material.hpp"
 
 namespace breccia {
 
@@ -17,9 +15,7 @@ namespace breccia {
 /// later ones, and the virtual tests of all of them. read_study() reads a study from a deck.
 struct Study {
   std::string title = {};
-  std::vector<Material> materials = {};  ///< the named materials, in the order of the deck
-  /// Temperature shifts, by the names of their materials, whose relaxation times are already shifted.
-  std::map<std::string, TemperatureShift> temperature_shifts = {};
+  std::vector<ShiftedMaterial> materials = {};  ///< the named materials, in the order of the deck
   std::vector<Stage> stages;  ///< from the smallest scale up; an earlier stage may be the matrix of a later one
   Tests tests;
   std::vector<Measurement> measurements = {};

@@ -36,9 +36,6 @@ Model model_of(const Tests& tests, const Stage& stage);
 /// them.
 bool has_fields(const Tests& tests, const Stage& stage);
 
-/// Whether one of the methods takes standard volumetric strains, which mixed cells do not have.
-bool has_standard_points(const Tests& tests);
-
 /// What each part of a study allows and the whole does not: mixed cells with standard volumetric strains, films along
 /// the walls under a boundary other than displacement, what the model of films does not have, and too few times for the
 /// fits that the study needs.

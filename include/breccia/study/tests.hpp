@@ -7,6 +7,7 @@
 #include "breccia/discretisation/boundary.hpp"
 #include "breccia/discretisation/load.hpp"
 #include "breccia/discretisation/mixture.hpp"
+#include "breccia/discretisation/volumetric.hpp"
 #include "breccia/study/varied_material.hpp"
 #include "breccia/virtual_test/quasistatic_test.hpp"
 #include "breccia/virtual_test/virtual_test.hpp"
@@ -49,7 +50,8 @@ struct Tests {
   std::vector<Method> methods{Method::quasistatic};
   Model model = Model::cells;
   FilmOptions films = {};
-  Mixing mixing = Mixing::series;        ///< of the cells that an interface crosses
+  Mixing mixing = Mixing::series;  ///< of the cells that an interface crosses
+  Volumetric volumetric = Volumetric::averaged;
   double first_time = 0.0;               ///< of the curves [s]
   double last_time = 0.0;                ///< of the curves [s]
   bool by_frequency = false;             ///< whether a deck gives frequencies, of which the dynamic moduli then are

@@ -24,6 +24,7 @@ template <int dim>
 struct DynamicTest {
   Discretisation<dim> discretisation;
   std::vector<Material> materials;  ///< by PhaseIndex
+  Volumetric volumetric = Volumetric::averaged;
   Boundary boundary = Boundary::displacement;
   Load load = Load::shear;
   TimeWindow times;                      ///< times of the curve [s]

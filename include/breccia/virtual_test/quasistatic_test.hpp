@@ -42,9 +42,8 @@ inline constexpr auto words<SampledRange> = std::to_array<Word<SampledRange>>({{
 struct QuasistaticOptions {
   Solver solver = Solver::reduced;
   SampledRange range = SampledRange::matrix;  ///< of the reduced solver
-  Volumetric volumetric = Volumetric::averaged;
-  SamplingOptions sampling = {};  ///< of the reduced solver
-  int steps_per_decade = 20;      ///< time steps of the stepping solver
+  SamplingOptions sampling = {};              ///< of the reduced solver
+  int steps_per_decade = 20;                  ///< time steps of the stepping solver
   LinearOptions linear = {};
 };
 
@@ -65,6 +64,7 @@ struct QuasistaticTest {
   /// to soft, for a matrix that is itself a composite, whose series is a fit to some times alone. Empty: those of the
   /// series. Used with SampledRange::matrix alone.
   std::vector<std::vector<Moduli>> relaxation = {};
+  Volumetric volumetric = Volumetric::averaged;
   Boundary boundary = Boundary::displacement;
   std::vector<Load> loads;
   TimeWindow times;                      ///< times of the curves [s]

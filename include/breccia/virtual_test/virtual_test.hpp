@@ -3,7 +3,6 @@
 #include <optional>
 #include <vector>
 
-#include "breccia/discretisation/volumetric.hpp"
 #include "breccia/dynamics/dynamic_problem.hpp"
 
 namespace breccia {
@@ -12,7 +11,6 @@ namespace breccia {
 struct DynamicOptions {
   Formulation formulation = Formulation::total_lagrangian;
   Start start = Start::boundary;
-  Volumetric volumetric = Volumetric::averaged;
   double courant = 0.9;                  ///< time step over the stable limit of the discretisation [-]
   double ramp_transits = 2.0;            ///< duration of the strain ramp in transits of the shear wave [-]
   double creep_ramp_transits = 5.0;      ///< the same for a traction ramp; longer, as a free boundary rings longer

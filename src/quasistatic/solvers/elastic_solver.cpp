@@ -47,6 +47,11 @@ bool ElasticSolver<dim>::is_rounding(double residual, double largest) const noex
 }
 
 template <int dim>
+std::string ElasticSolver<dim>::accuracy_wanted() const {
+  return fmt::format("a residual of {:.1e} of the load", tolerance_);
+}
+
+template <int dim>
 void ElasticSolver<dim>::count_iterations(int iterations) {
   effort_.iterations += iterations;
   effort_.most_iterations = std::max(effort_.most_iterations, iterations);
@@ -65,8 +70,8 @@ Displacement ElasticSolver<dim>::solve(Forces forces, Displacement displacement,
   if (!is_converged) {
     throw NumericalError(fmt::format(
         "quasi-static solver: conjugate gradients stopped at a residual of {:.1e} of the load after {} iterations, "
-        "wanted {:.1e}; the contrast of the moduli may be too high{}",
-        relative, effort_.most_iterations, tolerance_,
+        "wanted {}; the contrast of the moduli may be too high{}",
+        relative, effort_.most_iterations, accuracy_wanted(),
         effort_.is_direct ? "" : " for an iterative solver, a direct one may serve"));
   }
   effort_.largest_residual = std::max(effort_.largest_residual, relative);

@@ -68,6 +68,8 @@ class ElasticSolver {
   virtual void update_stiffness(std::span<const Moduli> moduli) = 0;
   /// Finds the fluctuation of a displacement for these nodal forces, whose memory may be given back.
   virtual Convergence iterate(NodalVector on_nodes, Displacement& displacement) = 0;
+  /// The accuracy at which an iteration ends: "a residual of 1.0e-10 of the load".
+  [[nodiscard]] virtual std::string accuracy_wanted() const;
 
   const ElasticOperator<dim>* elastic_operator_;
   double tolerance_;

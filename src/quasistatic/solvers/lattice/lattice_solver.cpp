@@ -56,6 +56,10 @@ bool LatticeSolver::is_accurate(double error, double energy) const noexcept {
          (!least_energy() || error <= of_composite * *least_energy());
 }
 
+std::string LatticeSolver::accuracy_wanted() const {
+  return fmt::format("an error of {:.1e} of the fluctuation, in the energy norm", energy_tolerance_);
+}
+
 LatticeSolver::Pass LatticeSolver::iterate(State& state, int most_iterations) {
   auto& [displacement, residual, direction, work, energy, largest] = state;
   sums_.set_zero(direction);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "solvers/elastic_solver.hpp"
 #include "solvers/lattice/lattice_boundary.hpp"
@@ -22,6 +23,7 @@ class LatticeSolver final : public ElasticSolver<3> {
  private:
   void update_stiffness(std::span<const Moduli> moduli) override;
   Convergence iterate(NodalVector on_nodes, Displacement& displacement) override;
+  [[nodiscard]] std::string accuracy_wanted() const override;
 
   /// The fields of an iteration.
   struct State {

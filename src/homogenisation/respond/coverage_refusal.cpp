@@ -1,4 +1,4 @@
-#include "coverage_refusal.hpp"
+#include "respond/coverage_refusal.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ std::string seconds(double time) {
   return display(time, "s", 3);
 }
 
-std::string pascals(double modulus) {
+std::string in_pascals(double modulus) {
   return display(modulus, "Pa", 3);
 }
 
@@ -40,17 +40,17 @@ std::optional<TimeWindow> common(const std::optional<TimeWindow>& one, const std
 }
 
 /// Advice on how to cover more times.
-std::string remedy_for(const StoredResponses& stored) {
-  if (!stored.other_phases.empty()) {
+std::string remedy_for(const StageResponses& stage) {
+  if (!stage.other_phases.empty()) {
     const auto is_elastic = [](const auto& phase) {
       return phase.second.bulk.is_elastic() && phase.second.shear.is_elastic();
     };
     return fmt::format("a new study with these materials covers all of them{}",
-                       std::ranges::any_of(stored.other_phases, is_elastic)
+                       std::ranges::any_of(stage.other_phases, is_elastic)
                            ? "; moduli of elastic materials between two ends are sampled with tests.quasistatic.vary"
                            : "");
   }
-  if (stored.range == SampledRange::times) {
+  if (stage.range == SampledRange::times) {
     return "the study was run with tests.quasistatic.range = \"times\"; with \"matrix\", the default, it covers its "
            "own matrix at every temperature";
   }
@@ -61,64 +61,64 @@ std::string remedy_for(const StoredResponses& stored) {
 std::string describe(const PhaseCoverage& found, const Material& material, const TimeWindow& window) {
   const auto* name = found.is_shear_covered ? "bulk" : "shear";
   const auto of = found.is_shear_covered ? &Moduli::bulk : &Moduli::shear;
-  const auto least = pascals(found.shown.least.*of), most = pascals(found.shown.most.*of);
-  return fmt::format("from {} to {} {} shows a {} modulus {}; the study answers {} to {}", seconds(window.begin),
+  const auto least = in_pascals(found.shown.least.*of), most = in_pascals(found.shown.most.*of);
+  return fmt::format("from {} to {} {} shows a {} modulus {}; the responses hold from {} to {}", seconds(window.begin),
                      seconds(window.end), material.name, name,
                      least == most ? "of " + least : fmt::format("from {} to {}", least, most),
-                     pascals(found.sampled.least.*of), pascals(found.sampled.most.*of));
+                     in_pascals(found.sampled.least.*of), in_pascals(found.sampled.most.*of));
 }
 
 }  // namespace
 
-std::vector<Material> materials_for(const StoredResponses& stored, const ReducedResponse& response,
+std::vector<Material> materials_for(const StageResponses& stage, const ReducedResponse& response,
                                     const Material& matrix) {
-  auto by_phase = stored.other_phases;
+  auto by_phase = stage.other_phases;
   by_phase.insert_or_assign(std::string(name_of_matrix_phase), matrix);
   return response.materials(by_phase);
 }
 
 namespace {
 
-/// Materials that are covered one by one may still lie beside the joint path of several phases: the error estimate
-/// tells.
-void require_joint_coverage(const StoredResponses& stored, const MatrixUnder& matrix, const TimeWindow& window) {
+/// Materials that are covered one by one may still lie beside the joint path of several phases: the error
+/// estimate shows it.
+void require_joint_coverage(const StageResponses& stage, const MatrixUnder& matrix, const TimeWindow& window) {
   constexpr double most = 0.01;
   double largest = 0.0;
-  for (const auto& [grid, response] : stored.entries) {
+  for (const auto& [grid, response] : stage.entries) {
     if (response.phases().size() < 2) continue;
     largest =
-        std::max(largest, largest_error(response, materials_for(stored, response, matrix(response.boundary)), window));
+        std::max(largest, largest_error(response, materials_for(stage, response, matrix(response.boundary)), window));
   }
   if (largest <= most) return;
   throw NotCovered(
       fmt::format("stage {}: with these materials together the error of the reduced basis is about {:.2g} %, "
                   "expected {:.2g} % at most: the study has sampled the moduli of its phases along one path\n{}",
-                  stored.stage, 100.0 * largest, 100.0 * most, remedy_for(stored)),
+                  stage.stage, 100.0 * largest, 100.0 * most, remedy_for(stage)),
       std::nullopt);
 }
 
 }  // namespace
 
-void require_coverage(const StoredResponses& stored, const MatrixUnder& matrix, const TimeWindow& window) {
+void require_coverage(const StageResponses& stage, const MatrixUnder& matrix, const TimeWindow& window) {
   std::vector<std::string> lines;
   std::optional<TimeWindow> covered = window;
-  for (const auto& [grid, response] : stored.entries) {
-    const auto materials = materials_for(stored, response, matrix(response.boundary));
+  for (const auto& [grid, response] : stage.entries) {
+    const auto materials = materials_for(stage, response, matrix(response.boundary));
     const auto found = coverage(response, materials, window);
     if (found.is_whole()) continue;
     covered = common(covered, found.times);
     for (std::size_t i = 0; i < materials.size(); ++i) {
       if (found.phases[i].is_whole()) continue;
-      auto line = fmt::format("stage {}: {}", stored.stage, describe(found.phases[i], materials[i], window));
+      auto line = fmt::format("stage {}: {}", stage.stage, describe(found.phases[i], materials[i], window));
       if (std::ranges::find(lines, line) == lines.end()) lines.push_back(std::move(line));
     }
   }
   if (lines.empty()) {
-    require_joint_coverage(stored, matrix, window);
+    require_joint_coverage(stage, matrix, window);
     return;
   }
   if (covered) covered = rounded_within(*covered, window);
-  throw NotCovered(fmt::format("{}\n{}", fmt::join(lines, "\n"), remedy_for(stored)), covered);
+  throw NotCovered(fmt::format("{}\n{}", fmt::join(lines, "\n"), remedy_for(stage)), covered);
 }
 
 NotCovered with_covered_times(const NotCovered& refusal, const std::optional<TimeWindow>& times) {

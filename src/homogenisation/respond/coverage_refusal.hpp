@@ -7,7 +7,7 @@
 
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/not_covered.hpp"
-#include "breccia/homogenisation/respond.hpp"
+#include "breccia/homogenisation/stage_responses.hpp"
 
 namespace breccia {
 
@@ -16,11 +16,11 @@ using MatrixUnder = std::function<const Material&(Boundary)>;
 
 /// The materials of the phases of a reduced response of a stage that vary, in their order: this matrix, and those of
 /// the other phases. Throws InputError where one is missing.
-std::vector<Material> materials_for(const StoredResponses& stored, const ReducedResponse& response,
+std::vector<Material> materials_for(const StageResponses& stage, const ReducedResponse& response,
                                     const Material& matrix);
 
 /// Throws NotCovered if a reduced response of a stage does not cover a window of times [s] with its matrix.
-void require_coverage(const StoredResponses& stored, const MatrixUnder& matrix, const TimeWindow& window);
+void require_coverage(const StageResponses& stage, const MatrixUnder& matrix, const TimeWindow& window);
 
 /// The refusal, with the times that can be requested instead, if there are any.
 NotCovered with_covered_times(const NotCovered& refusal, const std::optional<TimeWindow>& times);
@@ -28,7 +28,7 @@ NotCovered with_covered_times(const NotCovered& refusal, const std::optional<Tim
 /// Returns the result of a function of a window of times. If the function throws NotCovered, searches for a narrower
 /// window in which it succeeds, and throws NotCovered with that window.
 template <class Attempt>
-auto or_tell_covered_times(const TimeWindow& window, const Attempt& attempt) -> decltype(attempt(window)) {
+auto or_refuse_with_covered_times(const TimeWindow& window, const Attempt& attempt) -> decltype(attempt(window)) {
   try {
     return attempt(window);
   } catch (const NotCovered& refusal) {

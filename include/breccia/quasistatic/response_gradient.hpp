@@ -1,0 +1,26 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "breccia/discretisation/moduli.hpp"
+#include "breccia/quasistatic/reduced_response.hpp"
+
+namespace breccia {
+
+/// A value of an elastic composite, and its derivatives by the moduli of the phases that vary.
+struct ValueAndGradient {
+  double value = 0.0;
+  /// Derivatives by the bulk and by the shear modulus of each phase, in the order of ReducedResponse::phases().
+  std::vector<Moduli> gradient;
+};
+
+/// The compliance C = e' K^-1 e [1/Pa] of a reduced response at moduli [Pa] of its phases, and its gradient [1/Pa^2].
+/// With c = K^-1 e the derivatives are dC/dp_i = -c' K_i c: they need no further solution (theory, Eq. 18b). Throws
+/// InputError when the moduli are not as many as the phases.
+ValueAndGradient compliance_and_gradient(const ReducedResponse& response, std::span<const Moduli> of_phases);
+
+/// The modulus M = 1/C [Pa] in place of the compliance, with the derivatives dM/dp_i = M^2 c' K_i c [-].
+ValueAndGradient modulus_and_gradient(const ReducedResponse& response, std::span<const Moduli> of_phases);
+
+}  // namespace breccia

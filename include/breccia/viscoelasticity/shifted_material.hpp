@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "breccia/viscoelasticity/material.hpp"
+#include "breccia/viscoelasticity/temperature_shift.hpp"
+
+namespace breccia {
+
+/// A material at a temperature, with the law by which it is shifted to others.
+struct ShiftedMaterial {
+  Material material;                           ///< at the temperature of the shift
+  std::optional<TemperatureShift> shift = {};  ///< nothing where no law is known
+};
+
+/// Whether neither modulus of a material relaxes.
+bool is_elastic(const Material& material);
+
+/// The material of this name; nullptr where there is none.
+const ShiftedMaterial* find_material(const std::vector<ShiftedMaterial>& materials, const std::string& name);
+
+/// The material at another temperature [K]; an elastic material does not change. Throws InputError if no law is known
+/// for a material that relaxes, or the temperature is outside the range of the law.
+ShiftedMaterial at_temperature(ShiftedMaterial shifted, double temperature);
+
+}  // namespace breccia

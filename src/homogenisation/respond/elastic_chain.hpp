@@ -1,0 +1,32 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "breccia/homogenisation/responder.hpp"
+
+namespace breccia {
+
+/// The stages of a study under one boundary, with elastic materials: by the correspondence principle what they are at a
+/// real Laplace variable. Each is on its finest grid.
+class ElasticChain {
+ public:
+  /// `moduli` are those of the materials that vary [Pa], by their names.
+  ElasticChain(const std::vector<StageResponses>& stages, const std::map<std::string, Moduli>& moduli,
+               Boundary boundary)
+      : stages_(stages), moduli_(moduli), boundary_(boundary) {}
+
+  /// The modulus of a stage under a load. Throws InputError if there is no such test, or a material has no moduli.
+  [[nodiscard]] ModulusAndGradient modulus(const std::string& stage, Load load) const;
+
+ private:
+  [[nodiscard]] const StageResponses& stage_named(const std::string& stage) const;
+  [[nodiscard]] const Moduli& moduli_of(const std::string& material) const;
+
+  const std::vector<StageResponses>& stages_;
+  const std::map<std::string, Moduli>& moduli_;
+  Boundary boundary_;
+};
+
+}  // namespace breccia

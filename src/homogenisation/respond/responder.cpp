@@ -1,0 +1,250 @@
+#include "breccia/homogenisation/responder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+#include "breccia/homogenisation/stage_warnings.hpp"
+#include "breccia/io/nearest_name.hpp"
+#include "breccia/quasistatic/carson_path.hpp"
+
+#include "material_warnings.hpp"
+#include "respond/coverage_refusal.hpp"
+#include "respond/elastic_chain.hpp"
+#include "respond/replaced_materials.hpp"
+#include "respond/responded_stages.hpp"
+
+namespace breccia {
+namespace {
+
+void require_one_study(const std::vector<StageResponses>& stages) {
+  for (const auto& one : stages) {
+    if (one.deck_hash == stages.front().deck_hash) continue;
+    throw InputError(fmt::format(
+        "the responses of stages {} and {} are of different studies (deck hashes {} and {}); name a stage, or run the "
+        "study anew in a directory of its own",
+        stages.front().stage, one.stage, stages.front().deck_hash, one.deck_hash));
+  }
+}
+
+void require_different_stages(const std::vector<StageResponses>& stages) {
+  for (auto one = stages.begin(); one != stages.end(); ++one) {
+    if (std::ranges::find(stages.begin(), one, one->stage, &StageResponses::stage) == one) continue;
+    throw InputError(
+        fmt::format("the responses of stage {} are given twice; give those of each stage once", one->stage));
+  }
+}
+
+/// The materials of a stage that vary: its matrix, unless that is an earlier stage, and those of other phases.
+std::vector<Material*> varying_materials(StageResponses& stage) {
+  std::vector<Material*> materials;
+  if (auto* const matrix = std::get_if<Material>(&stage.matrix)) materials.push_back(matrix);
+  for (auto& [phase, material] : stage.other_phases) materials.push_back(&material);
+  return materials;
+}
+
+/// Whether more than the name of a material is known.
+bool has_moduli(const Material& material) {
+  return material.bulk.unrelaxed() > 0.0 && material.shear.unrelaxed() > 0.0;
+}
+
+/// "fine: times reach from ...", if that is to be warned of.
+std::optional<std::string> warning_of_times(const StageResponses& stage, const Material& matrix) {
+  const auto warning = warning_of_unknown_times(matrix, stage.times);
+  return warning ? std::optional(fmt::format("{}: {}", stage.stage, *warning)) : std::nullopt;
+}
+
+/// The warnings on a stage that depend on the materials that vary.
+std::vector<std::string> warnings_on_varying(StageResponses stage) {
+  std::vector<std::string> warnings;
+  for (const auto* const material : varying_materials(stage)) {
+    if (!has_moduli(*material)) continue;
+    if (auto warning = warning_of_poisson_ratio(*material, stage.times)) warnings.push_back(*std::move(warning));
+  }
+  if (const auto* const matrix = std::get_if<Material>(&stage.matrix)) {
+    if (auto warning = warning_of_times(stage, *matrix)) warnings.push_back(*std::move(warning));
+  }
+  return warnings;
+}
+
+void add_once(std::vector<std::string>& warnings, const std::string& warning) {
+  if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
+}
+
+/// "40 degC", rounded to a millionth of a degree.
+std::string in_celsius(double kelvin) {
+  constexpr double zero_celsius = 273.15, smallest = 1e-6;
+  return fmt::format("{:.6g} degC", std::round((kelvin - zero_celsius) / smallest) * smallest);
+}
+
+}  // namespace
+
+Responder::Responder(std::vector<StageResponses> stages, const std::vector<ShiftedMaterial>& materials)
+    : stages_(std::move(stages)), materials_(materials) {
+  require_different_stages(stages_);
+  require_one_study(stages_);
+  for (auto& stage : stages_) {
+    for (auto* const material : varying_materials(stage)) {
+      const auto* const known = find_material(materials_, material->name);
+      if (known == nullptr) {
+        if (has_moduli(*material)) materials_.push_back({*material});
+      } else if (!has_moduli(*material)) {
+        *material = known->material;
+      }
+    }
+    // They are made anew for the materials and the times of each response.
+    for (const auto& warning : warnings_on_varying(stage)) std::erase(stage.warnings, warning);
+  }
+}
+
+Responder Responder::at(double temperature) const {
+  auto moved = *this;
+  for (const auto& name : varying_materials(stages_)) {
+    const auto* const known = find_material(materials_, name);
+    if (known == nullptr) throw InputError(fmt::format("the study has no material \"{}\"", name));
+    auto material = at_temperature(*known, temperature);
+    const bool is_unshifted = is_elastic(material.material);
+    moved.replace(name, std::move(material), fmt::format("{} at {}", name, in_celsius(temperature)));
+    if (is_unshifted) moved.unshifted_.insert(name);
+  }
+  return moved;
+}
+
+Responder Responder::with(const std::vector<NewMaterial>& materials) const {
+  const auto replaced = replaced_materials(materials, stages_, materials_);
+  auto changed = *this;
+  for (std::size_t i = 0; i < materials.size(); ++i) {
+    const auto& [name, material, shift] = materials[i];
+    changed.replace(replaced[i], {material, shift}, material.name);
+  }
+  return changed;
+}
+
+Responder Responder::within(const TimeWindow& times) const {
+  auto changed = *this;
+  for (auto& stage : changed.stages_) stage.times = times;
+  return changed;
+}
+
+Responder Responder::chain_of(const std::string& stage) const {
+  auto chain = *this;
+  chain.stages_ = {stage_named(stage)};
+  while (const auto* const earlier = std::get_if<EarlierStage>(&chain.stages_.back().matrix)) {
+    const auto below = std::ranges::find(stages_, earlier->name, &StageResponses::stage);
+    if (below == stages_.end()) break;
+    chain.stages_.push_back(*below);
+  }
+  return chain;
+}
+
+Responder Responder::alone(const std::string& stage) const {
+  auto changed = *this;
+  auto one = stage_named(stage);
+  if (std::holds_alternative<EarlierStage>(one.matrix)) one.matrix = Material{name_of(one.matrix), 0.0, {}, {}};
+  changed.stages_ = {std::move(one)};
+  return changed;
+}
+
+std::vector<StageResult> Responder::respond() const {
+  if (stages_.empty()) return {};
+  require_earlier_stages(stages_);
+  const auto stages = stages_with_shown_names();
+  for (const auto& stage : stages) {
+    const auto* const matrix = std::get_if<Material>(&stage.matrix);
+    if (matrix == nullptr || has_moduli(*matrix)) continue;
+    throw InputError(fmt::format("no new material for \"{}\", which is the matrix of a stage", matrix->name));
+  }
+  auto results = or_refuse_with_covered_times(stages.front().times,
+                                              [&](const TimeWindow& times) { return responded_stages(stages, times); });
+  add_warnings(results);
+  return results;
+}
+
+ModulusAndGradient Responder::modulus_and_gradient(const std::string& stage, Load load, Boundary boundary,
+                                                   double laplace_variable) const {
+  std::map<std::string, Moduli> moduli;
+  for (const auto& [material, shift] : materials_) moduli[material.name] = carson_moduli(material, laplace_variable);
+  return modulus_and_gradient(stage, load, boundary, moduli);
+}
+
+ModulusAndGradient Responder::modulus_and_gradient(const std::string& stage, Load load, Boundary boundary,
+                                                   const std::map<std::string, Moduli>& moduli) const {
+  return ElasticChain(stages_, moduli, boundary).modulus(stage, load);
+}
+
+std::vector<std::string> Responder::shown_names() const {
+  const auto varying = varying_materials(stages_);
+  std::vector<std::string> names;
+  for (const auto& name : std::set<std::string>(varying.begin(), varying.end())) {
+    const auto shown = shown_.find(name);
+    names.push_back(shown == shown_.end() ? name : shown->second);
+  }
+  return names;
+}
+
+void Responder::replace(const std::string& name, ShiftedMaterial material, const std::string& shown) {
+  material.material.name = name;
+  for (auto& stage : stages_) {
+    for (auto* const one : varying_materials(stage)) {
+      if (one->name == name) *one = material.material;
+    }
+  }
+  const auto known = std::ranges::find_if(materials_, [&name](const auto& one) { return one.material.name == name; });
+  if (known == materials_.end()) {
+    materials_.push_back(std::move(material));
+  } else {
+    *known = std::move(material);
+  }
+  shown_[name] = shown;
+  unshifted_.erase(name);
+}
+
+const StageResponses& Responder::stage_named(const std::string& stage) const {
+  const auto found = std::ranges::find(stages_, stage, &StageResponses::stage);
+  if (found != stages_.end()) return *found;
+  std::vector<std::string> names;
+  for (const auto& one : stages_) names.push_back(one.stage);
+  throw InputError(fmt::format("no response of a stage \"{}\"{}", stage, suggestion(stage, names)));
+}
+
+std::vector<StageResponses> Responder::stages_with_shown_names() const {
+  auto stages = stages_;
+  for (auto& stage : stages) {
+    for (auto* const material : varying_materials(stage)) {
+      const auto shown = shown_.find(material->name);
+      if (shown != shown_.end()) material->name = shown->second;
+    }
+  }
+  return stages;
+}
+
+void Responder::add_warnings(std::vector<StageResult>& results) const {
+  std::set<std::string> named;  // materials, of which one warning is enough
+  const auto stages = stages_with_shown_names();
+  for (auto& result : results) {
+    const auto& of_study = stage_named(result.name);
+    result.warnings = of_study.warnings;
+    if (const auto* const matrix = std::get_if<Material>(&of_study.matrix)) {
+      if (unshifted_.contains(matrix->name) && named.insert(matrix->name).second) {
+        result.warnings.push_back(
+            fmt::format("{} is elastic: its moduli do not depend on the temperature here, so they are those of the run",
+                        matrix->name));
+      }
+    }
+    for (const auto& warning : warnings_on_varying(*std::ranges::find(stages, result.name, &StageResponses::stage))) {
+      add_once(result.warnings, warning);
+    }
+  }
+}
+
+Responder responder_of(const Study& study, const StudyResult& result) {
+  return Responder(responses_of(study, result), study.materials);
+}
+
+}  // namespace breccia
