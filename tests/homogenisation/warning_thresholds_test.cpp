@@ -20,13 +20,14 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::Optional;
 
-const Material resin{"resin", 1.0, PronySeries(4.0), PronySeries(1.0)};
-const Material glass{"glass", 2.0, PronySeries(5.0), PronySeries(3.0)};
+const Material matrix_resin{"resin", 1.0, PronySeries(4.0), PronySeries(1.0)};
+const Material filler_glass{"glass", 2.0, PronySeries(5.0), PronySeries(3.0)};
 
 /// A box of 10 mm with 200 cells of 50 um and particles of some sizes.
-Stage stage_with(const std::vector<double>& diameters, StageMatrix matrix = resin, const std::string& name = "A") {
+Stage stage_with(const std::vector<double>& diameters, StageMatrix matrix = matrix_resin,
+                 const std::string& name = "A") {
   Filler filler;
-  filler.material = glass;
+  filler.material = filler_glass;
   filler.sizes = ListedSizes{diameters};
   return {.name = name,
           .matrix = std::move(matrix),
@@ -43,7 +44,7 @@ StageMicrostructure packed_with(double gap, double wall_gap = 1.0) {
   return packed;
 }
 
-Study within(double first_time, double last_time, Mixing mixing = Mixing::points) {
+Study study_within(double first_time, double last_time, Mixing mixing = Mixing::points) {
   Study study;
   study.tests.first_time = first_time;
   study.tests.last_time = last_time;
@@ -53,7 +54,7 @@ Study within(double first_time, double last_time, Mixing mixing = Mixing::points
 
 std::vector<std::string> warnings_at_gap(double gap, double wall_gap = 1.0) {
   const auto stage = stage_with({1e-3});
-  return warnings_on(within(1.0, 2.0), stage, packed_with(gap, wall_gap));
+  return warnings_on(study_within(1.0, 2.0), stage, packed_with(gap, wall_gap));
 }
 
 // Three cells of 50 um.
@@ -77,7 +78,7 @@ StageMicrostructure equal_spheres(double diameter, double gap, double wall_gap =
 TEST(WarningThresholds, OfCellsAcrossASphere) {
   auto stage = stage_with({1e-3});
   stage.packing = ExplicitPacking<3>{};
-  auto study = within(1.0, 2.0, Mixing::series);
+  auto study = study_within(1.0, 2.0, Mixing::series);
   study.tests.boundaries = {Boundary::periodic};
   EXPECT_THAT(warnings_on(study, stage, equal_spheres(225e-6, 1e-6)), IsEmpty()) << "whatever their gap";
   EXPECT_THAT(warnings_on(study, stage, equal_spheres(224.9e-6, 1e-6)),
@@ -95,7 +96,7 @@ TEST(WarningThresholds, OfCellsAcrossASphere) {
 TEST(WarningThresholds, OfGapsBetweenSpheresAndWalls) {
   auto stage = stage_with({1e-3});
   stage.packing = ExplicitPacking<3>{};
-  auto study = within(1.0, 2.0, Mixing::series);
+  auto study = study_within(1.0, 2.0, Mixing::series);
   study.tests.boundaries = {Boundary::traction};
   EXPECT_THAT(warnings_on(study, stage, equal_spheres(1e-3, 1e-6, 1e-6)), IsEmpty());
   study.tests.boundaries = {Boundary::displacement, Boundary::traction};
@@ -112,7 +113,7 @@ TEST(WarningThresholds, OfFilmsInSpace) {
   stage.packing = ExplicitPacking<3>{};
   auto packed = packed_with(120e-6);
   packed.box = Grains<3>{};
-  auto study = within(1.0, 2.0, Mixing::series);
+  auto study = study_within(1.0, 2.0, Mixing::series);
   study.tests.boundaries = {Boundary::periodic};
   EXPECT_THAT(warnings_on(study, stage, packed), IsEmpty());
   packed.gap = 119.9e-6;
@@ -128,7 +129,7 @@ TEST(WarningThresholds, OfCellsThatCanBeAfforded) {
 
 // A term affects the modulus for about a decade on either side of its time.
 TEST(WarningThresholds, OfTimesBesideTheSpectrum) {
-  auto material = resin;
+  auto material = matrix_resin;
   material.shear = PronySeries(0.0, {{1e-3, 1.0}, {1.0, 1.0}});
   EXPECT_FALSE(warning_of_unknown_times(material, {1.001e-4, 9.99}));
   EXPECT_THAT(warning_of_unknown_times(material, {0.999e-4, 1.0}),
@@ -142,7 +143,7 @@ TEST(WarningThresholds, OfPoissonsRatioNearAHalf) {
   stage.fillers.clear();
   const auto warnings_with = [&](const PronySeries& bulk, const PronySeries& shear) {
     stage.matrix = Material{"resin", 1.0, bulk, shear};
-    return warnings_on_materials(within(1.0, 2.0), stage);
+    return warnings_on_materials(study_within(1.0, 2.0), stage);
   };
   EXPECT_THAT(warnings_with(PronySeries(49999.0), PronySeries(1.0)), IsEmpty());
   EXPECT_THAT(warnings_with(PronySeries(50001.0), PronySeries(1.0)),
@@ -154,25 +155,25 @@ TEST(WarningThresholds, OfPoissonsRatioBelowZeroAtTheLastTime) {
   auto stage = stage_with({1e-3});
   stage.fillers.clear();
   stage.matrix = Material{"resin", 1.0, PronySeries(1.0, {{1.0, 1.0}}), PronySeries(2.0)};
-  EXPECT_THAT(warnings_on_materials(within(1e-3, 0.1), stage), IsEmpty());
-  EXPECT_THAT(warnings_on_materials(within(1e-3, 10.0), stage), ElementsAre(HasSubstr("at 10 s, below zero")));
+  EXPECT_THAT(warnings_on_materials(study_within(1e-3, 0.1), stage), IsEmpty());
+  EXPECT_THAT(warnings_on_materials(study_within(1e-3, 10.0), stage), ElementsAre(HasSubstr("at 10 s, below zero")));
 }
 
 TEST(WarningThresholds, OfAFillerAsStiffAsItsBinderAtTheFirstTime) {
   auto stage = stage_with({1e-3});
   stage.matrix = Material{"resin", 1.0, PronySeries(4.0), PronySeries(1.0, {{1.0, 5.0}})};
-  EXPECT_THAT(warnings_of_soft_fillers(within(1e-3, 10.0), stage),
+  EXPECT_THAT(warnings_of_soft_fillers(study_within(1e-3, 10.0), stage),
               ElementsAre(HasSubstr("shear modulus 3 Pa against")));
-  EXPECT_THAT(warnings_of_soft_fillers(within(2.0, 10.0), stage), IsEmpty()) << "1 + 5 exp(-2) Pa";
+  EXPECT_THAT(warnings_of_soft_fillers(study_within(2.0, 10.0), stage), IsEmpty()) << "1 + 5 exp(-2) Pa";
   stage.fillers.clear();
-  EXPECT_THAT(warnings_of_soft_fillers(within(1e-3, 10.0), stage), IsEmpty());
+  EXPECT_THAT(warnings_of_soft_fillers(study_within(1e-3, 10.0), stage), IsEmpty());
 }
 
 /// Of a stage with particles of some sizes whose matrix has some others.
 std::optional<std::string> warning_of_sizes(const std::vector<double>& below, const std::vector<double>& own,
                                             double gap = 1.0) {
-  auto study = within(1.0, 2.0);
-  study.stages = {stage_with(below, resin, "small"), stage_with({1.0}, EarlierStage{"small"}, "plain"),
+  auto study = study_within(1.0, 2.0);
+  study.stages = {stage_with(below, matrix_resin, "small"), stage_with({1.0}, EarlierStage{"small"}, "plain"),
                   stage_with(own, EarlierStage{"plain"})};
   study.stages[1].fillers.clear();
   return warning_of_separation(study, study.stages[2], packed_with(gap));
@@ -206,8 +207,8 @@ TEST(WarningThresholds, OfStagesInTheWrongOrder) {
 }
 
 TEST(WarningThresholds, OfSizesThatAreNotKnown) {
-  auto study = within(1.0, 2.0);
-  study.stages = {stage_with({0.4e-3}, resin, "small"), stage_with({0.4e-3}, EarlierStage{"small"})};
+  auto study = study_within(1.0, 2.0);
+  study.stages = {stage_with({0.4e-3}, matrix_resin, "small"), stage_with({0.4e-3}, EarlierStage{"small"})};
   EXPECT_TRUE(warning_of_separation(study, study.stages[1], packed_with(1.0)));
   EXPECT_FALSE(warning_of_separation(study, study.stages[0], packed_with(1.0))) << "its matrix is a material";
   study.stages[0].fillers[0].sizes.reset();
@@ -217,8 +218,8 @@ TEST(WarningThresholds, OfSizesThatAreNotKnown) {
 // Two listed sites divide the box of 10 mm into cells of 7.5 and 2.5 mm, which have the areas of discs of 9.8 and 5.6
 // mm.
 TEST(WarningThresholds, OfListedSitesOfGrains) {
-  auto study = within(1.0, 2.0);
-  study.stages = {stage_with({2e-3}, resin, "small"), stage_with({}, EarlierStage{"small"})};
+  auto study = study_within(1.0, 2.0);
+  study.stages = {stage_with({2e-3}, matrix_resin, "small"), stage_with({}, EarlierStage{"small"})};
   auto& grains = study.stages[1];
   grains.side = 10e-3;
   grains.fillers[0].sizes.reset();
