@@ -147,7 +147,7 @@ TEST(Sweep, ResumingRunsUnfinishedTasks) {
 
   write_text(study.result("seed-2/study.json"), "not even JSON");
   const auto foreign = study.breccia("run", {"--resume", "--set", "stages.A.cells=10"});
-  EXPECT_THAT(foreign.errors, HasSubstr("out/seed-2/study.json: the results would replace this file"));
+  EXPECT_THAT(foreign.errors, HasSubstr("out/seed-2/study.json: damaged, or not written by Breccia"));
 }
 
 TEST(Sweep, ResumingAGrownSweepRunsTheNewTasks) {
