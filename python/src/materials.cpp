@@ -252,6 +252,12 @@ Material material_from(const py::tuple& state) {
           series_from(state[3].cast<py::tuple>())};
 }
 
+std::vector<Material> without_shifts(const std::vector<ShiftedMaterial>& materials) {
+  std::vector<Material> solids;
+  for (const auto& one : materials) solids.push_back(one.material);
+  return solids;
+}
+
 void bind_materials(py::module_& module) {
   bind_series(module);
   bind_compliance(module);

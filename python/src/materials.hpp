@@ -1,10 +1,13 @@
 #pragma once
 
+#include <vector>
+
 #include <pybind11/pybind11.h>
 
 #include "breccia/viscoelasticity/creep_compliance.hpp"
 #include "breccia/viscoelasticity/material.hpp"
 #include "breccia/viscoelasticity/prony_series.hpp"
+#include "breccia/viscoelasticity/shifted_material.hpp"
 
 namespace breccia::python {
 
@@ -20,5 +23,8 @@ CreepCompliance compliance_from(const pybind11::tuple& state);
 // The content of a material for pickle.
 pybind11::tuple state_of(const Material& material);
 Material material_from(const pybind11::tuple& state);
+
+/// The materials without the laws of their temperature shift.
+std::vector<Material> without_shifts(const std::vector<ShiftedMaterial>& materials);
 
 }  // namespace breccia::python

@@ -258,12 +258,7 @@ void bind_solution(py::module_& module) {
           },
           "The StageResult of all stages, from the smallest scale up.")
       .def_property_readonly(
-          "materials",
-          [](const Solution& solution) {
-            std::vector<Material> materials;
-            for (const auto& stored : solution.content.materials) materials.push_back(stored.material);
-            return materials;
-          },
+          "materials", [](const Solution& solution) { return without_shifts(solution.content.materials); },
           "The materials of the study, a Solid each.")
       .def_property_readonly(
           "binder",

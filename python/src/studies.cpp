@@ -17,6 +17,8 @@
 #include "breccia/study/identity.hpp"
 #include "breccia/study/study.hpp"
 
+#include "materials.hpp"
+
 namespace breccia::python {
 namespace {
 
@@ -50,7 +52,8 @@ void bind_studies(py::module_& module) {
   py::class_<Study, std::shared_ptr<Study>>(module, "CheckedStudy", "A study without mistakes, in SI units.")
       .def_readonly("title", &Study::title)
       .def_property_readonly("stages", &stage_names, "Names of the stages, from the smallest scale up.")
-      .def_readonly("materials", &Study::materials, "A Solid each.")
+      .def_property_readonly(
+          "materials", [](const Study& study) { return without_shifts(study.materials); }, "A Solid each.")
       .def_property_readonly(
           "times", [](const Study& study) { return py::make_tuple(study.tests.first_time, study.tests.last_time); },
           "First and last time of the curves [s].")

@@ -53,19 +53,14 @@ def test_curves_are_views_that_keep_their_result_alive():
     assert len(time) == len(modulus)
 
 
-def test_a_million_values_without_a_copy(model):
-    count = 10**6
-    state = model.__getstate__()
-    time = np.geomspace(1e-9, 1e3, count)
-    for test in state["stages"][0]["tests"]:
-        test["modulus"] = (time, 1e6 / (1.0 + time))
-    long = breccia.Result.__new__(breccia.Result)
-    long.__setstate__(state)
-    first, second = (long["model"].curve(boundary="displacement") for _ in range(2))
-    assert len(first[0]) == count and np.array_equal(first[0], time)
+def test_curves_are_not_copied():
+    study = breccia.read_study(MODEL, {**OVERRIDES, "tests.points_per_decade": 1000})
+    fine = breccia.solve(study)
+    first, second = (fine["model"].curve(boundary="displacement") for _ in range(2))
+    assert len(first[0]) > 1000
     address = [array.__array_interface__["data"][0] for array in (*first, *second)]
     assert address[0] == address[2] and address[1] == address[3] == address[0] + 8
-    assert len(breccia.fit(first[0][:: count // 50], first[1][:: count // 50]).fitted) >= 50
+    assert len(breccia.fit(first[0][::20], first[1][::20]).fitted) >= 50
 
 
 def test_pickles_hold_everything(model):
