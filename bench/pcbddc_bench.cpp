@@ -27,6 +27,7 @@
 
 #include "operator/elastic_operator.hpp"
 #include "operator/petsc_handle.hpp"
+#include "operator/square_forces.hpp"
 #include "operator/vector_values.hpp"
 #include "solvers/substructuring/substructuring_solver.hpp"
 #include "waiting.hpp"
@@ -134,8 +135,8 @@ struct Outcome {
 
 /// Forces on w that balance those of the uniform strain of a unit shear.
 Forces balancing_forces(const Problem& problem) {
-  auto forces = problem.elastic_operator.forces(problem.moduli, Load::shear,
-                                                problem.elastic_operator.uniform_strain(Load::shear));
+  auto forces = forces_under(problem.elastic_operator, problem.moduli,
+                             problem.elastic_operator.uniform_strain(Load::shear), unit_strain<2>(Load::shear));
   forces.scale(-1.0);
   return forces;
 }
