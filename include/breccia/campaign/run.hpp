@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "breccia/campaign/run_observer.hpp"
-#include "breccia/checkpoint/checkpoint.hpp"
+#include "breccia/checkpoint/checkpoint_schedule.hpp"
 #include "breccia/homogenisation/solve.hpp"
 #include "breccia/study/study.hpp"
 

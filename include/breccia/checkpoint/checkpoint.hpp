@@ -2,21 +2,15 @@
 
 #include <chrono>
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "breccia/checkpoint/checkpoint_schedule.hpp"
 #include "breccia/checkpoint/state.hpp"
 
 namespace breccia {
-
-/// When a calculation saves its state.
-struct CheckpointSchedule {
-  double interval = 600.0;          ///< wall time between two saved states [s]
-  std::function<bool()> stop = {};  ///< true when the run shall end; called often, on each process
-};
 
 /// The state of one calculation in a file, so that the calculation can be resumed after it was interrupted, killed or
 /// ended by a limit of time. The last but one state is kept, too, until the calculation is finished.

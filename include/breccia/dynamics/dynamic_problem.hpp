@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "breccia/discretisation/boundary.hpp"
@@ -8,31 +7,10 @@
 #include "breccia/discretisation/load.hpp"
 #include "breccia/discretisation/tensor.hpp"
 #include "breccia/discretisation/volumetric.hpp"
+#include "breccia/dynamics/formulation.hpp"
 #include "breccia/viscoelasticity/material.hpp"
-#include "breccia/words.hpp"
 
 namespace breccia {
-
-/// How the equations of the dynamic method are arranged. Both have the same solution.
-enum class Formulation {
-  total_lagrangian,  ///< fixed connectivity, velocities on the nodes: the fast one
-  classical          ///< moving points, momenta extrapolated every step: the paper's, the reference
-};
-
-template <>
-inline constexpr auto words<Formulation> = std::to_array<Word<Formulation>>(
-    {{"total-lagrangian", Formulation::total_lagrangian}, {"classical", Formulation::classical}});
-
-/// The nodes that move while a displacement boundary is ramped. A periodic box always starts affine: it has no boundary
-/// that could move first. Under a traction boundary nothing is made to move.
-enum class Start {
-  boundary,  ///< the boundary alone; waves carry the strain inwards (the paper's)
-  affine     ///< the whole field
-};
-
-template <>
-inline constexpr auto words<Start> = std::to_array<Word<Start>>({{"boundary", Start::boundary},
-                                                                 {"affine", Start::affine}});
 
 /// Raised-cosine ramp from 0 to 1: its rate is (1 + cos(2 pi t / T)) / T for |t| < T / 2. Time counts from the
 /// midpoint, so that the responses of a hereditary material to the ramp and to a step differ only in second

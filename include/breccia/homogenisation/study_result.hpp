@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "breccia/homogenisation/stage_microstructure.hpp"
+#include "breccia/quasistatic/linear_options.hpp"
+#include "breccia/quasistatic/reduced_response.hpp"
 #include "breccia/study/test_id.hpp"
-#include "breccia/virtual_test/dynamic_test.hpp"
 #include "breccia/virtual_test/homogenised_material.hpp"
-#include "breccia/virtual_test/quasistatic_test.hpp"
+#include "breccia/virtual_test/test_fields.hpp"
+#include "breccia/virtual_test/time_domain.hpp"
 
 namespace breccia {
 

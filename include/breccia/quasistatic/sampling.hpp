@@ -8,17 +8,12 @@
 #include "breccia/progress.hpp"
 #include "breccia/quasistatic/quasistatic_problem.hpp"
 #include "breccia/quasistatic/reduced_response.hpp"
+#include "breccia/quasistatic/sampling_options.hpp"
 #include "breccia/quasistatic/training_path.hpp"
 
 namespace breccia {
 
 class Checkpoint;
-
-/// When the greedy selection of snapshots ends.
-struct SamplingOptions {
-  double tolerance = 1e-5;  ///< of the relative error of the modulus at the next snapshot before it is added [-]
-  int most_snapshots = 24;
-};
 
 template <int dim>
 struct SampledResponses {

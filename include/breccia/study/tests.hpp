@@ -9,8 +9,8 @@
 #include "breccia/discretisation/mixture.hpp"
 #include "breccia/discretisation/volumetric.hpp"
 #include "breccia/study/varied_material.hpp"
-#include "breccia/virtual_test/quasistatic_test.hpp"
-#include "breccia/virtual_test/virtual_test.hpp"
+#include "breccia/virtual_test/dynamic_options.hpp"
+#include "breccia/virtual_test/quasistatic_options.hpp"
 #include "breccia/words.hpp"
 
 namespace breccia {

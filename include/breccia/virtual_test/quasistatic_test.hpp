@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -9,43 +8,14 @@
 #include "breccia/progress.hpp"
 #include "breccia/quasistatic/quasistatic_problem.hpp"
 #include "breccia/quasistatic/reduced_response.hpp"
-#include "breccia/quasistatic/sampling.hpp"
+#include "breccia/quasistatic/training_path.hpp"
 #include "breccia/virtual_test/curve.hpp"
+#include "breccia/virtual_test/quasistatic_options.hpp"
 #include "breccia/virtual_test/test_fields.hpp"
-#include "breccia/words.hpp"
 
 namespace breccia {
 
 class Checkpoint;
-
-/// The integration of the quasi-static method through time.
-enum class Solver {
-  reduced,  ///< reduced basis of a few elastic solutions, with exact poles in time
-  stepping  ///< log-time stepping: the reference
-};
-
-template <>
-inline constexpr auto words<Solver> = std::to_array<Word<Solver>>({{"reduced", Solver::reduced},
-                                                                   {"stepping", Solver::stepping}});
-
-/// Training set of a reduced response: moduli of the matrix and of the other phases that vary.
-enum class SampledRange {
-  matrix,  ///< the whole relaxation of these phases: with the matrix alone it is valid at every temperature
-  times    ///< the moduli that matter at the times of the test
-};
-
-template <>
-inline constexpr auto words<SampledRange> = std::to_array<Word<SampledRange>>({{"matrix", SampledRange::matrix},
-                                                                               {"times", SampledRange::times}});
-
-/// Settings of the quasi-static method.
-struct QuasistaticOptions {
-  Solver solver = Solver::reduced;
-  SampledRange range = SampledRange::matrix;  ///< of the reduced solver
-  SamplingOptions sampling = {};              ///< of the reduced solver
-  int steps_per_decade = 20;                  ///< time steps of the stepping solver
-  LinearOptions linear = {};
-};
 
 /// The body of a quasi-static test: cells in 2 or 3 dimensions, or grains and films, whose boundary is that of the
 /// test. In grains and films only the binder relaxes and varies.

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "breccia/dynamics/dynamic_problem.hpp"
+#include "breccia/dynamics/formulation.hpp"
 
 namespace breccia {
 
