@@ -23,13 +23,13 @@
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/homogenisation/stage_microstructure.hpp"
-#include "breccia/parallel/session.hpp"
 
-#include "operator/elastic_operator.hpp"
-#include "operator/petsc_handle.hpp"
-#include "operator/square_forces.hpp"
-#include "operator/vector_values.hpp"
-#include "solvers/substructuring/substructuring_solver.hpp"
+#include "parallel/session.hpp"
+#include "quasistatic/operator/elastic_operator.hpp"
+#include "quasistatic/operator/petsc_handle.hpp"
+#include "quasistatic/operator/square_forces.hpp"
+#include "quasistatic/operator/vector_values.hpp"
+#include "quasistatic/solvers/substructuring/substructuring_solver.hpp"
 #include "waiting.hpp"
 
 namespace {

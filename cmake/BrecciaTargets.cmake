@@ -5,6 +5,8 @@ include(CMakePackageConfigHelpers)
 # What every target of the project is compiled with.
 add_library(breccia_options INTERFACE)
 target_compile_features(breccia_options INTERFACE cxx_std_20)
+# The headers that are promised to users are in include/, those of the modules for one another in src/.
+target_include_directories(breccia_options INTERFACE ${PROJECT_SOURCE_DIR}/src)
 # Products of small matrices gain nothing from threads of their own, which spin while ours work.
 target_compile_definitions(breccia_options INTERFACE BRECCIA_VERSION="${PROJECT_VERSION}" EIGEN_DONT_PARALLELIZE)
 # No contraction of a*b+c: the same bits from every instruction set and compiler.
@@ -82,10 +84,8 @@ function(breccia_library)
   install(TARGETS breccia EXPORT brecciaTargets
     LIBRARY COMPONENT command NAMELINK_COMPONENT development
     ARCHIVE COMPONENT development)
-  # The two headers that take more than Eigen and fmt, those of MPI and of HDF5, are for the modules alone.
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/breccia
-    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development
-    PATTERN communicator.hpp EXCLUDE PATTERN hdf5_handle.hpp EXCLUDE)
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
   install(EXPORT brecciaTargets
     NAMESPACE breccia:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/breccia COMPONENT development)
   configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/brecciaConfig.cmake.in

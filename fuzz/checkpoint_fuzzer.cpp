@@ -5,18 +5,18 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "breccia/checkpoint/state.hpp"
-#include "breccia/discretisation/point_fields_state.hpp"
-#include "breccia/homogenisation/stage_microstructure_state.hpp"
 #include "breccia/microstructure/packing.hpp"
 #include "breccia/microstructure/validity.hpp"
 #include "breccia/quasistatic/quasistatic_problem.hpp"
-#include "breccia/virtual_test/quasistatic_test_state.hpp"
 
+#include "checkpoint/state.hpp"
+#include "discretisation/point_fields_state.hpp"
 #include "homogenisation/box/packing_state.hpp"
+#include "homogenisation/box/stage_microstructure_state.hpp"
 #include "input_folder.hpp"
 #include "refusal.hpp"
 #include "virtual_test/dynamic_state.hpp"
+#include "virtual_test/quasistatic_test_state.hpp"
 
 namespace {
 

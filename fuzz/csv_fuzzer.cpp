@@ -1,14 +1,14 @@
 // A CSV file, and everything that is read from one: Prony series, sizes, discs, measurements, data to fit.
 
-#include "breccia/deck/fit_data.hpp"
 #include "breccia/deck/read_study.hpp"
-#include "breccia/tables/csv.hpp"
 #include "breccia/tables/measured_table_reader.hpp"
-#include "breccia/tables/table_description.hpp"
 
+#include "deck/fit_data.hpp"
 #include "input_folder.hpp"
 #include "refusal.hpp"
 #include "study_reading.hpp"
+#include "tables/csv.hpp"
+#include "tables/table_description.hpp"
 
 namespace {
 

@@ -1,9 +1,9 @@
 // An image of labels. HDF5 is left out: its library is known to crash on hostile files.
 
-#include "breccia/io/text_file.hpp"
 #include "breccia/rasters/raster_reader.hpp"
 
 #include "input_folder.hpp"
+#include "io/text_file.hpp"
 #include "refusal.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {  // NOLINT(*-naming)

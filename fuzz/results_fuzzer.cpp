@@ -1,14 +1,13 @@
 // What a run has left and a later command reads: study.json, sweep.json and curves.csv. Files in HDF5 are left out: the
 // library itself, 1.10 of Debian 12, is known to crash on hostile files, so that what it reads must be checked before.
 
-#include "breccia/campaign/resume.hpp"
-#include "breccia/results/study_report.hpp"
-#include "breccia/results/sweep_report.hpp"
-#include "breccia/results/sweep_result.hpp"
-#include "breccia/study/identity.hpp"
-
+#include "campaign/resume.hpp"
 #include "input_folder.hpp"
 #include "refusal.hpp"
+#include "results/study_report.hpp"
+#include "results/sweep_report.hpp"
+#include "results/sweep_result.hpp"
+#include "study/identity.hpp"
 
 namespace {
 

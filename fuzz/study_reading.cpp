@@ -2,10 +2,10 @@
 
 #include "breccia/deck/read_study.hpp"
 #include "breccia/deck/sweep.hpp"
-#include "breccia/deckfile/deck.hpp"
 
 #include "cli/summary.hpp"
 #include "deck/sweep_keys.hpp"
+#include "deckfile/deck.hpp"
 #include "sound_study.hpp"
 
 /// The parser of UDUNITS-2 forgets the letters of a unit that it does not understand. What breccia forgets is found.

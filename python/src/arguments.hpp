@@ -6,8 +6,8 @@
 
 #include <pybind11/numpy.h>
 
-#include "breccia/io/range.hpp"
-#include "breccia/io/units.hpp"
+#include "io/range.hpp"
+#include "io/units.hpp"
 
 namespace breccia::python {
 

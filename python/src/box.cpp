@@ -12,9 +12,9 @@
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/point_labels.hpp"
 #include "breccia/homogenisation/stage_discretisation.hpp"
-#include "breccia/io/units.hpp"
-#include "breccia/results/stage_picture.hpp"
 
+#include "io/units.hpp"
+#include "results/stage_picture.hpp"
 #include "views.hpp"
 
 namespace breccia::python {

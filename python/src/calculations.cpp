@@ -12,18 +12,18 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include "breccia/campaign/pack.hpp"
 #include "breccia/campaign/run.hpp"
 #include "breccia/error.hpp"
-#include "breccia/homogenisation/packed_stage.hpp"
 #include "breccia/homogenisation/responder.hpp"
 #include "breccia/homogenisation/solve.hpp"
-#include "breccia/parallel/session.hpp"
-#include "breccia/study/identity.hpp"
 #include "breccia/study/soundness.hpp"
 
+#include "campaign/pack.hpp"
 #include "following.hpp"
+#include "homogenisation/run/packed_stage.hpp"
+#include "parallel/session.hpp"
 #include "solution.hpp"
+#include "study/identity.hpp"
 
 namespace breccia::python {
 namespace {

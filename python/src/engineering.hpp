@@ -6,7 +6,8 @@
 #include <pybind11/pybind11.h>
 
 #include "breccia/homogenisation/study_result.hpp"
-#include "breccia/results/engineering_curves.hpp"
+
+#include "results/engineering_curves.hpp"
 
 namespace breccia::python {
 

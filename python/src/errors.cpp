@@ -10,11 +10,12 @@
 
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/new_materials.hpp"
-#include "breccia/homogenisation/not_covered.hpp"
 #include "breccia/homogenisation/plan.hpp"
-#include "breccia/io/conflicting_results.hpp"
-#include "breccia/io/display.hpp"
-#include "breccia/tables/unknown_columns.hpp"
+
+#include "homogenisation/respond/not_covered.hpp"
+#include "io/conflicting_results.hpp"
+#include "io/display.hpp"
+#include "tables/unknown_columns.hpp"
 
 namespace breccia::python {
 namespace {

@@ -13,11 +13,10 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include "breccia/io/text_file.hpp"
-#include "breccia/results/composite.hpp"
-#include "breccia/results/isochronal.hpp"
-#include "breccia/results/material_card.hpp"
-
+#include "io/text_file.hpp"
+#include "results/composite.hpp"
+#include "results/isochronal.hpp"
+#include "results/material_card.hpp"
 #include "solution.hpp"
 #include "views.hpp"
 #include "words.hpp"

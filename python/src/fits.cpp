@@ -11,10 +11,10 @@
 #include <pybind11/stl.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/display.hpp"
 #include "breccia/viscoelasticity/fit.hpp"
 
 #include "arguments.hpp"
+#include "io/display.hpp"
 #include "materials.hpp"
 #include "views.hpp"
 

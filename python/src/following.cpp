@@ -6,7 +6,8 @@
 #include <variant>
 
 #include "breccia/error.hpp"
-#include "breccia/parallel/blas_threads.hpp"
+
+#include "parallel/blas_threads.hpp"
 
 namespace breccia::python {
 

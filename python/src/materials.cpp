@@ -13,13 +13,13 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include "breccia/deck/material_file.hpp"
 #include "breccia/error.hpp"
-#include "breccia/io/display.hpp"
 #include "breccia/viscoelasticity/creep_compliance.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
 #include "arguments.hpp"
+#include "deck/material_file.hpp"
+#include "io/display.hpp"
 #include "views.hpp"
 
 namespace breccia::python {

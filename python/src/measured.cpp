@@ -12,12 +12,12 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include "breccia/deck/column_words.hpp"
-#include "breccia/deck/fit_data.hpp"
 #include "breccia/error.hpp"
 #include "breccia/tables/measured_table_reader.hpp"
 #include "breccia/tables/modulus_kind.hpp"
 
+#include "deck/column_words.hpp"
+#include "deck/fit_data.hpp"
 #include "views.hpp"
 #include "words.hpp"
 

@@ -6,7 +6,8 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/units.hpp"
+
+#include "io/units.hpp"
 
 namespace breccia::python {
 namespace {

@@ -14,10 +14,10 @@
 #include <pybind11/stl.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/display.hpp"
-#include "breccia/io/nearest_name.hpp"
 
 #include "engineering.hpp"
+#include "io/display.hpp"
+#include "io/nearest_name.hpp"
 #include "solution.hpp"
 #include "solution_state.hpp"
 #include "test_fields.hpp"

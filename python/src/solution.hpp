@@ -7,10 +7,10 @@
 
 #include "breccia/homogenisation/stage_responses.hpp"
 #include "breccia/homogenisation/study_result.hpp"
-#include "breccia/results/composite.hpp"
 #include "breccia/study/study.hpp"
 
 #include "box.hpp"
+#include "results/composite.hpp"
 
 namespace breccia::python {
 

@@ -11,10 +11,10 @@
 #include <pybind11/stl.h>
 
 #include "breccia/error.hpp"
-#include "breccia/results/response_file.hpp"
-#include "breccia/results/result_bytes.hpp"
 
 #include "fields_state.hpp"
+#include "results/response_file.hpp"
+#include "results/result_bytes.hpp"
 
 namespace breccia::python {
 namespace {

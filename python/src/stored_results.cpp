@@ -7,8 +7,7 @@
 
 #include <pybind11/stl/filesystem.h>
 
-#include "breccia/results/stored_study.hpp"
-
+#include "results/stored_study.hpp"
 #include "solution.hpp"
 
 namespace breccia::python {

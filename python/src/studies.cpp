@@ -13,11 +13,11 @@
 
 #include "breccia/deck/read_study.hpp"
 #include "breccia/deck/sweep.hpp"
-#include "breccia/io/display.hpp"
-#include "breccia/study/identity.hpp"
 #include "breccia/study/study.hpp"
 
+#include "io/display.hpp"
 #include "materials.hpp"
+#include "study/identity.hpp"
 
 namespace breccia::python {
 namespace {

@@ -1,4 +1,4 @@
-#include "breccia/benchmark/kernel_benchmark.hpp"
+#include "benchmark/kernel_benchmark.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,11 +7,11 @@
 #include <utility>
 
 #include "breccia/error.hpp"
-#include "breccia/parallel/reduction.hpp"
-#include "breccia/parallel/session.hpp"
 
-#include "model_problem.hpp"
-#include "stop_watch.hpp"
+#include "benchmark/model_problem.hpp"
+#include "benchmark/stop_watch.hpp"
+#include "parallel/reduction.hpp"
+#include "parallel/session.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "breccia/benchmark/machine.hpp"
+#include "benchmark/machine.hpp"
 
 #include <fstream>
 

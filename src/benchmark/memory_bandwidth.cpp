@@ -1,8 +1,7 @@
-#include "breccia/benchmark/memory_bandwidth.hpp"
+#include "benchmark/memory_bandwidth.hpp"
 
-#include "breccia/parallel/reduction.hpp"
-
-#include "stop_watch.hpp"
+#include "benchmark/stop_watch.hpp"
+#include "parallel/reduction.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "model_problem.hpp"
+#include "benchmark/model_problem.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -6,9 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "breccia/discretisation/mixed_cells.hpp"
 #include "breccia/discretisation/phases.hpp"
 #include "breccia/microstructure/packing.hpp"
+
+#include "discretisation/mixed_cells.hpp"
 
 namespace breccia::benchmark {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "breccia/dynamics/dynamic_problem.hpp"
+#include "dynamics/dynamic_problem.hpp"
 
 namespace breccia::benchmark {
 

@@ -2,7 +2,7 @@
 
 #include <ctime>
 
-#include "breccia/benchmark/clock.hpp"
+#include "benchmark/clock.hpp"
 
 namespace breccia::benchmark {
 

@@ -1,14 +1,14 @@
-#include "checkpoints.hpp"
+#include "campaign/checkpoints.hpp"
 
 #include <system_error>
 
 #include <fmt/format.h>
 
-#include "breccia/io/text_file.hpp"
-#include "breccia/results/checksums.hpp"
-#include "breccia/results/result_files.hpp"
-#include "breccia/results/study_report.hpp"
-#include "breccia/study/identity.hpp"
+#include "io/text_file.hpp"
+#include "results/checksums.hpp"
+#include "results/result_files.hpp"
+#include "results/study_report.hpp"
+#include "study/identity.hpp"
 
 namespace breccia {
 

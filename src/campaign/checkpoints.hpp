@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "breccia/campaign/run.hpp"
-#include "breccia/checkpoint/checkpoint.hpp"
+
+#include "checkpoint/checkpoint.hpp"
 
 namespace breccia {
 

@@ -1,23 +1,24 @@
-#include "directory_sink.hpp"
+#include "campaign/directory_sink.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <variant>
 
-#include "breccia/io/text_file.hpp"
-#include "breccia/parallel/common_failure.hpp"
-#include "breccia/results/comparison_file.hpp"
 #include "breccia/results/curves.hpp"
-#include "breccia/results/field_files.hpp"
-#include "breccia/results/film_field_files.hpp"
-#include "breccia/results/history_file.hpp"
-#include "breccia/results/microstructure_files.hpp"
-#include "breccia/results/provenance.hpp"
-#include "breccia/results/response_file.hpp"
-#include "breccia/results/stage_plot.hpp"
-#include "breccia/results/study_report.hpp"
-#include "breccia/results/volume_field_files.hpp"
-#include "breccia/study/identity.hpp"
+
+#include "io/text_file.hpp"
+#include "parallel/common_failure.hpp"
+#include "results/comparison_file.hpp"
+#include "results/field_files.hpp"
+#include "results/film_field_files.hpp"
+#include "results/history_file.hpp"
+#include "results/microstructure_files.hpp"
+#include "results/provenance.hpp"
+#include "results/response_file.hpp"
+#include "results/stage_plot.hpp"
+#include "results/study_report.hpp"
+#include "results/volume_field_files.hpp"
+#include "study/identity.hpp"
 
 namespace breccia {
 

@@ -10,11 +10,11 @@
 
 #include "breccia/campaign/run.hpp"
 #include "breccia/homogenisation/study_sink.hpp"
-#include "breccia/results/stage_record.hpp"
 
-#include "checkpoints.hpp"
-#include "remove_if_empty.hpp"
-#include "shared_stages.hpp"
+#include "campaign/checkpoints.hpp"
+#include "campaign/remove_if_empty.hpp"
+#include "campaign/shared_stages.hpp"
+#include "results/stage_record.hpp"
 
 namespace breccia {
 

@@ -1,19 +1,19 @@
-#include "breccia/campaign/pack.hpp"
+#include "campaign/pack.hpp"
 
 #include <variant>
 
-#include "breccia/campaign/resume.hpp"
-#include "breccia/homogenisation/solve_stage.hpp"
-#include "breccia/io/text_file.hpp"
-#include "breccia/parallel/common_failure.hpp"
-#include "breccia/results/microstructure_files.hpp"
-#include "breccia/results/provenance.hpp"
-#include "breccia/study/identity.hpp"
 #include "breccia/study/soundness.hpp"
 
-#include "checkpoints.hpp"
-#include "result_directory.hpp"
-#include "result_place.hpp"
+#include "campaign/checkpoints.hpp"
+#include "campaign/result_directory.hpp"
+#include "campaign/result_place.hpp"
+#include "campaign/resume.hpp"
+#include "homogenisation/run/solve_stage.hpp"
+#include "io/text_file.hpp"
+#include "parallel/common_failure.hpp"
+#include "results/microstructure_files.hpp"
+#include "results/provenance.hpp"
+#include "study/identity.hpp"
 
 namespace breccia {
 namespace {

@@ -1,13 +1,13 @@
-#include "remove_if_empty.hpp"
+#include "campaign/remove_if_empty.hpp"
 
 #include <cstddef>
 #include <exception>
 #include <system_error>
 #include <utility>
 
-#include "breccia/io/empty_directory.hpp"
-#include "breccia/parallel/session.hpp"
-#include "breccia/results/study_record.hpp"
+#include "io/empty_directory.hpp"
+#include "parallel/session.hpp"
+#include "results/study_record.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "result_directory.hpp"
+#include "campaign/result_directory.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -8,17 +8,17 @@
 #include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/directory_lock.hpp"
-#include "breccia/io/empty_directory.hpp"
-#include "breccia/io/replacement.hpp"
-#include "breccia/io/text_file.hpp"
-#include "breccia/results/checksums.hpp"
-#include "breccia/results/result_files.hpp"
-#include "breccia/results/study_record.hpp"
-#include "breccia/study/identity.hpp"
-#include "breccia/study/result_names.hpp"
 
-#include "checkpoints.hpp"
+#include "campaign/checkpoints.hpp"
+#include "io/directory_lock.hpp"
+#include "io/empty_directory.hpp"
+#include "io/replacement.hpp"
+#include "io/text_file.hpp"
+#include "results/checksums.hpp"
+#include "results/result_files.hpp"
+#include "results/study_record.hpp"
+#include "study/identity.hpp"
+#include "study/result_names.hpp"
 
 namespace breccia {
 namespace {

@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "breccia/campaign/run.hpp"
-#include "breccia/io/conflicting_results.hpp"
+
+#include "io/conflicting_results.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "result_place.hpp"
+#include "campaign/result_place.hpp"
 
 #include <string>
 #include <utility>
@@ -7,12 +7,12 @@
 #include <nlohmann/json.hpp>
 
 #include "breccia/error.hpp"
-#include "breccia/io/conflicting_results.hpp"
-#include "breccia/parallel/common_failure.hpp"
-#include "breccia/parallel/session.hpp"
-#include "breccia/results/provenance.hpp"
 
-#include "result_directory.hpp"
+#include "campaign/result_directory.hpp"
+#include "io/conflicting_results.hpp"
+#include "parallel/common_failure.hpp"
+#include "parallel/session.hpp"
+#include "results/provenance.hpp"
 
 namespace breccia {
 namespace {

@@ -4,10 +4,10 @@
 #include <functional>
 #include <optional>
 
-#include "breccia/io/directory_lock.hpp"
 #include "breccia/study/study.hpp"
 
-#include "remove_if_empty.hpp"
+#include "campaign/remove_if_empty.hpp"
+#include "io/directory_lock.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "breccia/campaign/resume.hpp"
+#include "campaign/resume.hpp"
 
 #include <string>
 #include <vector>
@@ -6,15 +6,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "breccia/io/directory_lock.hpp"
-#include "breccia/io/empty_directory.hpp"
-#include "breccia/parallel/common_failure.hpp"
-#include "breccia/parallel/session.hpp"
-#include "breccia/results/checksums.hpp"
-#include "breccia/results/study_record.hpp"
-
-#include "checkpoints.hpp"
-#include "result_directory.hpp"
+#include "campaign/checkpoints.hpp"
+#include "campaign/result_directory.hpp"
+#include "io/directory_lock.hpp"
+#include "io/empty_directory.hpp"
+#include "parallel/common_failure.hpp"
+#include "parallel/session.hpp"
+#include "results/checksums.hpp"
+#include "results/study_record.hpp"
 
 namespace breccia {
 

@@ -4,10 +4,10 @@
 
 #include "breccia/error.hpp"
 
-#include "directory_sink.hpp"
-#include "result_directory.hpp"
-#include "result_place.hpp"
-#include "shared_stages.hpp"
+#include "campaign/directory_sink.hpp"
+#include "campaign/result_directory.hpp"
+#include "campaign/result_place.hpp"
+#include "campaign/shared_stages.hpp"
 
 namespace breccia {
 

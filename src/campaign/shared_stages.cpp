@@ -1,8 +1,8 @@
-#include "shared_stages.hpp"
+#include "campaign/shared_stages.hpp"
 
 #include <utility>
 
-#include "breccia/campaign/sweep.hpp"
+#include "campaign/sweep.hpp"
 
 namespace breccia {
 

@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "breccia/campaign/run.hpp"
-#include "breccia/results/stage_record.hpp"
+
+#include "results/stage_record.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "breccia/campaign/sweep.hpp"
+#include "campaign/sweep.hpp"
 
 #include <optional>
 #include <string>
@@ -8,22 +8,22 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "breccia/campaign/resume.hpp"
-#include "breccia/campaign/sweep_directory.hpp"
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/plan.hpp"
-#include "breccia/io/text_file.hpp"
-#include "breccia/parallel/available_memory.hpp"
-#include "breccia/parallel/common_failure.hpp"
-#include "breccia/parallel/session.hpp"
-#include "breccia/results/result_files.hpp"
-#include "breccia/results/sweep_plot.hpp"
-#include "breccia/results/sweep_report.hpp"
-#include "breccia/results/sweep_tables.hpp"
 
-#include "result_directory.hpp"
-#include "shared_stages.hpp"
-#include "sweep_temperatures.hpp"
+#include "campaign/result_directory.hpp"
+#include "campaign/resume.hpp"
+#include "campaign/shared_stages.hpp"
+#include "campaign/sweep_directory.hpp"
+#include "campaign/sweep_temperatures.hpp"
+#include "io/text_file.hpp"
+#include "parallel/available_memory.hpp"
+#include "parallel/common_failure.hpp"
+#include "parallel/session.hpp"
+#include "results/result_files.hpp"
+#include "results/sweep_plot.hpp"
+#include "results/sweep_report.hpp"
+#include "results/sweep_tables.hpp"
 
 namespace breccia {
 

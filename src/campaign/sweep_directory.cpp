@@ -1,4 +1,4 @@
-#include "breccia/campaign/sweep_directory.hpp"
+#include "campaign/sweep_directory.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -11,18 +11,17 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "breccia/io/conflicting_results.hpp"
-#include "breccia/io/empty_directory.hpp"
-#include "breccia/io/replacement.hpp"
-#include "breccia/io/text_file.hpp"
-#include "breccia/parallel/common_failure.hpp"
-#include "breccia/parallel/session.hpp"
-#include "breccia/results/result_files.hpp"
-#include "breccia/results/study_record.hpp"
-#include "breccia/study/identity.hpp"
-#include "breccia/study/result_names.hpp"
-
-#include "result_directory.hpp"
+#include "campaign/result_directory.hpp"
+#include "io/conflicting_results.hpp"
+#include "io/empty_directory.hpp"
+#include "io/replacement.hpp"
+#include "io/text_file.hpp"
+#include "parallel/common_failure.hpp"
+#include "parallel/session.hpp"
+#include "results/result_files.hpp"
+#include "results/study_record.hpp"
+#include "study/identity.hpp"
+#include "study/result_names.hpp"
 
 namespace breccia {
 namespace {

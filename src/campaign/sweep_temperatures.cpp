@@ -1,12 +1,13 @@
-#include "sweep_temperatures.hpp"
+#include "campaign/sweep_temperatures.hpp"
 
 #include <algorithm>
 #include <string>
 #include <utility>
 
-#include "breccia/homogenisation/packed_stage.hpp"
 #include "breccia/results/stored_responder.hpp"
-#include "breccia/results/sweep_spread.hpp"
+
+#include "homogenisation/run/packed_stage.hpp"
+#include "results/sweep_spread.hpp"
 
 namespace breccia {
 namespace {

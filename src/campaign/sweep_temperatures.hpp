@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "breccia/campaign/sweep.hpp"
+#include "campaign/sweep.hpp"
 
 namespace breccia {
 

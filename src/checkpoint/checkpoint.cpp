@@ -1,4 +1,4 @@
-#include "breccia/checkpoint/checkpoint.hpp"
+#include "checkpoint/checkpoint.hpp"
 
 #include <cstdint>
 #include <system_error>
@@ -7,11 +7,12 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/file_status.hpp"
-#include "breccia/io/seal.hpp"
-#include "breccia/parallel/common_failure.hpp"
-#include "breccia/parallel/reduction.hpp"
-#include "breccia/parallel/session.hpp"
+
+#include "io/file_status.hpp"
+#include "io/seal.hpp"
+#include "parallel/common_failure.hpp"
+#include "parallel/reduction.hpp"
+#include "parallel/session.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "breccia/checkpoint/state.hpp"
+#include "checkpoint/state.hpp"
 
 #include <system_error>
 #include <utility>
@@ -6,8 +6,9 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/seal.hpp"
-#include "breccia/parallel/session.hpp"
+
+#include "io/seal.hpp"
+#include "parallel/session.hpp"
 
 namespace breccia {
 namespace {

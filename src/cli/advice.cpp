@@ -1,4 +1,4 @@
-#include "advice.hpp"
+#include "cli/advice.hpp"
 
 #include <string>
 #include <vector>
@@ -6,13 +6,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "breccia/homogenisation/not_covered.hpp"
 #include "breccia/homogenisation/plan.hpp"
-#include "breccia/io/conflicting_results.hpp"
-#include "breccia/io/directory_lock.hpp"
-#include "breccia/io/display.hpp"
-#include "breccia/results/stored_composite.hpp"
-#include "breccia/tables/unknown_columns.hpp"
+
+#include "homogenisation/respond/not_covered.hpp"
+#include "io/conflicting_results.hpp"
+#include "io/directory_lock.hpp"
+#include "io/display.hpp"
+#include "results/stored_composite.hpp"
+#include "tables/unknown_columns.hpp"
 
 namespace breccia::cli {
 namespace {

@@ -1,11 +1,12 @@
-#include "asked_temperature.hpp"
+#include "cli/asked_temperature.hpp"
 
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/units.hpp"
+
+#include "io/units.hpp"
 
 namespace breccia::cli {
 

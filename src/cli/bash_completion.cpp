@@ -1,11 +1,11 @@
-#include "bash_completion.hpp"
+#include "cli/bash_completion.hpp"
 
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "command_syntax.hpp"
+#include "cli/command_syntax.hpp"
 
 namespace breccia::cli {
 namespace {

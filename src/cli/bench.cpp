@@ -8,14 +8,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "breccia/benchmark/kernel_benchmark.hpp"
-#include "breccia/discretisation/cell_shape.hpp"
-#include "breccia/parallel/session.hpp"
-
-#include "bench_results.hpp"
-#include "command.hpp"
-#include "interruption.hpp"
-#include "progress_line.hpp"
+#include "benchmark/kernel_benchmark.hpp"
+#include "cli/bench_results.hpp"
+#include "cli/command.hpp"
+#include "cli/interruption.hpp"
+#include "cli/progress_line.hpp"
+#include "discretisation/cell_shape.hpp"
+#include "parallel/session.hpp"
 
 namespace breccia::cli {
 namespace {

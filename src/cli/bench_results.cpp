@@ -1,4 +1,4 @@
-#include "bench_results.hpp"
+#include "cli/bench_results.hpp"
 
 #include <string_view>
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "breccia/benchmark/kernel_benchmark.hpp"
+#include "benchmark/kernel_benchmark.hpp"
 
 namespace breccia::cli {
 

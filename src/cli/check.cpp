@@ -9,14 +9,14 @@
 
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/plan.hpp"
-#include "breccia/io/display.hpp"
-#include "breccia/io/percentage.hpp"
-#include "breccia/parallel/available_memory.hpp"
 
-#include "command.hpp"
-#include "filler_summary.hpp"
-#include "summary.hpp"
-#include "sweep_summary.hpp"
+#include "cli/command.hpp"
+#include "cli/filler_summary.hpp"
+#include "cli/summary.hpp"
+#include "cli/sweep_summary.hpp"
+#include "io/display.hpp"
+#include "io/percentage.hpp"
+#include "parallel/available_memory.hpp"
 
 namespace breccia::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "command.hpp"
+#include "cli/command.hpp"
 
 #include <chrono>
 #include <string>
@@ -6,11 +6,11 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/units.hpp"
-#include "breccia/parallel/session.hpp"
 
-#include "help.hpp"
-#include "interruption.hpp"
+#include "cli/help.hpp"
+#include "cli/interruption.hpp"
+#include "io/units.hpp"
+#include "parallel/session.hpp"
 
 namespace breccia::cli {
 

@@ -7,8 +7,9 @@
 #include <CLI/CLI.hpp>
 
 #include "breccia/campaign/run.hpp"
-#include "breccia/campaign/sweep.hpp"
-#include "breccia/io/range.hpp"
+
+#include "campaign/sweep.hpp"
+#include "io/range.hpp"
 
 namespace breccia::cli {
 

@@ -1,4 +1,4 @@
-#include "command_syntax.hpp"
+#include "cli/command_syntax.hpp"
 
 #include <algorithm>
 #include <cstddef>

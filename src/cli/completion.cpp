@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "bash_completion.hpp"
-#include "command.hpp"
-#include "zsh_completion.hpp"
+#include "cli/bash_completion.hpp"
+#include "cli/command.hpp"
+#include "cli/zsh_completion.hpp"
 
 namespace breccia::cli {
 

@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/text_file.hpp"
 
-#include "command.hpp"
+#include "cli/command.hpp"
+#include "io/text_file.hpp"
 
 namespace breccia::cli {
 namespace {

@@ -12,17 +12,17 @@
 #include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/display.hpp"
-#include "breccia/io/percentage.hpp"
-#include "breccia/io/text_file.hpp"
-#include "breccia/io/units.hpp"
-#include "breccia/results/isochronal.hpp"
-#include "breccia/results/material_card.hpp"
-#include "breccia/results/stored_composite.hpp"
 #include "breccia/results/stored_responder.hpp"
 
-#include "asked_temperature.hpp"
-#include "command.hpp"
+#include "cli/asked_temperature.hpp"
+#include "cli/command.hpp"
+#include "io/display.hpp"
+#include "io/percentage.hpp"
+#include "io/text_file.hpp"
+#include "io/units.hpp"
+#include "results/isochronal.hpp"
+#include "results/material_card.hpp"
+#include "results/stored_composite.hpp"
 
 namespace breccia::cli {
 namespace {

@@ -1,9 +1,9 @@
-#include "filler_summary.hpp"
+#include "cli/filler_summary.hpp"
 
 #include <fmt/format.h>
 
-#include "breccia/homogenisation/whole_filler.hpp"
-#include "breccia/study/chain.hpp"
+#include "homogenisation/whole_filler.hpp"
+#include "study/chain.hpp"
 
 namespace breccia::cli {
 

@@ -8,19 +8,19 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "breccia/deck/column_words.hpp"
-#include "breccia/deck/fit_data.hpp"
 #include "breccia/error.hpp"
-#include "breccia/io/display.hpp"
-#include "breccia/io/units.hpp"
 #include "breccia/tables/measured_table_reader.hpp"
-#include "breccia/tables/table_description.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
-#include "command.hpp"
-#include "fit_material.hpp"
-#include "fit_results.hpp"
-#include "quantities.hpp"
+#include "cli/command.hpp"
+#include "cli/fit_material.hpp"
+#include "cli/fit_results.hpp"
+#include "cli/quantities.hpp"
+#include "deck/column_words.hpp"
+#include "deck/fit_data.hpp"
+#include "io/display.hpp"
+#include "io/units.hpp"
+#include "tables/table_description.hpp"
 
 namespace breccia::cli {
 namespace {

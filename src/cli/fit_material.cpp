@@ -1,10 +1,10 @@
-#include "fit_material.hpp"
+#include "cli/fit_material.hpp"
 
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "breccia/io/units.hpp"
+#include "io/units.hpp"
 
 namespace breccia::cli {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "fit_results.hpp"
+#include "cli/fit_results.hpp"
 
 namespace breccia::cli {
 

@@ -1,4 +1,4 @@
-#include "fit_page.hpp"
+#include "cli/fit_page.hpp"
 
 #include <cmath>
 #include <vector>
@@ -6,7 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "breccia/error.hpp"
-#include "breccia/report/page.hpp"
+
+#include "report/page.hpp"
 
 namespace breccia::cli {
 namespace {

@@ -2,9 +2,8 @@
 
 #include <string>
 
-#include "breccia/deck/fit_data.hpp"
-
-#include "fit_results.hpp"
+#include "cli/fit_results.hpp"
+#include "deck/fit_data.hpp"
 
 namespace breccia::cli {
 

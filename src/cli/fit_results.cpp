@@ -1,4 +1,4 @@
-#include "fit_results.hpp"
+#include "cli/fit_results.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,16 +7,16 @@
 
 #include <fmt/format.h>
 
-#include "breccia/deck/prony_file.hpp"
 #include "breccia/error.hpp"
-#include "breccia/io/text_file.hpp"
-#include "breccia/io/whole_results.hpp"
-#include "breccia/report/modulus_plot.hpp"
-#include "breccia/tables/csv.hpp"
 #include "breccia/virtual_test/curve.hpp"
 
-#include "fit_material.hpp"
-#include "fit_page.hpp"
+#include "cli/fit_material.hpp"
+#include "cli/fit_page.hpp"
+#include "deck/prony_file.hpp"
+#include "io/text_file.hpp"
+#include "io/whole_results.hpp"
+#include "report/modulus_plot.hpp"
+#include "tables/csv.hpp"
 
 namespace breccia::cli {
 namespace {

@@ -6,11 +6,12 @@
 #include <string_view>
 #include <vector>
 
-#include "breccia/deck/fit_data.hpp"
 #include "breccia/tables/modulus_kind.hpp"
 #include "breccia/viscoelasticity/creep_compliance.hpp"
 #include "breccia/viscoelasticity/reduction.hpp"
 #include "breccia/viscoelasticity/temperature_shift_fit.hpp"
+
+#include "deck/fit_data.hpp"
 
 namespace breccia::cli {
 

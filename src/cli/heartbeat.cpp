@@ -1,4 +1,4 @@
-#include "heartbeat.hpp"
+#include "cli/heartbeat.hpp"
 
 #include <condition_variable>
 #include <csignal>

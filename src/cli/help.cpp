@@ -1,4 +1,4 @@
-#include "help.hpp"
+#include "cli/help.hpp"
 
 #include <memory>
 #include <string>
@@ -7,8 +7,8 @@
 
 #include "breccia/error.hpp"
 
-#include "command.hpp"
-#include "misuse.hpp"
+#include "cli/command.hpp"
+#include "cli/misuse.hpp"
 
 namespace breccia::cli {
 namespace {

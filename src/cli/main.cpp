@@ -11,13 +11,13 @@
 #include <malloc.h>
 
 #include "breccia/error.hpp"
-#include "breccia/parallel/session.hpp"
 
-#include "advice.hpp"
-#include "command.hpp"
-#include "help.hpp"
-#include "misuse.hpp"
-#include "version.hpp"
+#include "cli/advice.hpp"
+#include "cli/command.hpp"
+#include "cli/help.hpp"
+#include "cli/misuse.hpp"
+#include "cli/version.hpp"
+#include "parallel/session.hpp"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "misuse.hpp"
+#include "cli/misuse.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "breccia/io/nearest_name.hpp"
+#include "io/nearest_name.hpp"
 
 namespace breccia::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "narration.hpp"
+#include "cli/narration.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -11,12 +11,12 @@
 #include <fmt/ranges.h>
 
 #include "breccia/homogenisation/stage_discretisation.hpp"
-#include "breccia/io/display.hpp"
-#include "breccia/io/units.hpp"
-#include "breccia/study/gap.hpp"
 
-#include "interruption.hpp"
-#include "sweep_summary.hpp"
+#include "cli/interruption.hpp"
+#include "cli/sweep_summary.hpp"
+#include "io/display.hpp"
+#include "io/units.hpp"
+#include "study/gap.hpp"
 
 namespace breccia::cli {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "breccia/campaign/run.hpp"
 
-#include "progress_line.hpp"
+#include "cli/progress_line.hpp"
 
 namespace breccia::cli {
 

@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/text_file.hpp"
 
-#include "command.hpp"
-#include "help.hpp"
-#include "starter_deck.hpp"
+#include "cli/command.hpp"
+#include "cli/help.hpp"
+#include "cli/starter_deck.hpp"
+#include "io/text_file.hpp"
 
 namespace breccia::cli {
 namespace {

@@ -1,19 +1,19 @@
-#include "breccia/campaign/pack.hpp"
+#include "campaign/pack.hpp"
 
 #include <memory>
 
 #include <fmt/format.h>
 
-#include "breccia/campaign/resume.hpp"
-#include "breccia/campaign/sweep_directory.hpp"
 #include "breccia/error.hpp"
-#include "breccia/io/directory_lock.hpp"
-#include "breccia/parallel/session.hpp"
 
-#include "command.hpp"
-#include "interruption.hpp"
-#include "narration.hpp"
-#include "sweep_summary.hpp"
+#include "campaign/resume.hpp"
+#include "campaign/sweep_directory.hpp"
+#include "cli/command.hpp"
+#include "cli/interruption.hpp"
+#include "cli/narration.hpp"
+#include "cli/sweep_summary.hpp"
+#include "io/directory_lock.hpp"
+#include "parallel/session.hpp"
 
 namespace breccia::cli {
 namespace {

@@ -1,9 +1,9 @@
-#include "progress_line.hpp"
+#include "cli/progress_line.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "breccia/io/display.hpp"
+#include "io/display.hpp"
 
 namespace breccia::cli {
 namespace {

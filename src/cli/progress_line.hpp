@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "heartbeat.hpp"
+#include "cli/heartbeat.hpp"
 
 namespace breccia::cli {
 

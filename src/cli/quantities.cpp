@@ -1,6 +1,6 @@
-#include "quantities.hpp"
+#include "cli/quantities.hpp"
 
-#include "breccia/io/units.hpp"
+#include "io/units.hpp"
 
 namespace breccia::cli {
 

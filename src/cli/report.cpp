@@ -1,10 +1,10 @@
-#include "breccia/results/report.hpp"
+#include "results/report.hpp"
 
 #include <memory>
 
 #include <fmt/format.h>
 
-#include "command.hpp"
+#include "cli/command.hpp"
 
 namespace breccia::cli {
 

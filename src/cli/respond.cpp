@@ -10,16 +10,16 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "breccia/deck/material_file.hpp"
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/responder.hpp"
-#include "breccia/results/response_curves.hpp"
 #include "breccia/results/stored_responder.hpp"
 
-#include "advice.hpp"
-#include "asked_temperature.hpp"
-#include "command.hpp"
-#include "tables.hpp"
+#include "cli/advice.hpp"
+#include "cli/asked_temperature.hpp"
+#include "cli/command.hpp"
+#include "cli/tables.hpp"
+#include "deck/material_file.hpp"
+#include "results/response_curves.hpp"
 
 namespace breccia::cli {
 namespace {

@@ -9,15 +9,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "breccia/campaign/resume.hpp"
 #include "breccia/error.hpp"
-#include "breccia/parallel/session.hpp"
 
-#include "command.hpp"
-#include "interruption.hpp"
-#include "narration.hpp"
-#include "sweep_summary.hpp"
-#include "tables.hpp"
+#include "campaign/resume.hpp"
+#include "cli/command.hpp"
+#include "cli/interruption.hpp"
+#include "cli/narration.hpp"
+#include "cli/sweep_summary.hpp"
+#include "cli/tables.hpp"
+#include "parallel/session.hpp"
 
 namespace breccia::cli {
 namespace {

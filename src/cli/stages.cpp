@@ -7,13 +7,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "breccia/deck/size_table.hpp"
 #include "breccia/error.hpp"
-#include "breccia/homogenisation/staging.hpp"
-#include "breccia/io/percentage.hpp"
-#include "breccia/io/units.hpp"
 
-#include "command.hpp"
+#include "cli/command.hpp"
+#include "deck/size_table.hpp"
+#include "homogenisation/staging.hpp"
+#include "io/percentage.hpp"
+#include "io/units.hpp"
 
 namespace breccia::cli {
 namespace {

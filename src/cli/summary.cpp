@@ -1,4 +1,4 @@
-#include "summary.hpp"
+#include "cli/summary.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,14 +8,14 @@
 
 #include "breccia/campaign/run.hpp"
 #include "breccia/homogenisation/stage_discretisation.hpp"
-#include "breccia/io/display.hpp"
-#include "breccia/io/units.hpp"
-#include "breccia/study/filler_shapes.hpp"
-#include "breccia/study/gap.hpp"
-#include "breccia/study/test_rules.hpp"
-#include "breccia/viscoelasticity/poisson_ratio.hpp"
 
-#include "quantities.hpp"
+#include "cli/quantities.hpp"
+#include "io/display.hpp"
+#include "io/units.hpp"
+#include "study/filler_shapes.hpp"
+#include "study/gap.hpp"
+#include "study/test_rules.hpp"
+#include "viscoelasticity/poisson_ratio.hpp"
 
 namespace breccia::cli {
 

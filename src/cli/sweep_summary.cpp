@@ -1,4 +1,4 @@
-#include "sweep_summary.hpp"
+#include "cli/sweep_summary.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +12,9 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/display.hpp"
-#include "breccia/results/sweep_spread.hpp"
+
+#include "io/display.hpp"
+#include "results/sweep_spread.hpp"
 
 namespace breccia::cli {
 namespace {

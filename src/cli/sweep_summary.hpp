@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string>
 
-#include "breccia/campaign/sweep.hpp"
+#include "campaign/sweep.hpp"
 
 namespace breccia::cli {
 

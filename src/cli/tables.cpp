@@ -1,4 +1,4 @@
-#include "tables.hpp"
+#include "cli/tables.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,11 +8,10 @@
 
 #include <fmt/format.h>
 
-#include "breccia/homogenisation/quality.hpp"
-#include "breccia/io/display.hpp"
-#include "breccia/virtual_test/bulk_test.hpp"
-
-#include "filler_summary.hpp"
+#include "cli/filler_summary.hpp"
+#include "homogenisation/quality.hpp"
+#include "io/display.hpp"
+#include "virtual_test/bulk_test.hpp"
 
 namespace breccia::cli {
 namespace {

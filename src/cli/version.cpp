@@ -1,4 +1,4 @@
-#include "version.hpp"
+#include "cli/version.hpp"
 
 #include <string_view>
 #include <vector>
@@ -6,9 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "breccia/dynamics/instruction_set.hpp"
-
-#include "build_information.hpp"
+#include "cli/build_information.hpp"
+#include "dynamics/instruction_set.hpp"
 
 namespace breccia::cli {
 namespace {

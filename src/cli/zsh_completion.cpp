@@ -1,11 +1,11 @@
-#include "zsh_completion.hpp"
+#include "cli/zsh_completion.hpp"
 
 #include <string_view>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "command_syntax.hpp"
+#include "cli/command_syntax.hpp"
 
 namespace breccia::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "breccia/deck/column_words.hpp"
+#include "deck/column_words.hpp"
 
 #include <algorithm>
 #include <map>
@@ -7,7 +7,8 @@
 #include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/nearest_name.hpp"
+
+#include "io/nearest_name.hpp"
 
 namespace breccia {
 namespace {

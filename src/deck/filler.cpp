@@ -1,4 +1,4 @@
-#include "filler.hpp"
+#include "deck/filler.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -7,16 +7,16 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/study/filler_sizes.hpp"
-#include "breccia/study/limits.hpp"
-#include "breccia/study/listed_box.hpp"
-#include "breccia/study/stage_rules.hpp"
 
-#include "gap.hpp"
-#include "materials.hpp"
-#include "packing.hpp"
-#include "shapes.hpp"
-#include "sizes.hpp"
+#include "deck/gap.hpp"
+#include "deck/materials.hpp"
+#include "deck/packing.hpp"
+#include "deck/shapes.hpp"
+#include "deck/sizes.hpp"
+#include "study/filler_sizes.hpp"
+#include "study/limits.hpp"
+#include "study/listed_box.hpp"
+#include "study/stage_rules.hpp"
 
 namespace breccia {
 

@@ -1,16 +1,16 @@
-#include "breccia/deck/fit_data.hpp"
+#include "deck/fit_data.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "breccia/deck/prony_file.hpp"
 #include "breccia/error.hpp"
-#include "breccia/tables/complex_modulus.hpp"
-#include "breccia/tables/unknown_columns.hpp"
 
-#include "frequency_sweeps.hpp"
-#include "measured_rows.hpp"
+#include "deck/frequency_sweeps.hpp"
+#include "deck/measured_rows.hpp"
+#include "deck/prony_file.hpp"
+#include "tables/complex_modulus.hpp"
+#include "tables/unknown_columns.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "fitted_modulus.hpp"
+#include "deck/fitted_modulus.hpp"
 
 #include <cmath>
 #include <string>
@@ -9,13 +9,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "breccia/deck/fit_data.hpp"
 #include "breccia/error.hpp"
 #include "breccia/tables/measured_table_reader.hpp"
 #include "breccia/viscoelasticity/fit.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 #include "breccia/viscoelasticity/master_curve.hpp"
 #include "breccia/viscoelasticity/temperature_shift_fit.hpp"
+
+#include "deck/fit_data.hpp"
 
 namespace breccia {
 namespace {

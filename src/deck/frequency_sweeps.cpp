@@ -1,4 +1,4 @@
-#include "frequency_sweeps.hpp"
+#include "deck/frequency_sweeps.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -7,10 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "breccia/io/file_mistakes.hpp"
-
-#include "measured_rows.hpp"
-#include "temperature_ramp.hpp"
+#include "deck/measured_rows.hpp"
+#include "deck/temperature_ramp.hpp"
+#include "io/file_mistakes.hpp"
 
 namespace breccia {
 namespace {

@@ -1,9 +1,10 @@
 #pragma once
 
-#include "breccia/deck/fit_data.hpp"
-#include "breccia/tables/complex_modulus.hpp"
 #include "breccia/tables/measured_table.hpp"
 #include "breccia/tables/modulus_kind.hpp"
+
+#include "deck/fit_data.hpp"
+#include "tables/complex_modulus.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "gap.hpp"
+#include "deck/gap.hpp"
 
 #include <charconv>
 #include <cmath>
@@ -8,11 +8,11 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/percentage.hpp"
-#include "breccia/study/filler_sizes.hpp"
-#include "breccia/study/gap.hpp"
 
-#include "rounding.hpp"
+#include "deck/rounding.hpp"
+#include "io/percentage.hpp"
+#include "study/filler_sizes.hpp"
+#include "study/gap.hpp"
 
 namespace breccia {
 namespace {

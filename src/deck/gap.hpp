@@ -1,7 +1,8 @@
 #pragma once
 
-#include "breccia/deckfile/deck.hpp"
 #include "breccia/study/stage.hpp"
+
+#include "deckfile/deck.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "image.hpp"
+#include "deck/image.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,12 +16,12 @@
 
 #include "breccia/microstructure/pixel_labels.hpp"
 #include "breccia/rasters/raster_reader.hpp"
-#include "breccia/study/limits.hpp"
-#include "breccia/study/stage_rules.hpp"
 
-#include "materials.hpp"
-#include "packing.hpp"
-#include "rounding.hpp"
+#include "deck/materials.hpp"
+#include "deck/packing.hpp"
+#include "deck/rounding.hpp"
+#include "study/limits.hpp"
+#include "study/stage_rules.hpp"
 
 namespace breccia {
 namespace {

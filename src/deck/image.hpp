@@ -2,9 +2,10 @@
 
 #include <vector>
 
-#include "breccia/deckfile/deck.hpp"
 #include "breccia/study/stage.hpp"
 #include "breccia/viscoelasticity/shifted_material.hpp"
+
+#include "deckfile/deck.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "listed_particles.hpp"
+#include "deck/listed_particles.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,8 +10,9 @@
 #include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/units.hpp"
 #include "breccia/tables/measured_table_reader.hpp"
+
+#include "io/units.hpp"
 
 namespace breccia {
 namespace {

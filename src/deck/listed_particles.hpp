@@ -4,10 +4,11 @@
 #include <filesystem>
 #include <vector>
 
-#include "breccia/io/file_mistakes.hpp"
 #include "breccia/microstructure/ellipsoid.hpp"
 #include "breccia/microstructure/particle.hpp"
 #include "breccia/tables/measured_table.hpp"
+
+#include "io/file_mistakes.hpp"
 
 namespace breccia {
 

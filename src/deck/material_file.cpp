@@ -1,13 +1,13 @@
-#include "breccia/deck/material_file.hpp"
+#include "deck/material_file.hpp"
 
 #include <system_error>
 
 #include <fmt/format.h>
 
-#include "breccia/deckfile/deck.hpp"
 #include "breccia/error.hpp"
 
-#include "materials.hpp"
+#include "deck/materials.hpp"
+#include "deckfile/deck.hpp"
 
 namespace breccia {
 namespace {

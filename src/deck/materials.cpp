@@ -1,16 +1,16 @@
-#include "materials.hpp"
+#include "deck/materials.hpp"
 
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "breccia/io/nearest_name.hpp"
-#include "breccia/io/printable.hpp"
 #include "breccia/viscoelasticity/temperature_shift.hpp"
 
-#include "moduli.hpp"
-#include "temperature_shift.hpp"
+#include "deck/moduli.hpp"
+#include "deck/temperature_shift.hpp"
+#include "io/nearest_name.hpp"
+#include "io/printable.hpp"
 
 namespace breccia {
 

@@ -3,8 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "breccia/deckfile/deck.hpp"
 #include "breccia/viscoelasticity/shifted_material.hpp"
+
+#include "deckfile/deck.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "measured_rows.hpp"
+#include "deck/measured_rows.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "breccia/io/file_mistakes.hpp"
+#include "io/file_mistakes.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "measurements.hpp"
+#include "deck/measurements.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,14 +6,14 @@
 
 #include <fmt/format.h>
 
-#include "breccia/deck/prony_file.hpp"
 #include "breccia/error.hpp"
-#include "breccia/io/file_mistakes.hpp"
-#include "breccia/io/nearest_name.hpp"
 #include "breccia/tables/measured_table_reader.hpp"
 
-#include "fitted_modulus.hpp"
-#include "time_window.hpp"
+#include "deck/fitted_modulus.hpp"
+#include "deck/prony_file.hpp"
+#include "deck/time_window.hpp"
+#include "io/file_mistakes.hpp"
+#include "io/nearest_name.hpp"
 
 namespace breccia {
 namespace {

@@ -2,10 +2,11 @@
 
 #include <vector>
 
-#include "breccia/deckfile/deck.hpp"
 #include "breccia/study/measurement.hpp"
 #include "breccia/study/stage.hpp"
 #include "breccia/study/tests.hpp"
+
+#include "deckfile/deck.hpp"
 
 namespace breccia {
 

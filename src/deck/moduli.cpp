@@ -1,4 +1,4 @@
-#include "moduli.hpp"
+#include "deck/moduli.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,11 +9,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "breccia/deck/prony_file.hpp"
 #include "breccia/tables/modulus_kind.hpp"
 
-#include "fitted_modulus.hpp"
-#include "two_moduli.hpp"
+#include "deck/fitted_modulus.hpp"
+#include "deck/prony_file.hpp"
+#include "deck/two_moduli.hpp"
 
 namespace breccia {
 namespace {

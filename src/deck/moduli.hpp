@@ -2,9 +2,10 @@
 
 #include <optional>
 
-#include "breccia/deckfile/deck.hpp"
 #include "breccia/viscoelasticity/prony_series.hpp"
 #include "breccia/viscoelasticity/temperature_shift.hpp"
+
+#include "deckfile/deck.hpp"
 
 namespace breccia {
 

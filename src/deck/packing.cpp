@@ -1,4 +1,4 @@
-#include "packing.hpp"
+#include "deck/packing.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,11 +15,11 @@
 #include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/file_mistakes.hpp"
-#include "breccia/study/limits.hpp"
 #include "breccia/tables/measured_table_reader.hpp"
 
-#include "listed_particles.hpp"
+#include "deck/listed_particles.hpp"
+#include "io/file_mistakes.hpp"
+#include "study/limits.hpp"
 
 namespace breccia {
 

@@ -3,8 +3,9 @@
 #include <cstddef>
 #include <optional>
 
-#include "breccia/deckfile/deck.hpp"
 #include "breccia/study/stage.hpp"
+
+#include "deckfile/deck.hpp"
 
 namespace breccia {
 

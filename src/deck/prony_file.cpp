@@ -1,4 +1,4 @@
-#include "breccia/deck/prony_file.hpp"
+#include "deck/prony_file.hpp"
 
 #include <cmath>
 #include <limits>
@@ -6,9 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "breccia/io/file_mistakes.hpp"
-#include "breccia/tables/csv.hpp"
 #include "breccia/tables/measured_table_reader.hpp"
+
+#include "io/file_mistakes.hpp"
+#include "tables/csv.hpp"
 
 namespace breccia {
 

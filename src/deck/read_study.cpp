@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include "breccia/deckfile/deck.hpp"
-
-#include "resolved_study.hpp"
+#include "deck/resolved_study.hpp"
+#include "deckfile/deck.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "resolved_study.hpp"
+#include "deck/resolved_study.hpp"
 
 #include <array>
 #include <string_view>
@@ -6,18 +6,17 @@
 
 #include <fmt/format.h>
 
-#include "breccia/deckfile/deck.hpp"
-#include "breccia/io/printable.hpp"
-#include "breccia/io/seal.hpp"
-#include "breccia/io/text_file.hpp"
-#include "breccia/study/chain.hpp"
-#include "breccia/study/identity.hpp"
-#include "breccia/study/test_rules.hpp"
-
-#include "materials.hpp"
-#include "measurements.hpp"
-#include "stages.hpp"
-#include "tests.hpp"
+#include "deck/materials.hpp"
+#include "deck/measurements.hpp"
+#include "deck/stages.hpp"
+#include "deck/tests.hpp"
+#include "deckfile/deck.hpp"
+#include "io/printable.hpp"
+#include "io/seal.hpp"
+#include "io/text_file.hpp"
+#include "study/chain.hpp"
+#include "study/identity.hpp"
+#include "study/test_rules.hpp"
 
 namespace breccia {
 

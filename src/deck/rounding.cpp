@@ -1,4 +1,4 @@
-#include "rounding.hpp"
+#include "deck/rounding.hpp"
 
 #include <charconv>
 

@@ -1,4 +1,4 @@
-#include "shapes.hpp"
+#include "deck/shapes.hpp"
 
 #include <string>
 #include <utility>
@@ -7,10 +7,11 @@
 
 #include <fmt/format.h>
 
-#include "breccia/io/file_mistakes.hpp"
-#include "breccia/study/filler_shapes.hpp"
-#include "breccia/study/limits.hpp"
 #include "breccia/tables/measured_table_reader.hpp"
+
+#include "io/file_mistakes.hpp"
+#include "study/filler_shapes.hpp"
+#include "study/limits.hpp"
 
 namespace breccia {
 namespace {

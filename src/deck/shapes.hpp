@@ -2,8 +2,9 @@
 
 #include <optional>
 
-#include "breccia/deckfile/deck.hpp"
 #include "breccia/study/stage.hpp"
+
+#include "deckfile/deck.hpp"
 
 namespace breccia {
 

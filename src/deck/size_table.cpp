@@ -1,12 +1,13 @@
-#include "breccia/deck/size_table.hpp"
+#include "deck/size_table.hpp"
 
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/file_mistakes.hpp"
 #include "breccia/tables/measured_table_reader.hpp"
+
+#include "io/file_mistakes.hpp"
 
 namespace breccia {
 

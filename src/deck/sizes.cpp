@@ -1,12 +1,13 @@
-#include "sizes.hpp"
+#include "deck/sizes.hpp"
 
 #include <cstdint>
 #include <numeric>
 
 #include <fmt/format.h>
 
-#include "breccia/deck/size_table.hpp"
 #include "breccia/microstructure/draw_diameters.hpp"
+
+#include "deck/size_table.hpp"
 
 namespace breccia {
 

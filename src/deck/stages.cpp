@@ -1,17 +1,16 @@
-#include "stages.hpp"
+#include "deck/stages.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "breccia/io/nearest_name.hpp"
-#include "breccia/study/limits.hpp"
-#include "breccia/study/stage_rules.hpp"
-
-#include "filler.hpp"
-#include "image.hpp"
-#include "packing.hpp"
+#include "deck/filler.hpp"
+#include "deck/image.hpp"
+#include "deck/packing.hpp"
+#include "io/nearest_name.hpp"
+#include "study/limits.hpp"
+#include "study/stage_rules.hpp"
 
 namespace breccia {
 

@@ -7,13 +7,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "breccia/deckfile/deck.hpp"
-#include "breccia/io/safe_name.hpp"
-
-#include "packing.hpp"
-#include "resolved_study.hpp"
-#include "sweep_keys.hpp"
-#include "sweep_names.hpp"
+#include "deck/packing.hpp"
+#include "deck/resolved_study.hpp"
+#include "deck/sweep_keys.hpp"
+#include "deck/sweep_names.hpp"
+#include "deckfile/deck.hpp"
+#include "io/safe_name.hpp"
 
 namespace breccia {
 

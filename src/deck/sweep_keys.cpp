@@ -1,4 +1,4 @@
-#include "sweep_keys.hpp"
+#include "deck/sweep_keys.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "breccia/io/units.hpp"
-
-#include "rounding.hpp"
+#include "deck/rounding.hpp"
+#include "io/units.hpp"
 
 namespace breccia {
 

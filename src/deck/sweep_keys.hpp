@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "breccia/deckfile/deck.hpp"
+#include "deckfile/deck.hpp"
 
 namespace breccia {
 

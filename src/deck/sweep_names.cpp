@@ -1,4 +1,4 @@
-#include "sweep_names.hpp"
+#include "deck/sweep_names.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -1,6 +1,6 @@
-#include "breccia/deck/swept_quantities.hpp"
+#include "deck/swept_quantities.hpp"
 
-#include "breccia/io/units.hpp"
+#include "io/units.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "temperature_ramp.hpp"
+#include "deck/temperature_ramp.hpp"
 
 #include <algorithm>
 #include <array>

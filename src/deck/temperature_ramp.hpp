@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <span>
 
-#include "breccia/deck/fit_data.hpp"
+#include "deck/fit_data.hpp"
 
 namespace breccia {
 

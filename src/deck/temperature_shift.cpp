@@ -1,4 +1,4 @@
-#include "temperature_shift.hpp"
+#include "deck/temperature_shift.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +9,10 @@
 
 #include <fmt/format.h>
 
-#include "breccia/io/file_mistakes.hpp"
 #include "breccia/tables/measured_table_reader.hpp"
-#include "breccia/viscoelasticity/reference_temperature.hpp"
+
+#include "io/file_mistakes.hpp"
+#include "viscoelasticity/reference_temperature.hpp"
 
 namespace breccia {
 namespace {

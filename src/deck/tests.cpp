@@ -1,14 +1,13 @@
-#include "tests.hpp"
+#include "deck/tests.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "breccia/study/limits.hpp"
-#include "breccia/study/test_rules.hpp"
-
-#include "time_window.hpp"
-#include "varied_materials.hpp"
+#include "deck/time_window.hpp"
+#include "deck/varied_materials.hpp"
+#include "study/limits.hpp"
+#include "study/test_rules.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "time_window.hpp"
+#include "deck/time_window.hpp"
 
 #include <numbers>
 

@@ -3,8 +3,9 @@
 #include <optional>
 #include <string>
 
-#include "breccia/deckfile/deck.hpp"
 #include "breccia/viscoelasticity/reduction.hpp"
+
+#include "deckfile/deck.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "two_moduli.hpp"
+#include "deck/two_moduli.hpp"
 
 #include <utility>
 #include <vector>

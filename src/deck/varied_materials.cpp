@@ -1,4 +1,4 @@
-#include "varied_materials.hpp"
+#include "deck/varied_materials.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "breccia/deckfile/deck.hpp"
+#include "deckfile/deck.hpp"
 
 #include <algorithm>
 #include <system_error>
@@ -7,12 +7,12 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/nearest_name.hpp"
-#include "breccia/io/text_encoding.hpp"
-#include "breccia/io/text_file.hpp"
 
-#include "deck_override.hpp"
-#include "deck_tree.hpp"
+#include "deckfile/deck_override.hpp"
+#include "deckfile/deck_tree.hpp"
+#include "io/nearest_name.hpp"
+#include "io/text_encoding.hpp"
+#include "io/text_file.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "deck_override.hpp"
+#include "deckfile/deck_override.hpp"
 
 #include <optional>
 #include <span>
@@ -7,7 +7,8 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/nearest_name.hpp"
+
+#include "io/nearest_name.hpp"
 
 namespace breccia::detail {
 

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "deck_tree.hpp"
+#include "deckfile/deck_tree.hpp"
 
 namespace breccia::detail {
 

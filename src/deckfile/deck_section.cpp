@@ -7,13 +7,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "breccia/deckfile/deck.hpp"
 #include "breccia/error.hpp"
-#include "breccia/io/nearest_name.hpp"
-#include "breccia/io/percentage.hpp"
-#include "breccia/io/printable.hpp"
 
-#include "deck_tree.hpp"
+#include "deckfile/deck.hpp"
+#include "deckfile/deck_tree.hpp"
+#include "io/nearest_name.hpp"
+#include "io/percentage.hpp"
+#include "io/printable.hpp"
 
 namespace breccia {
 

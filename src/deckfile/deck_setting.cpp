@@ -8,7 +8,8 @@
 #include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/printable.hpp"
+
+#include "io/printable.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "deck_tree.hpp"
+#include "deckfile/deck_tree.hpp"
 
 #include <algorithm>
 #include <array>

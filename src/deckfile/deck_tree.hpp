@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "breccia/deckfile/deck.hpp"
+#include "deckfile/deck.hpp"
 
 namespace breccia::detail {
 

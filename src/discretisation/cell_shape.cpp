@@ -1,8 +1,8 @@
-#include "breccia/discretisation/cell_shape.hpp"
+#include "discretisation/cell_shape.hpp"
 
 #include <cmath>
 
-#include "breccia/discretisation/shape_function.hpp"
+#include "discretisation/shape_function.hpp"
 
 namespace breccia {
 

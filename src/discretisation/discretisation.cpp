@@ -6,8 +6,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "breccia/discretisation/cell_shape.hpp"
 #include "breccia/error.hpp"
+
+#include "discretisation/cell_shape.hpp"
 
 namespace breccia {
 

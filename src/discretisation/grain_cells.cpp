@@ -1,4 +1,4 @@
-#include "breccia/discretisation/grain_cells.hpp"
+#include "discretisation/grain_cells.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 
 #include "breccia/error.hpp"
 
-#include "mixture_numbers.hpp"
+#include "discretisation/mixture_numbers.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "breccia/discretisation/image_cells.hpp"
+#include "discretisation/image_cells.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 
 #include "breccia/error.hpp"
 
-#include "mixture_numbers.hpp"
+#include "discretisation/mixture_numbers.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "breccia/discretisation/joined_discretisation.hpp"
+#include "discretisation/joined_discretisation.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 #include <mpi.h>
 
-#include "breccia/parallel/communicator.hpp"
-#include "breccia/parallel/machine.hpp"
+#include "parallel/communicator.hpp"
+#include "parallel/machine.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "breccia/discretisation/labels.hpp"
+#include "discretisation/labels.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 
 #include "breccia/error.hpp"
 
-#include "mixture_numbers.hpp"
+#include "discretisation/mixture_numbers.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "breccia/discretisation/mixed_cells.hpp"
+#include "discretisation/mixed_cells.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,10 +9,10 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/microstructure/disc_overlap.hpp"
-#include "breccia/microstructure/sphere_overlap.hpp"
 
-#include "mixture_numbers.hpp"
+#include "discretisation/mixture_numbers.hpp"
+#include "microstructure/disc_overlap.hpp"
+#include "microstructure/sphere_overlap.hpp"
 
 namespace breccia {
 namespace {

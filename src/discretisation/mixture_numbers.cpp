@@ -1,10 +1,10 @@
-#include "mixture_numbers.hpp"
+#include "discretisation/mixture_numbers.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include "breccia/discretisation/mixed_cells.hpp"
+#include "discretisation/mixed_cells.hpp"
 
 namespace breccia {
 namespace {

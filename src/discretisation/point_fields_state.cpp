@@ -1,4 +1,4 @@
-#include "breccia/discretisation/point_fields_state.hpp"
+#include "discretisation/point_fields_state.hpp"
 
 #include <array>
 #include <cstddef>

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <utility>
 
-#include "layer_step.hpp"
-#include "step_counter.hpp"
+#include "dynamics/layer_step.hpp"
+#include "dynamics/step_counter.hpp"
 
 namespace breccia::dynamics {
 

@@ -1,4 +1,4 @@
-#include "band_schedule.hpp"
+#include "dynamics/band_schedule.hpp"
 
 #include <algorithm>
 

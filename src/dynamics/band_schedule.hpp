@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <deque>
 
-#include "band.hpp"
-#include "layer_exchange.hpp"
-#include "layer_sums.hpp"
-#include "nodal_field.hpp"
-#include "step_counter.hpp"
-#include "thread_throttle.hpp"
+#include "dynamics/band.hpp"
+#include "dynamics/layer_exchange.hpp"
+#include "dynamics/layer_sums.hpp"
+#include "dynamics/nodal_field.hpp"
+#include "dynamics/step_counter.hpp"
+#include "dynamics/thread_throttle.hpp"
 
 namespace breccia::dynamics {
 

@@ -1,13 +1,12 @@
-#include "block_layout.hpp"
+#include "dynamics/block_layout.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <utility>
 
-#include "breccia/discretisation/cell_shape.hpp"
-
-#include "maxwell_step.hpp"
+#include "discretisation/cell_shape.hpp"
+#include "dynamics/maxwell_step.hpp"
 
 namespace breccia::dynamics {
 namespace {

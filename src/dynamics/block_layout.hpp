@@ -5,11 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "breccia/dynamics/dynamic_problem.hpp"
-
-#include "aligned_vector.hpp"
-#include "cell_material_table.hpp"
-#include "cell_row_kernel.hpp"
+#include "dynamics/aligned_vector.hpp"
+#include "dynamics/cell_material_table.hpp"
+#include "dynamics/cell_row_kernel.hpp"
+#include "dynamics/dynamic_problem.hpp"
 
 namespace breccia::dynamics {
 

@@ -1,4 +1,4 @@
-#include "boundary_nodes.hpp"
+#include "dynamics/boundary_nodes.hpp"
 
 #include <cstddef>
 
@@ -7,7 +7,7 @@
 
 #include "breccia/error.hpp"
 
-#include "nodal_mass.hpp"
+#include "dynamics/nodal_mass.hpp"
 
 namespace breccia::dynamics {
 namespace {

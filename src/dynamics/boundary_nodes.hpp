@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "breccia/dynamics/dynamic_problem.hpp"
+#include "dynamics/dynamic_problem.hpp"
 
 namespace breccia::dynamics {
 

@@ -1,9 +1,9 @@
-#include "cell_material_table.hpp"
+#include "dynamics/cell_material_table.hpp"
 
 #include <algorithm>
 #include <cstddef>
 
-#include "maxwell_step.hpp"
+#include "dynamics/maxwell_step.hpp"
 
 namespace breccia::dynamics {
 

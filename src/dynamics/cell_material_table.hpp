@@ -5,7 +5,7 @@
 #include "breccia/discretisation/phase.hpp"
 #include "breccia/viscoelasticity/material.hpp"
 
-#include "cell_row_kernel.hpp"
+#include "dynamics/cell_row_kernel.hpp"
 
 namespace breccia::dynamics {
 

@@ -1,11 +1,11 @@
 // Compiled once for every instruction set, with BRECCIA_KERNELS naming the kernels of it.
 
-#include "cell_row_kernel.hpp"
+#include "dynamics/cell_row_kernel.hpp"
 
-#include "cube_modes.hpp"
-#include "kernel_registers.hpp"
-#include "point_map.hpp"
-#include "square_modes.hpp"
+#include "dynamics/cube_modes.hpp"
+#include "dynamics/kernel_registers.hpp"
+#include "dynamics/point_map.hpp"
+#include "dynamics/square_modes.hpp"
 
 namespace breccia::dynamics {
 namespace {

@@ -1,14 +1,13 @@
-#include "classical.hpp"
+#include "dynamics/classical.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "breccia/discretisation/cell_shape.hpp"
-#include "breccia/discretisation/shape_function.hpp"
-
-#include "boundary_nodes.hpp"
-#include "maxwell_step.hpp"
+#include "discretisation/cell_shape.hpp"
+#include "discretisation/shape_function.hpp"
+#include "dynamics/boundary_nodes.hpp"
+#include "dynamics/maxwell_step.hpp"
 
 namespace breccia::dynamics {
 namespace {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "breccia/discretisation/tensor.hpp"
-#include "breccia/dynamics/dynamic_solver.hpp"
 
-#include "cell_row_kernel.hpp"
+#include "dynamics/cell_row_kernel.hpp"
+#include "dynamics/dynamic_solver.hpp"
 
 namespace breccia::dynamics {
 

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "classical.hpp"
+#include "dynamics/classical.hpp"
 
 namespace breccia::dynamics {
 namespace {

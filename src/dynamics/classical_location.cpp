@@ -8,7 +8,7 @@
 
 #include "breccia/error.hpp"
 
-#include "classical.hpp"
+#include "dynamics/classical.hpp"
 
 namespace breccia::dynamics {
 

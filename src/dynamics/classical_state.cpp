@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "breccia/checkpoint/state.hpp"
 #include "breccia/error.hpp"
 
-#include "classical.hpp"
+#include "checkpoint/state.hpp"
+#include "dynamics/classical.hpp"
 
 namespace breccia::dynamics {
 namespace {

@@ -2,8 +2,8 @@
 
 // The strain modes of cubic cells, for the kernels: see kernel_registers.hpp. Their numbers are those of CubeMode.
 
-#include "kernel_registers.hpp"
-#include "point_map.hpp"
+#include "dynamics/kernel_registers.hpp"
+#include "dynamics/point_map.hpp"
 
 namespace breccia::dynamics {
 namespace {  // NOLINT(google-build-namespaces): see above

@@ -1,4 +1,4 @@
-#include "breccia/dynamics/dynamic_problem.hpp"
+#include "dynamics/dynamic_problem.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,8 +9,9 @@
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
-#include "breccia/discretisation/cell_shape.hpp"
 #include "breccia/error.hpp"
+
+#include "discretisation/cell_shape.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "breccia/dynamics/dynamic_solver.hpp"
+#include "dynamics/dynamic_solver.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,14 +9,14 @@
 #include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
-#include "breccia/parallel/session.hpp"
-#include "breccia/parallel/threads.hpp"
 
-#include "boundary_nodes.hpp"
-#include "classical.hpp"
-#include "layer_exchange.hpp"
-#include "step_times.hpp"
-#include "total_lagrangian.hpp"
+#include "dynamics/boundary_nodes.hpp"
+#include "dynamics/classical.hpp"
+#include "dynamics/layer_exchange.hpp"
+#include "dynamics/step_times.hpp"
+#include "dynamics/total_lagrangian.hpp"
+#include "parallel/session.hpp"
+#include "parallel/threads.hpp"
 
 namespace breccia {
 

@@ -1,5 +1,5 @@
-#include "breccia/checkpoint/state.hpp"
-#include "breccia/dynamics/dynamic_solver.hpp"
+#include "checkpoint/state.hpp"
+#include "dynamics/dynamic_solver.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "breccia/dynamics/instruction_set.hpp"
+#include "dynamics/instruction_set.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,8 +4,8 @@
 // BRECCIA_REGISTER_LANES naming the doubles that a register holds. Everything here and in the kernels has internal
 // linkage and nothing of the standard library is used, so that no code for a newer processor leaks into others.
 
-#include "cell_row_kernel.hpp"
-#include "point_map.hpp"
+#include "dynamics/cell_row_kernel.hpp"
+#include "dynamics/point_map.hpp"
 
 namespace breccia::dynamics {
 namespace {  // NOLINT(google-build-namespaces): see above

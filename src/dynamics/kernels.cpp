@@ -1,4 +1,4 @@
-#include "kernels.hpp"
+#include "dynamics/kernels.hpp"
 
 namespace breccia::dynamics {
 

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "breccia/dynamics/instruction_set.hpp"
-
-#include "cell_row_kernel.hpp"
+#include "dynamics/cell_row_kernel.hpp"
+#include "dynamics/instruction_set.hpp"
 
 namespace breccia::dynamics {
 

@@ -1,4 +1,4 @@
-#include "layer_exchange.hpp"
+#include "dynamics/layer_exchange.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -6,12 +6,12 @@
 
 #include <fmt/format.h>
 
-#include "breccia/discretisation/joined_discretisation.hpp"
 #include "breccia/error.hpp"
-#include "breccia/parallel/communicator.hpp"
-#include "breccia/parallel/session.hpp"
 
-#include "nodal_field.hpp"
+#include "discretisation/joined_discretisation.hpp"
+#include "dynamics/nodal_field.hpp"
+#include "parallel/communicator.hpp"
+#include "parallel/session.hpp"
 
 namespace breccia::dynamics {
 namespace {

@@ -10,7 +10,7 @@
 #include "breccia/discretisation/grid.hpp"
 #include "breccia/parallel/ordered_values.hpp"
 
-#include "cell_row_kernel.hpp"
+#include "dynamics/cell_row_kernel.hpp"
 
 namespace breccia::dynamics {
 

@@ -1,11 +1,11 @@
-#include "layer_step.hpp"
+#include "dynamics/layer_step.hpp"
 
 #include <algorithm>
 #include <cstddef>
 
-#include "boundary_nodes.hpp"
-#include "kernels.hpp"
-#include "step_times.hpp"
+#include "dynamics/boundary_nodes.hpp"
+#include "dynamics/kernels.hpp"
+#include "dynamics/step_times.hpp"
 
 namespace breccia::dynamics {
 namespace {

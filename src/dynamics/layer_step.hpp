@@ -2,13 +2,12 @@
 
 #include <cstdint>
 
-#include "breccia/dynamics/dynamic_problem.hpp"
-#include "breccia/dynamics/instruction_set.hpp"
-
-#include "block_layout.hpp"
-#include "cell_row_kernel.hpp"
-#include "layer_sums.hpp"
-#include "nodal_field.hpp"
+#include "dynamics/block_layout.hpp"
+#include "dynamics/cell_row_kernel.hpp"
+#include "dynamics/dynamic_problem.hpp"
+#include "dynamics/instruction_set.hpp"
+#include "dynamics/layer_sums.hpp"
+#include "dynamics/nodal_field.hpp"
 
 namespace breccia::dynamics {
 

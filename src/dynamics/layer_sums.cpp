@@ -1,8 +1,7 @@
-#include "layer_sums.hpp"
+#include "dynamics/layer_sums.hpp"
 
-#include "breccia/discretisation/cell_shape.hpp"
-
-#include "step_times.hpp"
+#include "discretisation/cell_shape.hpp"
+#include "dynamics/step_times.hpp"
 
 namespace breccia::dynamics {
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "breccia/dynamics/dynamic_solver.hpp"
+#include "dynamics/dynamic_solver.hpp"
 
 namespace breccia::dynamics {
 

@@ -1,4 +1,4 @@
-#include "maxwell_step.hpp"
+#include "dynamics/maxwell_step.hpp"
 
 #include <cmath>
 

@@ -4,7 +4,7 @@
 
 #include "breccia/viscoelasticity/prony_series.hpp"
 
-#include "cell_row_kernel.hpp"
+#include "dynamics/cell_row_kernel.hpp"
 
 namespace breccia::dynamics {
 

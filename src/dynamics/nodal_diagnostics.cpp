@@ -1,4 +1,4 @@
-#include "nodal_diagnostics.hpp"
+#include "dynamics/nodal_diagnostics.hpp"
 
 #include <array>
 #include <cmath>
@@ -6,13 +6,13 @@
 #include <limits>
 #include <span>
 
-#include "breccia/discretisation/cell_shape.hpp"
 #include "breccia/parallel/ordered_values.hpp"
-#include "breccia/parallel/reduction.hpp"
 
-#include "boundary_nodes.hpp"
-#include "layer_exchange.hpp"
-#include "nodal_mass.hpp"
+#include "discretisation/cell_shape.hpp"
+#include "dynamics/boundary_nodes.hpp"
+#include "dynamics/layer_exchange.hpp"
+#include "dynamics/nodal_mass.hpp"
+#include "parallel/reduction.hpp"
 
 namespace breccia::dynamics {
 namespace {

@@ -1,9 +1,8 @@
 #pragma once
 
-#include "breccia/dynamics/dynamic_problem.hpp"
-#include "breccia/dynamics/dynamic_solver.hpp"
-
-#include "nodal_field.hpp"
+#include "dynamics/dynamic_problem.hpp"
+#include "dynamics/dynamic_solver.hpp"
+#include "dynamics/nodal_field.hpp"
 
 namespace breccia::dynamics {
 

@@ -4,12 +4,12 @@
 #include <cstddef>
 #include <span>
 
-#include "breccia/discretisation/cell_shape.hpp"
 #include "breccia/discretisation/grid.hpp"
 #include "breccia/parallel/ordered_values.hpp"
 
-#include "aligned_vector.hpp"
-#include "cell_row_kernel.hpp"
+#include "discretisation/cell_shape.hpp"
+#include "dynamics/aligned_vector.hpp"
+#include "dynamics/cell_row_kernel.hpp"
 
 namespace breccia::dynamics {
 

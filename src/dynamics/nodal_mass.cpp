@@ -1,9 +1,9 @@
-#include "nodal_mass.hpp"
+#include "dynamics/nodal_mass.hpp"
 
 #include <array>
 #include <cstddef>
 
-#include "breccia/discretisation/cell_shape.hpp"
+#include "discretisation/cell_shape.hpp"
 
 namespace breccia::dynamics {
 namespace {

@@ -5,7 +5,7 @@
 // several cells: everything here has internal linkage and uses nothing of the standard library (see
 // kernel_registers.hpp).
 
-#include "cell_row_kernel.hpp"
+#include "dynamics/cell_row_kernel.hpp"
 
 #define BRECCIA_INLINE inline __attribute__((always_inline))
 

@@ -1,12 +1,11 @@
-#include "recovered_fields.hpp"
+#include "dynamics/recovered_fields.hpp"
 
 #include <array>
 #include <cstddef>
 
-#include "breccia/discretisation/cell_shape.hpp"
-
-#include "layer_exchange.hpp"
-#include "point_map.hpp"
+#include "discretisation/cell_shape.hpp"
+#include "dynamics/layer_exchange.hpp"
+#include "dynamics/point_map.hpp"
 
 namespace breccia::dynamics {
 namespace {

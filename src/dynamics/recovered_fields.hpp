@@ -1,10 +1,10 @@
 #pragma once
 
 #include "breccia/discretisation/point_fields.hpp"
-#include "breccia/dynamics/dynamic_problem.hpp"
 
-#include "block_layout.hpp"
-#include "nodal_field.hpp"
+#include "dynamics/block_layout.hpp"
+#include "dynamics/dynamic_problem.hpp"
+#include "dynamics/nodal_field.hpp"
 
 namespace breccia::dynamics {
 

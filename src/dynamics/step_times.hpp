@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "breccia/dynamics/dynamic_problem.hpp"
+#include "dynamics/dynamic_problem.hpp"
 
 namespace breccia::dynamics {
 

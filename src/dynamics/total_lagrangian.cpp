@@ -1,11 +1,11 @@
-#include "total_lagrangian.hpp"
+#include "dynamics/total_lagrangian.hpp"
 
 #include <cstddef>
 #include <utility>
 
-#include "boundary_nodes.hpp"
-#include "nodal_mass.hpp"
-#include "recovered_fields.hpp"
+#include "dynamics/boundary_nodes.hpp"
+#include "dynamics/nodal_mass.hpp"
+#include "dynamics/recovered_fields.hpp"
 
 namespace breccia::dynamics {
 

@@ -4,12 +4,11 @@
 #include <cstdint>
 #include <string>
 
-#include "breccia/dynamics/dynamic_solver.hpp"
-
-#include "band_schedule.hpp"
-#include "layer_exchange.hpp"
-#include "layer_step.hpp"
-#include "nodal_diagnostics.hpp"
+#include "dynamics/band_schedule.hpp"
+#include "dynamics/dynamic_solver.hpp"
+#include "dynamics/layer_exchange.hpp"
+#include "dynamics/layer_step.hpp"
+#include "dynamics/nodal_diagnostics.hpp"
 
 namespace breccia::dynamics {
 

@@ -1,10 +1,10 @@
 // Checkpoints of a run of the total-lagrangian formulation.
 #include <cstddef>
 
-#include "breccia/checkpoint/state.hpp"
 #include "breccia/parallel/ordered_values.hpp"
 
-#include "total_lagrangian.hpp"
+#include "checkpoint/state.hpp"
+#include "dynamics/total_lagrangian.hpp"
 
 namespace breccia::dynamics {
 

@@ -1,9 +1,9 @@
-#include "film_composite.hpp"
+#include "films/film_composite.hpp"
 
 #include <algorithm>
 #include <string>
 
-#include "breccia/quasistatic/log_time_integrator.hpp"
+#include "quasistatic/stepping/log_time_integrator.hpp"
 
 namespace breccia::films {
 

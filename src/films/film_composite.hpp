@@ -4,11 +4,10 @@
 #include <cstddef>
 #include <span>
 
-#include "breccia/quasistatic/affine_composite.hpp"
-#include "breccia/quasistatic/stored_vectors.hpp"
-
-#include "assembly/film_operator.hpp"
-#include "solver/symmetric_factors.hpp"
+#include "films/assembly/film_operator.hpp"
+#include "films/solver/symmetric_factors.hpp"
+#include "quasistatic/reduced/affine_composite.hpp"
+#include "quasistatic/reduced/stored_vectors.hpp"
 
 namespace breccia::films {
 

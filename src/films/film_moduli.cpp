@@ -7,7 +7,7 @@
 
 #include "breccia/error.hpp"
 
-#include "film_composite.hpp"
+#include "films/film_composite.hpp"
 
 namespace breccia {
 

@@ -1,13 +1,12 @@
-#include "breccia/films/film_sampling.hpp"
+#include "films/film_sampling.hpp"
 
 #include <memory>
 
-#include "breccia/checkpoint/checkpoint.hpp"
-#include "breccia/quasistatic/greedy_sampling.hpp"
-#include "breccia/quasistatic/linear_effort_state.hpp"
-
-#include "fields/film_recovery.hpp"
-#include "film_composite.hpp"
+#include "checkpoint/checkpoint.hpp"
+#include "films/fields/film_recovery.hpp"
+#include "films/film_composite.hpp"
+#include "quasistatic/reduced/greedy_sampling.hpp"
+#include "quasistatic/solvers/linear_effort_state.hpp"
 
 namespace breccia {
 namespace {

@@ -1,12 +1,11 @@
-#include "breccia/films/film_stepping.hpp"
+#include "films/film_stepping.hpp"
 
 #include <vector>
 
-#include "breccia/quasistatic/linear_effort_state.hpp"
-#include "breccia/quasistatic/log_time_runs.hpp"
-
-#include "fields/film_recovery.hpp"
-#include "film_composite.hpp"
+#include "films/fields/film_recovery.hpp"
+#include "films/film_composite.hpp"
+#include "quasistatic/solvers/linear_effort_state.hpp"
+#include "quasistatic/stepping/log_time_runs.hpp"
 
 namespace breccia {
 

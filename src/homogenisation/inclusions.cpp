@@ -1,4 +1,4 @@
-#include "inclusions.hpp"
+#include "homogenisation/inclusions.hpp"
 
 #include <algorithm>
 #include <cstddef>

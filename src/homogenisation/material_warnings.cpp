@@ -1,13 +1,13 @@
-#include "material_warnings.hpp"
+#include "homogenisation/material_warnings.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "breccia/io/display.hpp"
-#include "breccia/io/units.hpp"
-#include "breccia/study/chain.hpp"
-#include "breccia/viscoelasticity/poisson_ratio.hpp"
+#include "io/display.hpp"
+#include "io/units.hpp"
+#include "study/chain.hpp"
+#include "viscoelasticity/poisson_ratio.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "breccia/homogenisation/quality.hpp"
+#include "homogenisation/quality.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,9 +9,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "breccia/io/display.hpp"
-#include "breccia/study/coatings.hpp"
-#include "breccia/study/filler_sizes.hpp"
+#include "io/display.hpp"
+#include "study/coatings.hpp"
+#include "study/filler_sizes.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "separation.hpp"
+#include "homogenisation/separation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +6,11 @@
 
 #include <fmt/format.h>
 
-#include "breccia/io/display.hpp"
 #include "breccia/microstructure/tessellation.hpp"
-#include "breccia/study/chain.hpp"
-#include "breccia/study/filler_sizes.hpp"
+
+#include "io/display.hpp"
+#include "study/chain.hpp"
+#include "study/filler_sizes.hpp"
 
 namespace breccia {
 namespace {

@@ -1,14 +1,14 @@
-#include "breccia/homogenisation/stage_materials.hpp"
+#include "homogenisation/stage_materials.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/virtual_test/bulk_test.hpp"
 
-#include "inclusions.hpp"
-#include "stage_extrapolation.hpp"
+#include "homogenisation/inclusions.hpp"
+#include "homogenisation/run/stage_extrapolation.hpp"
+#include "virtual_test/bulk_test.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "breccia/homogenisation/stage_warnings.hpp"
+#include "homogenisation/stage_warnings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,15 +9,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "breccia/homogenisation/quality.hpp"
-#include "breccia/io/display.hpp"
-#include "breccia/io/units.hpp"
-#include "breccia/study/coatings.hpp"
-#include "breccia/study/test_rules.hpp"
-
-#include "material_warnings.hpp"
-#include "plan/grid_error.hpp"
-#include "separation.hpp"
+#include "homogenisation/material_warnings.hpp"
+#include "homogenisation/plan/grid_error.hpp"
+#include "homogenisation/quality.hpp"
+#include "homogenisation/separation.hpp"
+#include "io/display.hpp"
+#include "io/units.hpp"
+#include "study/coatings.hpp"
+#include "study/test_rules.hpp"
 
 namespace breccia {
 namespace {

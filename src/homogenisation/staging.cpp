@@ -1,4 +1,4 @@
-#include "breccia/homogenisation/staging.hpp"
+#include "homogenisation/staging.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -6,7 +6,8 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/display.hpp"
+
+#include "io/display.hpp"
 
 namespace breccia {
 

@@ -1,13 +1,13 @@
-#include "varying_moduli.hpp"
+#include "homogenisation/varying_moduli.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <utility>
 
-#include "breccia/homogenisation/varying_phases.hpp"
-#include "breccia/quasistatic/carson_path.hpp"
-#include "breccia/virtual_test/bulk_test.hpp"
-#include "breccia/virtual_test/extrapolation.hpp"
+#include "homogenisation/varying_phases.hpp"
+#include "quasistatic/reduced/carson_path.hpp"
+#include "virtual_test/bulk_test.hpp"
+#include "virtual_test/extrapolation.hpp"
 
 namespace breccia {
 namespace {

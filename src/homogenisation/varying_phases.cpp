@@ -1,4 +1,4 @@
-#include "breccia/homogenisation/varying_phases.hpp"
+#include "homogenisation/varying_phases.hpp"
 
 #include <algorithm>
 #include <cstddef>

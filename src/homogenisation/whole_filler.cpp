@@ -1,4 +1,4 @@
-#include "breccia/homogenisation/whole_filler.hpp"
+#include "homogenisation/whole_filler.hpp"
 
 #include <algorithm>
 
@@ -6,9 +6,9 @@
 #include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
-#include "breccia/study/chain.hpp"
 
-#include "inclusions.hpp"
+#include "homogenisation/inclusions.hpp"
+#include "study/chain.hpp"
 
 namespace breccia {
 namespace {

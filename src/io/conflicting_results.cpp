@@ -1,4 +1,4 @@
-#include "breccia/io/conflicting_results.hpp"
+#include "io/conflicting_results.hpp"
 
 #include <string_view>
 #include <utility>

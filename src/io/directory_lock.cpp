@@ -1,4 +1,4 @@
-#include "breccia/io/directory_lock.hpp"
+#include "io/directory_lock.hpp"
 
 #include <cerrno>
 #include <system_error>
@@ -10,8 +10,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "breccia/io/empty_directory.hpp"
-#include "breccia/io/text_file.hpp"
+#include "io/empty_directory.hpp"
+#include "io/text_file.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "breccia/io/empty_directory.hpp"
+#include "io/empty_directory.hpp"
 
 #include <system_error>
 

@@ -1,4 +1,4 @@
-#include "breccia/io/file_mistakes.hpp"
+#include "io/file_mistakes.hpp"
 
 #include <algorithm>
 
@@ -6,7 +6,8 @@
 #include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/printable.hpp"
+
+#include "io/printable.hpp"
 
 namespace breccia {
 

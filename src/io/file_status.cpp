@@ -1,4 +1,4 @@
-#include "breccia/io/file_status.hpp"
+#include "io/file_status.hpp"
 
 #include <system_error>
 

@@ -9,8 +9,9 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/hdf5.hpp"
-#include "breccia/io/hdf5_handle.hpp"
+
+#include "io/hdf5.hpp"
+#include "io/hdf5_handle.hpp"
 
 namespace breccia {
 

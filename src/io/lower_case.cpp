@@ -1,4 +1,4 @@
-#include "breccia/io/lower_case.hpp"
+#include "io/lower_case.hpp"
 
 #include <cctype>
 

@@ -1,4 +1,4 @@
-#include "breccia/io/nearest_name.hpp"
+#include "io/nearest_name.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "breccia/io/lower_case.hpp"
+#include "io/lower_case.hpp"
 
 namespace breccia {
 

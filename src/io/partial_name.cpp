@@ -1,8 +1,8 @@
-#include "breccia/io/partial_name.hpp"
+#include "io/partial_name.hpp"
 
 #include <fmt/format.h>
 
-#include "breccia/io/safe_name.hpp"
+#include "io/safe_name.hpp"
 
 namespace breccia {
 namespace {

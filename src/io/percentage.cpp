@@ -1,11 +1,11 @@
-#include "breccia/io/percentage.hpp"
+#include "io/percentage.hpp"
 
 #include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "breccia/io/trimmed.hpp"
+#include "io/trimmed.hpp"
 
 namespace breccia {
 

@@ -1,10 +1,10 @@
-#include "breccia/io/printable.hpp"
+#include "io/printable.hpp"
 
 #include <cstdint>
 
 #include <fmt/format.h>
 
-#include "breccia/io/utf8.hpp"
+#include "io/utf8.hpp"
 
 namespace breccia {
 

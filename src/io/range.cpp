@@ -1,4 +1,4 @@
-#include "breccia/io/range.hpp"
+#include "io/range.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "breccia/io/replacement.hpp"
+#include "io/replacement.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -12,10 +12,11 @@
 #include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/empty_directory.hpp"
-#include "breccia/io/file_status.hpp"
-#include "breccia/io/partial_name.hpp"
-#include "breccia/io/text_file.hpp"
+
+#include "io/empty_directory.hpp"
+#include "io/file_status.hpp"
+#include "io/partial_name.hpp"
+#include "io/text_file.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "breccia/io/safe_name.hpp"
+#include "io/safe_name.hpp"
 
 #include <algorithm>
 #include <cctype>

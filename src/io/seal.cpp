@@ -1,4 +1,4 @@
-#include "breccia/io/seal.hpp"
+#include "io/seal.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -15,7 +15,8 @@
 #include <xxhash.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/text_file.hpp"
+
+#include "io/text_file.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "breccia/io/text_encoding.hpp"
+#include "io/text_encoding.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -8,8 +8,9 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/text_file.hpp"
-#include "breccia/io/utf8.hpp"
+
+#include "io/text_file.hpp"
+#include "io/utf8.hpp"
 
 namespace breccia::detail {
 

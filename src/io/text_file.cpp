@@ -1,4 +1,4 @@
-#include "breccia/io/text_file.hpp"
+#include "io/text_file.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,8 +15,9 @@
 #include <xxhash.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/file_status.hpp"
-#include "breccia/io/partial_name.hpp"
+
+#include "io/file_status.hpp"
+#include "io/partial_name.hpp"
 
 namespace breccia {
 namespace {

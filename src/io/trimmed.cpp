@@ -1,4 +1,4 @@
-#include "breccia/io/trimmed.hpp"
+#include "io/trimmed.hpp"
 
 namespace breccia::detail {
 

@@ -1,4 +1,4 @@
-#include "breccia/io/units.hpp"
+#include "io/units.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,8 +17,9 @@
 #include <udunits2.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/nearest_name.hpp"
-#include "breccia/io/trimmed.hpp"
+
+#include "io/nearest_name.hpp"
+#include "io/trimmed.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "breccia/io/whole_results.hpp"
+#include "io/whole_results.hpp"
 
 #include <algorithm>
 #include <system_error>
@@ -9,10 +9,11 @@
 #include <nlohmann/json.hpp>
 
 #include "breccia/error.hpp"
-#include "breccia/io/empty_directory.hpp"
-#include "breccia/io/file_status.hpp"
-#include "breccia/io/replacement.hpp"
-#include "breccia/io/text_file.hpp"
+
+#include "io/empty_directory.hpp"
+#include "io/file_status.hpp"
+#include "io/replacement.hpp"
+#include "io/text_file.hpp"
 
 namespace breccia {
 namespace {

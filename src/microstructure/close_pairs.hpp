@@ -8,8 +8,8 @@
 
 #include "breccia/microstructure/microstructure.hpp"
 
-#include "near_pairs.hpp"
-#include "vector_algebra.hpp"
+#include "microstructure/near_pairs.hpp"
+#include "microstructure/vector_algebra.hpp"
 
 namespace breccia {
 

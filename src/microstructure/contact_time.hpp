@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "vector_algebra.hpp"
+#include "microstructure/vector_algebra.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "breccia/microstructure/disc_overlap.hpp"
+#include "microstructure/disc_overlap.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "contact_time.hpp"
+#include "microstructure/contact_time.hpp"
 
 namespace breccia {
 

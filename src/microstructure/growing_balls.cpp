@@ -1,13 +1,13 @@
-#include "growing_balls.hpp"
+#include "microstructure/growing_balls.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <random>
 #include <utility>
 
-#include "contact_time.hpp"
-#include "uniform.hpp"
-#include "vector_algebra.hpp"
+#include "microstructure/contact_time.hpp"
+#include "microstructure/uniform.hpp"
+#include "microstructure/vector_algebra.hpp"
 
 namespace breccia {
 

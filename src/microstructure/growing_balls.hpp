@@ -7,9 +7,9 @@
 #include "breccia/microstructure/microstructure.hpp"
 #include "breccia/microstructure/packing.hpp"
 
-#include "event_queue.hpp"
-#include "neighbour_lists.hpp"
-#include "periodic_images.hpp"
+#include "microstructure/event_queue.hpp"
+#include "microstructure/neighbour_lists.hpp"
+#include "microstructure/periodic_images.hpp"
 
 namespace breccia {
 

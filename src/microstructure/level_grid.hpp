@@ -11,7 +11,7 @@
 
 #include "breccia/microstructure/microstructure.hpp"
 
-#include "periodic_images.hpp"
+#include "microstructure/periodic_images.hpp"
 
 namespace breccia {
 

@@ -7,9 +7,9 @@
 
 #include "breccia/microstructure/microstructure.hpp"
 
-#include "level_grid.hpp"
-#include "periodic_images.hpp"
-#include "vector_algebra.hpp"
+#include "microstructure/level_grid.hpp"
+#include "microstructure/periodic_images.hpp"
+#include "microstructure/vector_algebra.hpp"
 
 namespace breccia {
 

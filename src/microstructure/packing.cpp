@@ -16,9 +16,9 @@
 
 #include "breccia/error.hpp"
 
-#include "close_pairs.hpp"
-#include "event_queue.hpp"
-#include "growing_balls.hpp"
+#include "microstructure/close_pairs.hpp"
+#include "microstructure/event_queue.hpp"
+#include "microstructure/growing_balls.hpp"
 
 namespace breccia {
 

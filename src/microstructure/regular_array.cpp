@@ -1,4 +1,4 @@
-#include "breccia/microstructure/regular_array.hpp"
+#include "microstructure/regular_array.hpp"
 
 #include <algorithm>
 #include <cmath>

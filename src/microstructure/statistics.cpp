@@ -8,7 +8,7 @@
 
 #include "breccia/error.hpp"
 
-#include "close_pairs.hpp"
+#include "microstructure/close_pairs.hpp"
 
 namespace breccia {
 

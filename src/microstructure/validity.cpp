@@ -13,8 +13,8 @@
 
 #include "breccia/error.hpp"
 
-#include "close_pairs.hpp"
-#include "mistake_list.hpp"
+#include "microstructure/close_pairs.hpp"
+#include "microstructure/mistake_list.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "breccia/parallel/blas_threads.hpp"
+#include "parallel/blas_threads.hpp"
 
 #include <dlfcn.h>
 

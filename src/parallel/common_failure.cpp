@@ -1,4 +1,4 @@
-#include "breccia/parallel/common_failure.hpp"
+#include "parallel/common_failure.hpp"
 
 #include <new>
 #include <stdexcept>
@@ -8,8 +8,9 @@
 #include <mpi.h>
 
 #include "breccia/error.hpp"
-#include "breccia/parallel/communicator.hpp"
-#include "breccia/parallel/session.hpp"
+
+#include "parallel/communicator.hpp"
+#include "parallel/session.hpp"
 
 namespace breccia::parallel {
 namespace {

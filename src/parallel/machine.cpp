@@ -1,4 +1,4 @@
-#include "breccia/parallel/machine.hpp"
+#include "parallel/machine.hpp"
 
 #include <array>
 #include <cstdint>
@@ -10,8 +10,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "breccia/parallel/communicator.hpp"
-#include "breccia/parallel/session.hpp"
+#include "parallel/communicator.hpp"
+#include "parallel/session.hpp"
 
 namespace breccia::parallel {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <mpi.h>
 
-#include "breccia/parallel/communicator.hpp"
-#include "breccia/parallel/session.hpp"
+#include "parallel/communicator.hpp"
+#include "parallel/session.hpp"
 
 namespace breccia::parallel {
 namespace {

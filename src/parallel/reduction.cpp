@@ -1,9 +1,9 @@
-#include "breccia/parallel/reduction.hpp"
+#include "parallel/reduction.hpp"
 
 #include <mpi.h>
 
-#include "breccia/parallel/communicator.hpp"
-#include "breccia/parallel/session.hpp"
+#include "parallel/communicator.hpp"
+#include "parallel/session.hpp"
 
 namespace breccia::parallel {
 namespace {

@@ -1,4 +1,4 @@
-#include "breccia/parallel/session.hpp"
+#include "parallel/session.hpp"
 
 #include <array>
 #include <cstdlib>
@@ -13,9 +13,10 @@
 #include <unistd.h>
 
 #include "breccia/error.hpp"
-#include "breccia/parallel/blas_threads.hpp"
-#include "breccia/parallel/communicator.hpp"
-#include "breccia/parallel/threads.hpp"
+
+#include "parallel/blas_threads.hpp"
+#include "parallel/communicator.hpp"
+#include "parallel/threads.hpp"
 
 namespace breccia::parallel {
 namespace {

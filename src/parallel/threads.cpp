@@ -1,4 +1,4 @@
-#include "breccia/parallel/threads.hpp"
+#include "parallel/threads.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -9,7 +9,7 @@
 #include <omp.h>
 #include <sched.h>
 
-#include "breccia/parallel/communicator.hpp"
+#include "parallel/communicator.hpp"
 
 namespace breccia::parallel {
 namespace {

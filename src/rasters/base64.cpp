@@ -1,4 +1,4 @@
-#include "breccia/rasters/base64.hpp"
+#include "rasters/base64.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "grey_levels.hpp"
+#include "rasters/grey_levels.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "hdf5_raster.hpp"
+#include "rasters/hdf5_raster.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -10,13 +10,13 @@
 #include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/file_mistakes.hpp"
-#include "breccia/io/hdf5_handle.hpp"
-#include "breccia/io/nearest_name.hpp"
-#include "breccia/io/printable.hpp"
 
-#include "raster_elements.hpp"
-#include "raster_layout.hpp"
+#include "io/file_mistakes.hpp"
+#include "io/hdf5_handle.hpp"
+#include "io/nearest_name.hpp"
+#include "io/printable.hpp"
+#include "rasters/raster_elements.hpp"
+#include "rasters/raster_layout.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "imagej_description.hpp"
+#include "rasters/imagej_description.hpp"
 
 #include <algorithm>
 #include <array>

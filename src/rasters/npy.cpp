@@ -1,4 +1,4 @@
-#include "breccia/rasters/npy.hpp"
+#include "rasters/npy.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -11,7 +11,8 @@
 #include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/text_file.hpp"
+
+#include "io/text_file.hpp"
 
 namespace breccia {
 

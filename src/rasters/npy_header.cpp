@@ -1,4 +1,4 @@
-#include "npy_header.hpp"
+#include "rasters/npy_header.hpp"
 
 #include <charconv>
 #include <cstdint>
@@ -7,7 +7,8 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/file_mistakes.hpp"
+
+#include "io/file_mistakes.hpp"
 
 namespace breccia {
 

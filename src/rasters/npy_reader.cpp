@@ -1,4 +1,4 @@
-#include "npy_reader.hpp"
+#include "rasters/npy_reader.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,11 +7,11 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/file_mistakes.hpp"
 
-#include "npy_header.hpp"
-#include "raster_elements.hpp"
-#include "raster_layout.hpp"
+#include "io/file_mistakes.hpp"
+#include "rasters/npy_header.hpp"
+#include "rasters/raster_elements.hpp"
+#include "rasters/raster_layout.hpp"
 
 namespace breccia {
 

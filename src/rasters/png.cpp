@@ -1,4 +1,4 @@
-#include "breccia/rasters/png.hpp"
+#include "rasters/png.hpp"
 
 #include <algorithm>
 

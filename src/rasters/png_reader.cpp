@@ -1,4 +1,4 @@
-#include "png_reader.hpp"
+#include "rasters/png_reader.hpp"
 
 #include <algorithm>
 #include <csetjmp>
@@ -12,9 +12,9 @@
 
 #include "breccia/error.hpp"
 
-#include "grey_levels.hpp"
-#include "raster_elements.hpp"
-#include "raster_layout.hpp"
+#include "rasters/grey_levels.hpp"
+#include "rasters/raster_elements.hpp"
+#include "rasters/raster_layout.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "raster_elements.hpp"
+#include "rasters/raster_elements.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "raster_format.hpp"
+#include "rasters/raster_format.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,8 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/file_mistakes.hpp"
+
+#include "io/file_mistakes.hpp"
 
 namespace breccia {
 

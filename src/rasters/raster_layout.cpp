@@ -1,4 +1,4 @@
-#include "raster_layout.hpp"
+#include "rasters/raster_layout.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -3,15 +3,15 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/file_mistakes.hpp"
-#include "breccia/io/text_file.hpp"
 
-#include "hdf5_raster.hpp"
-#include "npy_reader.hpp"
-#include "png_reader.hpp"
-#include "raster_format.hpp"
-#include "tiff_reader.hpp"
-#include "vti_reader.hpp"
+#include "io/file_mistakes.hpp"
+#include "io/text_file.hpp"
+#include "rasters/hdf5_raster.hpp"
+#include "rasters/npy_reader.hpp"
+#include "rasters/png_reader.hpp"
+#include "rasters/raster_format.hpp"
+#include "rasters/tiff_reader.hpp"
+#include "rasters/vti_reader.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "tiff_file.hpp"
+#include "rasters/tiff_file.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,8 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/printable.hpp"
+
+#include "io/printable.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "tiff_page.hpp"
+#include "rasters/tiff_page.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "grey_levels.hpp"
-#include "raster_layout.hpp"
+#include "rasters/grey_levels.hpp"
+#include "rasters/raster_layout.hpp"
 
 namespace breccia {
 

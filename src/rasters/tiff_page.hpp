@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "raster_elements.hpp"
-#include "tiff_file.hpp"
+#include "rasters/raster_elements.hpp"
+#include "rasters/tiff_file.hpp"
 
 namespace breccia {
 

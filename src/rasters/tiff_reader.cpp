@@ -1,4 +1,4 @@
-#include "tiff_reader.hpp"
+#include "rasters/tiff_reader.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,12 +8,11 @@
 
 #include <fmt/format.h>
 
-#include "breccia/io/display.hpp"
-
-#include "imagej_description.hpp"
-#include "raster_layout.hpp"
-#include "tiff_file.hpp"
-#include "tiff_page.hpp"
+#include "io/display.hpp"
+#include "rasters/imagej_description.hpp"
+#include "rasters/raster_layout.hpp"
+#include "rasters/tiff_file.hpp"
+#include "rasters/tiff_page.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "breccia/rasters/vti.hpp"
+#include "rasters/vti.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -9,8 +9,9 @@
 #include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/text_file.hpp"
-#include "breccia/rasters/zlib_stream.hpp"
+
+#include "io/text_file.hpp"
+#include "rasters/zlib_stream.hpp"
 
 namespace breccia {
 

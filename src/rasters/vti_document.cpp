@@ -1,4 +1,4 @@
-#include "vti_document.hpp"
+#include "rasters/vti_document.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -8,10 +8,11 @@
 #include <zlib.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/display.hpp"
-#include "breccia/io/file_mistakes.hpp"
-#include "breccia/io/printable.hpp"
-#include "breccia/rasters/base64.hpp"
+
+#include "io/display.hpp"
+#include "io/file_mistakes.hpp"
+#include "io/printable.hpp"
+#include "rasters/base64.hpp"
 
 namespace breccia {
 

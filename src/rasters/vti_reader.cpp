@@ -1,4 +1,4 @@
-#include "vti_reader.hpp"
+#include "rasters/vti_reader.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,13 +12,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "breccia/io/display.hpp"
-#include "breccia/io/file_mistakes.hpp"
-#include "breccia/io/nearest_name.hpp"
-
-#include "raster_elements.hpp"
-#include "raster_layout.hpp"
-#include "vti_document.hpp"
+#include "io/display.hpp"
+#include "io/file_mistakes.hpp"
+#include "io/nearest_name.hpp"
+#include "rasters/raster_elements.hpp"
+#include "rasters/raster_layout.hpp"
+#include "rasters/vti_document.hpp"
 
 namespace breccia {
 

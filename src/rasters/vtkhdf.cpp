@@ -1,4 +1,4 @@
-#include "breccia/rasters/vtkhdf.hpp"
+#include "rasters/vtkhdf.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -10,7 +10,8 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/hdf5.hpp"
+
+#include "io/hdf5.hpp"
 
 namespace breccia {
 

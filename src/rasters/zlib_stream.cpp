@@ -1,4 +1,4 @@
-#include "breccia/rasters/zlib_stream.hpp"
+#include "rasters/zlib_stream.hpp"
 
 #include <zlib.h>
 

@@ -1,11 +1,11 @@
-#include "bar_ticks.hpp"
+#include "report/bar_ticks.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "breccia/io/display.hpp"
+#include "io/display.hpp"
 
 namespace breccia {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "breccia/rasters/png.hpp"
+#include "rasters/png.hpp"
 
 namespace breccia {
 

@@ -1,10 +1,10 @@
-#include "colour_range.hpp"
+#include "report/colour_range.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
-#include "colour_map.hpp"
+#include "report/colour_map.hpp"
 
 namespace breccia {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "breccia/rasters/png.hpp"
-#include "breccia/report/field_picture.hpp"
+#include "rasters/png.hpp"
+#include "report/field_picture.hpp"
 
 namespace breccia {
 

@@ -1,6 +1,6 @@
-#include "embedded_png.hpp"
+#include "report/embedded_png.hpp"
 
-#include "breccia/rasters/base64.hpp"
+#include "rasters/base64.hpp"
 
 namespace breccia {
 

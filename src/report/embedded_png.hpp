@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "breccia/rasters/png.hpp"
+#include "rasters/png.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "breccia/report/field_picture.hpp"
+#include "report/field_picture.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,12 +9,12 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/report/map_means.hpp"
 
-#include "colour_range.hpp"
-#include "embedded_png.hpp"
-#include "map_frame.hpp"
-#include "outlines.hpp"
+#include "report/colour_range.hpp"
+#include "report/embedded_png.hpp"
+#include "report/map_frame.hpp"
+#include "report/map_means.hpp"
+#include "report/outlines.hpp"
 
 namespace breccia {
 namespace {

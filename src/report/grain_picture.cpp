@@ -1,4 +1,4 @@
-#include "breccia/report/grain_picture.hpp"
+#include "report/grain_picture.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "picture_frame.hpp"
+#include "report/picture_frame.hpp"
 
 namespace breccia {
 namespace {

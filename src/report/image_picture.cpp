@@ -1,4 +1,4 @@
-#include "breccia/report/image_picture.hpp"
+#include "report/image_picture.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -13,8 +13,8 @@
 #include "breccia/error.hpp"
 #include "breccia/report/microstructure_picture.hpp"
 
-#include "embedded_png.hpp"
-#include "picture_frame.hpp"
+#include "report/embedded_png.hpp"
+#include "report/picture_frame.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "map_frame.hpp"
+#include "report/map_frame.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,12 +8,11 @@
 
 #include <fmt/format.h>
 
-#include "breccia/io/display.hpp"
-
-#include "bar_ticks.hpp"
-#include "embedded_png.hpp"
-#include "markup.hpp"
-#include "picture_frame.hpp"
+#include "io/display.hpp"
+#include "report/bar_ticks.hpp"
+#include "report/embedded_png.hpp"
+#include "report/markup.hpp"
+#include "report/picture_frame.hpp"
 
 namespace breccia {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "colour_range.hpp"
+#include "report/colour_range.hpp"
 
 namespace breccia {
 

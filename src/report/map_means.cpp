@@ -1,4 +1,4 @@
-#include "breccia/report/map_means.hpp"
+#include "report/map_means.hpp"
 
 #include <algorithm>
 

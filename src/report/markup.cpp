@@ -1,4 +1,4 @@
-#include "markup.hpp"
+#include "report/markup.hpp"
 
 namespace breccia {
 

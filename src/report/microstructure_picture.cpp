@@ -14,7 +14,7 @@
 
 #include "breccia/error.hpp"
 
-#include "picture_frame.hpp"
+#include "report/picture_frame.hpp"
 
 namespace breccia {
 

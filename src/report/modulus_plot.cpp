@@ -1,4 +1,4 @@
-#include "breccia/report/modulus_plot.hpp"
+#include "report/modulus_plot.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,12 +10,12 @@
 
 #include "breccia/error.hpp"
 
-#include "log_axis.hpp"
-#include "markup.hpp"
-#include "plot_area.hpp"
-#include "plot_legend.hpp"
-#include "plot_pen.hpp"
-#include "plot_text.hpp"
+#include "report/log_axis.hpp"
+#include "report/markup.hpp"
+#include "report/plot_area.hpp"
+#include "report/plot_legend.hpp"
+#include "report/plot_pen.hpp"
+#include "report/plot_text.hpp"
 
 namespace breccia {
 

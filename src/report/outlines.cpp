@@ -1,4 +1,4 @@
-#include "outlines.hpp"
+#include "report/outlines.hpp"
 
 #include <iterator>
 

@@ -1,4 +1,4 @@
-#include "breccia/report/particle_picture.hpp"
+#include "report/particle_picture.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 #include "breccia/error.hpp"
 
-#include "picture_frame.hpp"
+#include "report/picture_frame.hpp"
 
 namespace breccia {
 namespace {

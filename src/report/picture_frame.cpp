@@ -1,11 +1,12 @@
-#include "picture_frame.hpp"
+#include "report/picture_frame.hpp"
 
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/display.hpp"
+
+#include "io/display.hpp"
 
 namespace breccia {
 namespace {

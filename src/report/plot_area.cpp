@@ -1,10 +1,10 @@
-#include "plot_area.hpp"
+#include "report/plot_area.hpp"
 
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "plot_text.hpp"
+#include "report/plot_text.hpp"
 
 namespace breccia {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "log_axis.hpp"
+#include "report/log_axis.hpp"
 
 namespace breccia {
 

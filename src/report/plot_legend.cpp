@@ -1,11 +1,11 @@
-#include "plot_legend.hpp"
+#include "report/plot_legend.hpp"
 
 #include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "plot_text.hpp"
+#include "report/plot_text.hpp"
 
 namespace breccia {
 namespace {

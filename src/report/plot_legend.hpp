@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "plot_pen.hpp"
+#include "report/plot_pen.hpp"
 
 namespace breccia {
 

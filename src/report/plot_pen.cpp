@@ -1,4 +1,4 @@
-#include "plot_pen.hpp"
+#include "report/plot_pen.hpp"
 
 #include <array>
 #include <iterator>

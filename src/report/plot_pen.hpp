@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "breccia/report/modulus_plot.hpp"
+#include "report/modulus_plot.hpp"
 
 namespace breccia {
 

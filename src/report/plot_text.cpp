@@ -1,10 +1,10 @@
-#include "plot_text.hpp"
+#include "report/plot_text.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "markup.hpp"
+#include "report/markup.hpp"
 
 namespace breccia {
 

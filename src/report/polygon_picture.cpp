@@ -1,4 +1,4 @@
-#include "breccia/report/polygon_picture.hpp"
+#include "report/polygon_picture.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,9 @@
 
 #include "breccia/error.hpp"
 
-#include "colour_range.hpp"
-#include "embedded_png.hpp"
-#include "map_frame.hpp"
+#include "report/colour_range.hpp"
+#include "report/embedded_png.hpp"
+#include "report/map_frame.hpp"
 
 namespace breccia {
 namespace {

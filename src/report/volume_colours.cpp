@@ -1,4 +1,4 @@
-#include "breccia/report/volume_colours.hpp"
+#include "report/volume_colours.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 
 #include "breccia/error.hpp"
 
-#include "colour_map.hpp"
-#include "colour_range.hpp"
+#include "report/colour_map.hpp"
+#include "report/colour_range.hpp"
 
 namespace breccia {
 

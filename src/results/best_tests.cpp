@@ -1,4 +1,4 @@
-#include "best_tests.hpp"
+#include "results/best_tests.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "breccia/results/checksums.hpp"
+#include "results/checksums.hpp"
 
 #include <sstream>
 #include <string_view>
@@ -7,10 +7,10 @@
 
 #include <fmt/format.h>
 
-#include "breccia/checkpoint/checkpoint.hpp"
-#include "breccia/io/seal.hpp"
-#include "breccia/io/text_file.hpp"
-#include "breccia/results/result_files.hpp"
+#include "checkpoint/checkpoint.hpp"
+#include "io/seal.hpp"
+#include "io/text_file.hpp"
+#include "results/result_files.hpp"
 
 namespace breccia {
 namespace {

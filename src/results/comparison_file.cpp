@@ -1,9 +1,9 @@
-#include "breccia/results/comparison_file.hpp"
+#include "results/comparison_file.hpp"
 
 #include <string>
 #include <vector>
 
-#include "breccia/tables/csv.hpp"
+#include "tables/csv.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "breccia/results/composite.hpp"
+#include "results/composite.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -7,10 +7,10 @@
 #include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/nearest_name.hpp"
-#include "breccia/virtual_test/bulk_test.hpp"
 
-#include "best_tests.hpp"
+#include "io/nearest_name.hpp"
+#include "results/best_tests.hpp"
+#include "virtual_test/bulk_test.hpp"
 
 namespace breccia {
 namespace {

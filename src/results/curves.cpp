@@ -7,13 +7,12 @@
 
 #include <fmt/format.h>
 
-#include "breccia/homogenisation/quality.hpp"
-#include "breccia/tables/csv.hpp"
-
-#include "best_tests.hpp"
-#include "dynamic_curves.hpp"
-#include "engineering_tables.hpp"
-#include "test_columns.hpp"
+#include "homogenisation/quality.hpp"
+#include "results/best_tests.hpp"
+#include "results/dynamic_curves.hpp"
+#include "results/engineering_tables.hpp"
+#include "results/test_columns.hpp"
+#include "tables/csv.hpp"
 
 namespace breccia {
 namespace {

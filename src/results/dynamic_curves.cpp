@@ -1,11 +1,10 @@
-#include "dynamic_curves.hpp"
+#include "results/dynamic_curves.hpp"
 
 #include <vector>
 
-#include "breccia/tables/csv.hpp"
-
-#include "best_tests.hpp"
-#include "test_columns.hpp"
+#include "results/best_tests.hpp"
+#include "results/test_columns.hpp"
+#include "tables/csv.hpp"
 
 namespace breccia {
 

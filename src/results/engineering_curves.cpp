@@ -1,11 +1,10 @@
-#include "breccia/results/engineering_curves.hpp"
+#include "results/engineering_curves.hpp"
 
 #include <algorithm>
 
-#include "breccia/virtual_test/bulk_test.hpp"
-#include "breccia/viscoelasticity/engineering_moduli.hpp"
-
-#include "best_tests.hpp"
+#include "results/best_tests.hpp"
+#include "virtual_test/bulk_test.hpp"
+#include "viscoelasticity/engineering_moduli.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "engineering_tables.hpp"
+#include "results/engineering_tables.hpp"
 
 #include <algorithm>
 #include <complex>
@@ -6,10 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "breccia/results/engineering_curves.hpp"
-#include "breccia/tables/csv.hpp"
-
-#include "test_columns.hpp"
+#include "results/engineering_curves.hpp"
+#include "results/test_columns.hpp"
+#include "tables/csv.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "breccia/results/field_files.hpp"
+#include "results/field_files.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,14 +12,13 @@
 
 #include <fmt/format.h>
 
-#include "breccia/io/safe_name.hpp"
-#include "breccia/io/text_file.hpp"
-#include "breccia/rasters/vtkhdf.hpp"
-#include "breccia/report/field_picture.hpp"
-#include "breccia/report/map_means.hpp"
-
-#include "field_pieces.hpp"
-#include "field_quantities.hpp"
+#include "io/safe_name.hpp"
+#include "io/text_file.hpp"
+#include "rasters/vtkhdf.hpp"
+#include "report/field_picture.hpp"
+#include "report/map_means.hpp"
+#include "results/field_pieces.hpp"
+#include "results/field_quantities.hpp"
 
 namespace breccia {
 namespace {

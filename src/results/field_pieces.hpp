@@ -4,9 +4,10 @@
 #include <span>
 
 #include "breccia/discretisation/point_fields.hpp"
-#include "breccia/parallel/common_failure.hpp"
-#include "breccia/parallel/first_exception.hpp"
 #include "breccia/parallel/ordered_values.hpp"
+
+#include "parallel/common_failure.hpp"
+#include "parallel/first_exception.hpp"
 
 namespace breccia {
 

@@ -1,10 +1,10 @@
-#include "field_quantities.hpp"
+#include "results/field_quantities.hpp"
 
 #include <string_view>
 
 #include <fmt/format.h>
 
-#include "breccia/io/display.hpp"
+#include "io/display.hpp"
 
 namespace breccia {
 namespace {

@@ -2,9 +2,10 @@
 
 #include <string>
 
-#include "breccia/report/field_picture.hpp"
 #include "breccia/study/stage.hpp"
 #include "breccia/study/test_id.hpp"
+
+#include "report/field_picture.hpp"
 
 namespace breccia {
 

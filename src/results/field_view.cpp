@@ -1,4 +1,4 @@
-#include "field_view.hpp"
+#include "results/field_view.hpp"
 
 #include <array>
 #include <cmath>
@@ -9,11 +9,11 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/hdf5.hpp"
-#include "breccia/report/volume_colours.hpp"
 
-#include "page_bytes.hpp"
-#include "volume_quantities.hpp"
+#include "io/hdf5.hpp"
+#include "report/volume_colours.hpp"
+#include "results/page_bytes.hpp"
+#include "results/volume_quantities.hpp"
 
 namespace breccia {
 namespace {

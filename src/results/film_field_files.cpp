@@ -1,4 +1,4 @@
-#include "breccia/results/film_field_files.hpp"
+#include "results/film_field_files.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,13 +11,13 @@
 #include <fmt/format.h>
 
 #include "breccia/discretisation/load.hpp"
-#include "breccia/io/text_file.hpp"
-#include "breccia/parallel/common_failure.hpp"
-#include "breccia/rasters/vtkhdf.hpp"
-#include "breccia/report/polygon_picture.hpp"
-#include "breccia/results/field_files.hpp"
 
-#include "field_quantities.hpp"
+#include "io/text_file.hpp"
+#include "parallel/common_failure.hpp"
+#include "rasters/vtkhdf.hpp"
+#include "report/polygon_picture.hpp"
+#include "results/field_files.hpp"
+#include "results/field_quantities.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "breccia/results/history_file.hpp"
+#include "results/history_file.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,10 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/hdf5.hpp"
-#include "breccia/io/safe_name.hpp"
-#include "breccia/study/identity.hpp"
+
+#include "io/hdf5.hpp"
+#include "io/safe_name.hpp"
+#include "study/identity.hpp"
 
 namespace breccia {
 namespace {

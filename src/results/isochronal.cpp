@@ -1,4 +1,4 @@
-#include "breccia/results/isochronal.hpp"
+#include "results/isochronal.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,9 @@
 #include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
-#include "breccia/viscoelasticity/engineering_moduli.hpp"
-#include "breccia/viscoelasticity/reference_temperature.hpp"
+
+#include "viscoelasticity/engineering_moduli.hpp"
+#include "viscoelasticity/reference_temperature.hpp"
 
 namespace breccia {
 namespace {

@@ -4,8 +4,9 @@
 
 #include "breccia/homogenisation/point_labels.hpp"
 #include "breccia/homogenisation/stage_discretisation.hpp"
-#include "breccia/rasters/npy.hpp"
-#include "breccia/rasters/vti.hpp"
+
+#include "rasters/npy.hpp"
+#include "rasters/vti.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "breccia/results/material_card.hpp"
+#include "results/material_card.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -11,18 +11,18 @@
 #include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/display.hpp"
-#include "breccia/virtual_test/bulk_test.hpp"
-#include "breccia/viscoelasticity/poisson_ratio.hpp"
-#include "breccia/viscoelasticity/prony_reduction.hpp"
-#include "breccia/viscoelasticity/reference_temperature.hpp"
 
-#include "cards/abaqus_card.hpp"
-#include "cards/ansys_card.hpp"
-#include "cards/comsol_card.hpp"
-#include "cards/csv_card.hpp"
-#include "cards/ls_dyna_card.hpp"
-#include "cards/moose_card.hpp"
+#include "io/display.hpp"
+#include "results/cards/abaqus_card.hpp"
+#include "results/cards/ansys_card.hpp"
+#include "results/cards/comsol_card.hpp"
+#include "results/cards/csv_card.hpp"
+#include "results/cards/ls_dyna_card.hpp"
+#include "results/cards/moose_card.hpp"
+#include "virtual_test/bulk_test.hpp"
+#include "viscoelasticity/poisson_ratio.hpp"
+#include "viscoelasticity/prony_reduction.hpp"
+#include "viscoelasticity/reference_temperature.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "breccia/results/microstructure_files.hpp"
+#include "results/microstructure_files.hpp"
 
 #include <array>
 #include <cstddef>
@@ -6,13 +6,13 @@
 
 #include <fmt/format.h>
 
-#include "breccia/io/text_file.hpp"
-#include "breccia/microstructure/tessellation_statistics.hpp"
 #include "breccia/results/label_files.hpp"
-#include "breccia/results/stage_picture.hpp"
-#include "breccia/tables/csv.hpp"
 
-#include "particle_files.hpp"
+#include "io/text_file.hpp"
+#include "microstructure/tessellation/tessellation_statistics.hpp"
+#include "results/particle_files.hpp"
+#include "results/stage_picture.hpp"
+#include "tables/csv.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "microstructure_view.hpp"
+#include "results/microstructure_view.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "breccia/rasters/raster_reader.hpp"
-#include "breccia/tables/csv.hpp"
 
-#include "page_bytes.hpp"
-#include "report_data.hpp"
+#include "results/page_bytes.hpp"
+#include "results/report_data.hpp"
+#include "tables/csv.hpp"
 
 namespace breccia {
 namespace {

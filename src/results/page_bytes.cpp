@@ -1,12 +1,13 @@
-#include "page_bytes.hpp"
+#include "results/page_bytes.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <string_view>
 
 #include "breccia/error.hpp"
-#include "breccia/rasters/base64.hpp"
-#include "breccia/rasters/zlib_stream.hpp"
+
+#include "rasters/base64.hpp"
+#include "rasters/zlib_stream.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "particle_files.hpp"
+#include "results/particle_files.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,8 @@
 #include <fmt/format.h>
 
 #include "breccia/microstructure/ellipsoid.hpp"
-#include "breccia/tables/csv.hpp"
+
+#include "tables/csv.hpp"
 
 namespace breccia {
 namespace {

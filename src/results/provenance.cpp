@@ -1,7 +1,7 @@
-#include "breccia/results/provenance.hpp"
+#include "results/provenance.hpp"
 
-#include "study_document.hpp"
-#include "study_entries.hpp"
+#include "results/study_document.hpp"
+#include "results/study_entries.hpp"
 
 namespace breccia {
 

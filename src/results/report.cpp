@@ -1,15 +1,16 @@
-#include "breccia/results/report.hpp"
+#include "results/report.hpp"
 
 #include <optional>
 
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/directory_lock.hpp"
-#include "breccia/io/replacement.hpp"
-#include "breccia/results/study_record.hpp"
-#include "breccia/results/study_report.hpp"
-#include "breccia/results/sweep_report.hpp"
+
+#include "io/directory_lock.hpp"
+#include "io/replacement.hpp"
+#include "results/study_record.hpp"
+#include "results/study_report.hpp"
+#include "results/sweep_report.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "report_data.hpp"
+#include "results/report_data.hpp"
 
 #include <cmath>
 #include <system_error>
@@ -7,7 +7,8 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/text_file.hpp"
+
+#include "io/text_file.hpp"
 
 namespace breccia {
 

@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "breccia/results/page_data.hpp"
+#include "results/page_data.hpp"
 
 namespace breccia {
 

@@ -1,11 +1,10 @@
-#include "report_tables.hpp"
+#include "results/report_tables.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "breccia/tables/csv.hpp"
-
-#include "report_data.hpp"
+#include "results/report_data.hpp"
+#include "tables/csv.hpp"
 
 namespace breccia {
 

@@ -1,13 +1,14 @@
-#include "breccia/results/response_curves.hpp"
+#include "results/response_curves.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "breccia/io/text_file.hpp"
-#include "breccia/io/units.hpp"
-#include "breccia/io/whole_results.hpp"
 #include "breccia/results/curves.hpp"
-#include "breccia/study/result_names.hpp"
+
+#include "io/text_file.hpp"
+#include "io/units.hpp"
+#include "io/whole_results.hpp"
+#include "study/result_names.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "breccia/results/response_file.hpp"
+#include "results/response_file.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +14,10 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/hdf5.hpp"
-#include "breccia/io/seal.hpp"
-#include "breccia/study/limits.hpp"
+
+#include "io/hdf5.hpp"
+#include "io/seal.hpp"
+#include "study/limits.hpp"
 
 namespace breccia {
 namespace {

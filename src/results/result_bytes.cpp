@@ -1,4 +1,4 @@
-#include "breccia/results/result_bytes.hpp"
+#include "results/result_bytes.hpp"
 
 #include <tuple>
 #include <utility>
@@ -8,7 +8,7 @@
 
 #include "breccia/error.hpp"
 
-#include "study_document.hpp"
+#include "results/study_document.hpp"
 
 namespace breccia {
 

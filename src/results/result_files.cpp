@@ -1,17 +1,17 @@
-#include "breccia/results/result_files.hpp"
+#include "results/result_files.hpp"
 
 #include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
 
-#include "breccia/checkpoint/checkpoint.hpp"
-#include "breccia/io/replacement.hpp"
-#include "breccia/io/safe_name.hpp"
-#include "breccia/io/text_file.hpp"
-#include "breccia/results/field_files.hpp"
-#include "breccia/results/history_file.hpp"
-#include "breccia/study/result_names.hpp"
+#include "checkpoint/checkpoint.hpp"
+#include "io/replacement.hpp"
+#include "io/safe_name.hpp"
+#include "io/text_file.hpp"
+#include "results/field_files.hpp"
+#include "results/history_file.hpp"
+#include "study/result_names.hpp"
 
 namespace breccia {
 namespace {

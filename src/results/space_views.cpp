@@ -1,4 +1,4 @@
-#include "space_views.hpp"
+#include "results/space_views.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,11 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "breccia/report/volume_colours.hpp"
-
-#include "field_view.hpp"
-#include "microstructure_view.hpp"
-#include "report_data.hpp"
+#include "report/volume_colours.hpp"
+#include "results/field_view.hpp"
+#include "results/microstructure_view.hpp"
+#include "results/report_data.hpp"
 
 namespace breccia {
 namespace {

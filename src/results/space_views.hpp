@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "study_document.hpp"
+#include "results/study_document.hpp"
 
 namespace breccia {
 

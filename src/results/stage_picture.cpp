@@ -1,4 +1,4 @@
-#include "breccia/results/stage_picture.hpp"
+#include "results/stage_picture.hpp"
 
 #include <array>
 #include <cstddef>
@@ -7,12 +7,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "breccia/homogenisation/middle_plane.hpp"
 #include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/microstructure/tessellation.hpp"
-#include "breccia/report/grain_picture.hpp"
-#include "breccia/report/image_picture.hpp"
-#include "breccia/report/particle_picture.hpp"
+
+#include "homogenisation/box/middle_plane.hpp"
+#include "report/grain_picture.hpp"
+#include "report/image_picture.hpp"
+#include "report/particle_picture.hpp"
 
 namespace breccia {
 namespace {

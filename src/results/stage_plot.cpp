@@ -1,4 +1,4 @@
-#include "breccia/results/stage_plot.hpp"
+#include "results/stage_plot.hpp"
 
 #include <optional>
 #include <string>
@@ -7,11 +7,11 @@
 
 #include <fmt/format.h>
 
-#include "breccia/homogenisation/stage_materials.hpp"
-#include "breccia/io/display.hpp"
-#include "breccia/io/text_file.hpp"
-#include "breccia/report/modulus_plot.hpp"
-#include "breccia/virtual_test/bulk_test.hpp"
+#include "homogenisation/stage_materials.hpp"
+#include "io/display.hpp"
+#include "io/text_file.hpp"
+#include "report/modulus_plot.hpp"
+#include "virtual_test/bulk_test.hpp"
 
 namespace breccia {
 namespace {

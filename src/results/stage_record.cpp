@@ -1,4 +1,4 @@
-#include "breccia/results/stage_record.hpp"
+#include "results/stage_record.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "breccia/results/stored_composite.hpp"
+#include "results/stored_composite.hpp"
 
 #include <cmath>
 #include <string>
@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/tables/csv.hpp"
 
-#include "stored_document.hpp"
+#include "results/stored_document.hpp"
+#include "tables/csv.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "stored_document.hpp"
+#include "results/stored_document.hpp"
 
 namespace breccia {
 namespace {

@@ -2,10 +2,9 @@
 
 #include <vector>
 
-#include "breccia/results/composite.hpp"
-#include "breccia/results/stored_materials.hpp"
-
-#include "study_document.hpp"
+#include "results/composite.hpp"
+#include "results/stored_materials.hpp"
+#include "results/study_document.hpp"
 
 namespace breccia {
 

@@ -1,10 +1,10 @@
-#include "breccia/results/stored_materials.hpp"
+#include "results/stored_materials.hpp"
 
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
 
-#include "stored_document.hpp"
+#include "results/stored_document.hpp"
 
 namespace breccia {
 

@@ -8,8 +8,9 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/results/response_file.hpp"
-#include "breccia/results/stored_materials.hpp"
+
+#include "results/response_file.hpp"
+#include "results/stored_materials.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "breccia/results/stored_study.hpp"
+#include "results/stored_study.hpp"
 
 #include <algorithm>
 #include <string>
@@ -8,13 +8,13 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/results/response_file.hpp"
-#include "breccia/results/stored_composite.hpp"
-#include "breccia/results/sweep_result.hpp"
-#include "breccia/tables/csv.hpp"
 
-#include "best_tests.hpp"
-#include "stored_document.hpp"
+#include "results/best_tests.hpp"
+#include "results/response_file.hpp"
+#include "results/stored_composite.hpp"
+#include "results/stored_document.hpp"
+#include "results/sweep_result.hpp"
+#include "tables/csv.hpp"
 
 namespace breccia {
 namespace {

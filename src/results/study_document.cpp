@@ -1,4 +1,4 @@
-#include "study_document.hpp"
+#include "results/study_document.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,10 +9,11 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/printable.hpp"
-#include "breccia/io/safe_name.hpp"
-#include "breccia/io/text_file.hpp"
-#include "breccia/results/field_files.hpp"
+
+#include "io/printable.hpp"
+#include "io/safe_name.hpp"
+#include "io/text_file.hpp"
+#include "results/field_files.hpp"
 
 namespace breccia {
 namespace {

@@ -10,15 +10,15 @@
 #include <variant>
 #include <vector>
 
-#include "breccia/dynamics/dynamic_solver.hpp"
 #include "breccia/homogenisation/study_result.hpp"
-#include "breccia/homogenisation/whole_filler.hpp"
-#include "breccia/results/stage_record.hpp"
 #include "breccia/study/study.hpp"
 #include "breccia/viscoelasticity/prony_series.hpp"
 #include "breccia/viscoelasticity/temperature_shift.hpp"
 
-#include "json_fields.hpp"
+#include "dynamics/dynamic_solver.hpp"
+#include "homogenisation/whole_filler.hpp"
+#include "results/json_fields.hpp"
+#include "results/stage_record.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "study_entries.hpp"
+#include "results/study_entries.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -11,12 +11,13 @@
 #include <fmt/chrono.h>
 #include <fmt/ranges.h>
 
-#include "breccia/homogenisation/quality.hpp"
 #include "breccia/homogenisation/stage_discretisation.hpp"
-#include "breccia/homogenisation/whole_filler.hpp"
-#include "breccia/study/filler_shapes.hpp"
-#include "breccia/study/identity.hpp"
-#include "breccia/study/test_rules.hpp"
+
+#include "homogenisation/quality.hpp"
+#include "homogenisation/whole_filler.hpp"
+#include "study/filler_shapes.hpp"
+#include "study/identity.hpp"
+#include "study/test_rules.hpp"
 
 namespace breccia {
 namespace {

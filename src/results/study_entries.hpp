@@ -1,10 +1,10 @@
 #pragma once
 
 #include "breccia/homogenisation/study_result.hpp"
-#include "breccia/results/stage_record.hpp"
 #include "breccia/study/study.hpp"
 
-#include "study_document.hpp"
+#include "results/stage_record.hpp"
+#include "results/study_document.hpp"
 
 namespace breccia {
 

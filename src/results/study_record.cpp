@@ -1,4 +1,4 @@
-#include "breccia/results/study_record.hpp"
+#include "results/study_record.hpp"
 
 #include <algorithm>
 #include <sstream>
@@ -7,9 +7,9 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "breccia/io/safe_name.hpp"
-#include "breccia/io/text_file.hpp"
-#include "breccia/study/identity.hpp"
+#include "io/safe_name.hpp"
+#include "io/text_file.hpp"
+#include "study/identity.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "breccia/results/study_report.hpp"
+#include "results/study_report.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -10,16 +10,16 @@
 #include <nlohmann/json.hpp>
 
 #include "breccia/error.hpp"
-#include "breccia/io/text_file.hpp"
-#include "breccia/report/page.hpp"
-#include "breccia/results/history_file.hpp"
-#include "breccia/results/response_file.hpp"
-#include "breccia/study/result_names.hpp"
 
-#include "report_data.hpp"
-#include "report_tables.hpp"
-#include "space_views.hpp"
-#include "study_document.hpp"
+#include "io/text_file.hpp"
+#include "report/page.hpp"
+#include "results/history_file.hpp"
+#include "results/report_data.hpp"
+#include "results/report_tables.hpp"
+#include "results/response_file.hpp"
+#include "results/space_views.hpp"
+#include "results/study_document.hpp"
+#include "study/result_names.hpp"
 
 namespace breccia {
 namespace {

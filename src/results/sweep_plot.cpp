@@ -1,4 +1,4 @@
-#include "breccia/results/sweep_plot.hpp"
+#include "results/sweep_plot.hpp"
 
 #include <algorithm>
 #include <string>
@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "breccia/io/text_file.hpp"
-#include "breccia/report/modulus_plot.hpp"
-#include "breccia/results/sweep_spread.hpp"
+#include "io/text_file.hpp"
+#include "report/modulus_plot.hpp"
+#include "results/sweep_spread.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "breccia/results/sweep_report.hpp"
+#include "results/sweep_report.hpp"
 
 #include <cstddef>
 #include <map>
@@ -11,13 +11,13 @@
 #include <nlohmann/json.hpp>
 
 #include "breccia/error.hpp"
-#include "breccia/io/safe_name.hpp"
-#include "breccia/io/text_file.hpp"
-#include "breccia/report/page.hpp"
-#include "breccia/tables/csv.hpp"
 
-#include "report_data.hpp"
-#include "report_tables.hpp"
+#include "io/safe_name.hpp"
+#include "io/text_file.hpp"
+#include "report/page.hpp"
+#include "results/report_data.hpp"
+#include "results/report_tables.hpp"
+#include "tables/csv.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "breccia/results/sweep_result.hpp"
+#include "results/sweep_result.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,8 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/tables/csv.hpp"
+
+#include "tables/csv.hpp"
 
 namespace breccia {
 

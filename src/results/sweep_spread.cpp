@@ -1,4 +1,4 @@
-#include "breccia/results/sweep_spread.hpp"
+#include "results/sweep_spread.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "breccia/results/sweep_tables.hpp"
+#include "results/sweep_tables.hpp"
 
 #include <functional>
 #include <string>
@@ -6,12 +6,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "breccia/deck/swept_quantities.hpp"
-#include "breccia/io/text_file.hpp"
-#include "breccia/results/sweep_spread.hpp"
-#include "breccia/tables/csv.hpp"
-
-#include "test_columns.hpp"
+#include "deck/swept_quantities.hpp"
+#include "io/text_file.hpp"
+#include "results/sweep_spread.hpp"
+#include "results/test_columns.hpp"
+#include "tables/csv.hpp"
 
 namespace breccia {
 

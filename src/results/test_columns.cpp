@@ -1,4 +1,4 @@
-#include "test_columns.hpp"
+#include "results/test_columns.hpp"
 
 namespace breccia {
 

@@ -4,7 +4,8 @@
 #include <vector>
 
 #include "breccia/study/test_id.hpp"
-#include "breccia/tables/csv.hpp"
+
+#include "tables/csv.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "breccia/results/volume_field_files.hpp"
+#include "results/volume_field_files.hpp"
 
 #include <array>
 #include <cstddef>
@@ -8,14 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include "breccia/io/text_file.hpp"
-#include "breccia/rasters/vtkhdf.hpp"
-#include "breccia/report/field_picture.hpp"
-#include "breccia/results/field_files.hpp"
-
-#include "field_pieces.hpp"
-#include "field_quantities.hpp"
-#include "volume_quantities.hpp"
+#include "io/text_file.hpp"
+#include "rasters/vtkhdf.hpp"
+#include "report/field_picture.hpp"
+#include "results/field_files.hpp"
+#include "results/field_pieces.hpp"
+#include "results/field_quantities.hpp"
+#include "results/volume_quantities.hpp"
 
 namespace breccia {
 namespace {

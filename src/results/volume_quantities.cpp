@@ -1,4 +1,4 @@
-#include "volume_quantities.hpp"
+#include "results/volume_quantities.hpp"
 
 #include <cmath>
 #include <numeric>
@@ -6,7 +6,7 @@
 
 #include "breccia/discretisation/load.hpp"
 
-#include "field_quantities.hpp"
+#include "results/field_quantities.hpp"
 
 namespace breccia {
 namespace {

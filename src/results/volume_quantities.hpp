@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "breccia/report/field_picture.hpp"
 #include "breccia/study/test_id.hpp"
+
+#include "report/field_picture.hpp"
 
 namespace breccia {
 

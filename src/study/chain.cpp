@@ -1,4 +1,4 @@
-#include "breccia/study/chain.hpp"
+#include "study/chain.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "breccia/study/coatings.hpp"
+#include "study/coatings.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "breccia/study/filler_shapes.hpp"
+#include "study/filler_shapes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,9 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/units.hpp"
-#include "breccia/study/limits.hpp"
+
+#include "io/units.hpp"
+#include "study/limits.hpp"
 
 namespace breccia {
 namespace {

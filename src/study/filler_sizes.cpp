@@ -1,4 +1,4 @@
-#include "breccia/study/filler_sizes.hpp"
+#include "study/filler_sizes.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "filler_soundness.hpp"
+#include "study/filler_soundness.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,14 +10,14 @@
 
 #include "breccia/error.hpp"
 #include "breccia/microstructure/draw_diameters.hpp"
-#include "breccia/microstructure/image_statistics.hpp"
-#include "breccia/study/filler_shapes.hpp"
-#include "breccia/study/filler_sizes.hpp"
-#include "breccia/study/limits.hpp"
-#include "breccia/study/listed_box.hpp"
-#include "breccia/study/stage_rules.hpp"
 
-#include "material_soundness.hpp"
+#include "microstructure/image/image_statistics.hpp"
+#include "study/filler_shapes.hpp"
+#include "study/filler_sizes.hpp"
+#include "study/limits.hpp"
+#include "study/listed_box.hpp"
+#include "study/material_soundness.hpp"
+#include "study/stage_rules.hpp"
 
 namespace breccia {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "breccia/study/stage.hpp"
 
-#include "study_mistakes.hpp"
+#include "study/study_mistakes.hpp"
 
 namespace breccia {
 

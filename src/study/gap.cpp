@@ -1,4 +1,4 @@
-#include "breccia/study/gap.hpp"
+#include "study/gap.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "breccia/io/display.hpp"
-#include "breccia/io/units.hpp"
-#include "breccia/study/filler_sizes.hpp"
+#include "io/display.hpp"
+#include "io/units.hpp"
+#include "study/filler_sizes.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "breccia/study/identity.hpp"
+#include "study/identity.hpp"
 
 #include <bit>
 #include <concepts>
@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "breccia/io/text_file.hpp"
+#include "io/text_file.hpp"
 
 namespace breccia {
 namespace {

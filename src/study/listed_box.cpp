@@ -1,11 +1,12 @@
-#include "breccia/study/listed_box.hpp"
+#include "study/listed_box.hpp"
 
 #include <vector>
 
-#include "breccia/microstructure/particle_validity.hpp"
 #include "breccia/microstructure/validity.hpp"
-#include "breccia/study/coatings.hpp"
-#include "breccia/study/filler_shapes.hpp"
+
+#include "microstructure/shapes/particle_validity.hpp"
+#include "study/coatings.hpp"
+#include "study/filler_shapes.hpp"
 
 namespace breccia {
 namespace {

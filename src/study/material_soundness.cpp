@@ -1,11 +1,11 @@
-#include "material_soundness.hpp"
+#include "study/material_soundness.hpp"
 
 #include <algorithm>
 #include <variant>
 
 #include <fmt/format.h>
 
-#include "breccia/io/printable.hpp"
+#include "io/printable.hpp"
 
 namespace breccia {
 namespace {

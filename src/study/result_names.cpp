@@ -1,9 +1,9 @@
-#include "breccia/study/result_names.hpp"
+#include "study/result_names.hpp"
 
 #include <algorithm>
 #include <iterator>
 
-#include "breccia/io/replacement.hpp"
+#include "io/replacement.hpp"
 
 namespace breccia {
 

@@ -7,15 +7,14 @@
 
 #include <fmt/format.h>
 
-#include "breccia/io/printable.hpp"
-#include "breccia/study/limits.hpp"
-#include "breccia/study/stage_rules.hpp"
-#include "breccia/study/test_rules.hpp"
-
-#include "filler_soundness.hpp"
-#include "material_soundness.hpp"
-#include "study_mistakes.hpp"
-#include "tests_soundness.hpp"
+#include "io/printable.hpp"
+#include "study/filler_soundness.hpp"
+#include "study/limits.hpp"
+#include "study/material_soundness.hpp"
+#include "study/stage_rules.hpp"
+#include "study/study_mistakes.hpp"
+#include "study/test_rules.hpp"
+#include "study/tests_soundness.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "breccia/study/stage_rules.hpp"
+#include "study/stage_rules.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,13 +7,14 @@
 
 #include <fmt/format.h>
 
-#include "breccia/io/lower_case.hpp"
-#include "breccia/io/printable.hpp"
-#include "breccia/io/safe_name.hpp"
-#include "breccia/io/units.hpp"
-#include "breccia/study/limits.hpp"
 #include "breccia/study/phase_names.hpp"
-#include "breccia/study/result_names.hpp"
+
+#include "io/lower_case.hpp"
+#include "io/printable.hpp"
+#include "io/safe_name.hpp"
+#include "io/units.hpp"
+#include "study/limits.hpp"
+#include "study/result_names.hpp"
 
 namespace breccia {
 namespace {

@@ -1,10 +1,11 @@
-#include "study_mistakes.hpp"
+#include "study/study_mistakes.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/printable.hpp"
+
+#include "io/printable.hpp"
 
 namespace breccia {
 

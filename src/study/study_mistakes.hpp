@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "breccia/io/range.hpp"
+#include "io/range.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "breccia/study/test_rules.hpp"
+#include "study/test_rules.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,9 +12,10 @@
 
 #include <fmt/format.h>
 
-#include "breccia/io/units.hpp"
-#include "breccia/study/limits.hpp"
 #include "breccia/virtual_test/curve.hpp"
+
+#include "io/units.hpp"
+#include "study/limits.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "tests_soundness.hpp"
+#include "study/tests_soundness.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "breccia/study/limits.hpp"
-#include "breccia/study/test_rules.hpp"
+#include "study/limits.hpp"
+#include "study/test_rules.hpp"
 
 namespace breccia {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "breccia/study/study.hpp"
 
-#include "study_mistakes.hpp"
+#include "study/study_mistakes.hpp"
 
 namespace breccia {
 

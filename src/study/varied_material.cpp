@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "breccia/io/nearest_name.hpp"
-#include "breccia/io/units.hpp"
+#include "io/nearest_name.hpp"
+#include "io/units.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "column_meaning.hpp"
+#include "tables/column_meaning.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,10 +8,9 @@
 
 #include <fmt/ranges.h>
 
-#include "breccia/io/lower_case.hpp"
-#include "breccia/io/trimmed.hpp"
-
-#include "csv_records.hpp"
+#include "io/lower_case.hpp"
+#include "io/trimmed.hpp"
+#include "tables/csv_records.hpp"
 
 namespace breccia::detail {
 

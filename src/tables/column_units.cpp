@@ -1,4 +1,4 @@
-#include "column_units.hpp"
+#include "tables/column_units.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -6,7 +6,8 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/units.hpp"
+
+#include "io/units.hpp"
 
 namespace breccia::detail {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "column_meaning.hpp"
+#include "tables/column_meaning.hpp"
 
 namespace breccia::detail {
 

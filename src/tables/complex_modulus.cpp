@@ -1,4 +1,4 @@
-#include "breccia/tables/complex_modulus.hpp"
+#include "tables/complex_modulus.hpp"
 
 #include <algorithm>
 #include <array>

@@ -5,11 +5,11 @@
 #include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/file_mistakes.hpp"
-#include "breccia/io/text_encoding.hpp"
-#include "breccia/tables/csv.hpp"
 
-#include "csv_records.hpp"
+#include "io/file_mistakes.hpp"
+#include "io/text_encoding.hpp"
+#include "tables/csv.hpp"
+#include "tables/csv_records.hpp"
 
 namespace breccia {
 

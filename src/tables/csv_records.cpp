@@ -1,10 +1,10 @@
-#include "csv_records.hpp"
+#include "tables/csv_records.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 
-#include "breccia/io/trimmed.hpp"
+#include "io/trimmed.hpp"
 
 namespace breccia::detail {
 

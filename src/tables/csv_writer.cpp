@@ -4,8 +4,9 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/text_file.hpp"
-#include "breccia/tables/csv.hpp"
+
+#include "io/text_file.hpp"
+#include "tables/csv.hpp"
 
 namespace breccia {
 

@@ -6,7 +6,8 @@
 #include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/file_mistakes.hpp"
+
+#include "io/file_mistakes.hpp"
 
 namespace breccia {
 

@@ -12,15 +12,15 @@
 #include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/file_mistakes.hpp"
-#include "breccia/io/text_encoding.hpp"
-#include "breccia/tables/complex_modulus.hpp"
 
-#include "column_meaning.hpp"
-#include "column_units.hpp"
-#include "csv_records.hpp"
-#include "repeated_tables.hpp"
-#include "table_layout.hpp"
+#include "io/file_mistakes.hpp"
+#include "io/text_encoding.hpp"
+#include "tables/column_meaning.hpp"
+#include "tables/column_units.hpp"
+#include "tables/complex_modulus.hpp"
+#include "tables/csv_records.hpp"
+#include "tables/repeated_tables.hpp"
+#include "tables/table_layout.hpp"
 
 namespace breccia {
 

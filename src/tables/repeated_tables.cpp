@@ -1,4 +1,4 @@
-#include "repeated_tables.hpp"
+#include "tables/repeated_tables.hpp"
 
 #include <algorithm>
 #include <utility>

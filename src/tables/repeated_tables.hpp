@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "csv_records.hpp"
+#include "tables/csv_records.hpp"
 
 namespace breccia::detail {
 

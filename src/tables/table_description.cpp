@@ -1,4 +1,4 @@
-#include "breccia/tables/table_description.hpp"
+#include "tables/table_description.hpp"
 
 #include <algorithm>
 #include <string_view>
@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "breccia/io/display.hpp"
-#include "breccia/io/file_mistakes.hpp"
+#include "io/display.hpp"
+#include "io/file_mistakes.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "table_layout.hpp"
+#include "tables/table_layout.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,9 +11,9 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/trimmed.hpp"
 
-#include "column_meaning.hpp"
+#include "io/trimmed.hpp"
+#include "tables/column_meaning.hpp"
 
 namespace breccia::detail {
 

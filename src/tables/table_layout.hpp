@@ -7,7 +7,7 @@
 
 #include "breccia/tables/column_choice.hpp"
 
-#include "csv_records.hpp"
+#include "tables/csv_records.hpp"
 
 namespace breccia::detail {
 

@@ -1,4 +1,4 @@
-#include "domain_run.hpp"
+#include "virtual_test/domain_run.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "breccia/discretisation/point_fields_state.hpp"
 #include "breccia/error.hpp"
 
-#include "dynamic_state.hpp"
+#include "discretisation/point_fields_state.hpp"
+#include "virtual_test/dynamic_state.hpp"
 
 namespace breccia {
 namespace {

@@ -6,10 +6,11 @@
 #include <span>
 #include <vector>
 
-#include "breccia/checkpoint/state.hpp"
-#include "breccia/virtual_test/dynamic_test.hpp"
 #include "breccia/virtual_test/modulus_bounds.hpp"
-#include "breccia/virtual_test/time_domains.hpp"
+
+#include "checkpoint/state.hpp"
+#include "virtual_test/dynamic_test.hpp"
+#include "virtual_test/time_domains.hpp"
 
 namespace breccia {
 

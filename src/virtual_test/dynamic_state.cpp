@@ -1,10 +1,10 @@
-#include "dynamic_state.hpp"
+#include "virtual_test/dynamic_state.hpp"
 
 #include <cstdint>
 
 #include <fmt/format.h>
 
-#include "breccia/checkpoint/pairs.hpp"
+#include "checkpoint/pairs.hpp"
 
 namespace breccia {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "breccia/checkpoint/state.hpp"
-#include "breccia/virtual_test/dynamic_test.hpp"
+#include "checkpoint/state.hpp"
+#include "virtual_test/dynamic_test.hpp"
 
 namespace breccia {
 

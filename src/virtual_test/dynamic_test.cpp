@@ -1,4 +1,4 @@
-#include "breccia/virtual_test/dynamic_test.hpp"
+#include "virtual_test/dynamic_test.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -8,16 +8,16 @@
 
 #include <fmt/format.h>
 
-#include "breccia/checkpoint/checkpoint.hpp"
-#include "breccia/discretisation/point_fields_state.hpp"
 #include "breccia/error.hpp"
-#include "breccia/virtual_test/stitching.hpp"
 #include "breccia/viscoelasticity/fit.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
-#include "domain_run.hpp"
-#include "dynamic_state.hpp"
-#include "test_times.hpp"
+#include "checkpoint/checkpoint.hpp"
+#include "discretisation/point_fields_state.hpp"
+#include "virtual_test/domain_run.hpp"
+#include "virtual_test/dynamic_state.hpp"
+#include "virtual_test/stitching.hpp"
+#include "virtual_test/test_times.hpp"
 
 namespace breccia {
 namespace {

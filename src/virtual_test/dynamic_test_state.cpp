@@ -1,10 +1,9 @@
-#include "breccia/virtual_test/dynamic_test_state.hpp"
+#include "virtual_test/dynamic_test_state.hpp"
 
 #include <vector>
 
-#include "breccia/discretisation/point_fields_state.hpp"
-
-#include "dynamic_state.hpp"
+#include "discretisation/point_fields_state.hpp"
+#include "virtual_test/dynamic_state.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "breccia/virtual_test/extrapolation.hpp"
+#include "virtual_test/extrapolation.hpp"
 
 #include <algorithm>
 #include <cmath>

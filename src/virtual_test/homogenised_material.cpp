@@ -7,8 +7,9 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/virtual_test/bulk_test.hpp"
 #include "breccia/viscoelasticity/fit.hpp"
+
+#include "virtual_test/bulk_test.hpp"
 
 namespace breccia {
 namespace {

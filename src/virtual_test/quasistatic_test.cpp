@@ -1,4 +1,4 @@
-#include "breccia/virtual_test/quasistatic_test.hpp"
+#include "virtual_test/quasistatic_test.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -11,18 +11,18 @@
 
 #include <fmt/format.h>
 
-#include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/error.hpp"
-#include "breccia/films/film_sampling.hpp"
-#include "breccia/films/film_stepping.hpp"
-#include "breccia/quasistatic/carson_path.hpp"
-#include "breccia/quasistatic/log_time_stepping.hpp"
-#include "breccia/virtual_test/quasistatic_test_state.hpp"
-#include "breccia/virtual_test/reduced_curves.hpp"
 #include "breccia/viscoelasticity/fit.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
-#include "test_times.hpp"
+#include "checkpoint/checkpoint.hpp"
+#include "films/film_sampling.hpp"
+#include "films/film_stepping.hpp"
+#include "quasistatic/reduced/carson_path.hpp"
+#include "quasistatic/stepping/log_time_stepping.hpp"
+#include "virtual_test/quasistatic_test_state.hpp"
+#include "virtual_test/reduced_curves.hpp"
+#include "virtual_test/test_times.hpp"
 
 namespace breccia {
 namespace {

@@ -1,14 +1,14 @@
-#include "breccia/virtual_test/quasistatic_test_state.hpp"
+#include "virtual_test/quasistatic_test_state.hpp"
 
 #include <cstddef>
 #include <cstdint>
 
 #include <fmt/format.h>
 
-#include "breccia/checkpoint/enumeration.hpp"
-#include "breccia/checkpoint/pairs.hpp"
-#include "breccia/quasistatic/linear_effort_state.hpp"
-#include "breccia/quasistatic/reduced_response_state.hpp"
+#include "checkpoint/enumeration.hpp"
+#include "checkpoint/pairs.hpp"
+#include "quasistatic/reduced/reduced_response_state.hpp"
+#include "quasistatic/solvers/linear_effort_state.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "breccia/virtual_test/reduced_curves.hpp"
+#include "virtual_test/reduced_curves.hpp"
 
 #include "breccia/viscoelasticity/interconversion.hpp"
 

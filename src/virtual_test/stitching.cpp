@@ -1,4 +1,4 @@
-#include "breccia/virtual_test/stitching.hpp"
+#include "virtual_test/stitching.hpp"
 
 #include <algorithm>
 #include <cmath>

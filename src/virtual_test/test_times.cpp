@@ -1,4 +1,4 @@
-#include "test_times.hpp"
+#include "virtual_test/test_times.hpp"
 
 #include <algorithm>
 #include <functional>

@@ -1,10 +1,10 @@
-#include "common_times_fit.hpp"
+#include "viscoelasticity/common_times_fit.hpp"
 
 #include <numeric>
 #include <utility>
 
-#include "least_squares.hpp"
-#include "non_negative_least_squares.hpp"
+#include "viscoelasticity/least_squares.hpp"
+#include "viscoelasticity/non_negative_least_squares.hpp"
 
 namespace breccia {
 namespace {

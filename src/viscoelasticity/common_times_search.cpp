@@ -1,11 +1,11 @@
-#include "common_times_search.hpp"
+#include "viscoelasticity/common_times_search.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
 
-#include "merged_times.hpp"
+#include "viscoelasticity/merged_times.hpp"
 
 namespace breccia {
 namespace {

@@ -6,11 +6,11 @@
 
 #include <Eigen/Core>
 
-#include "breccia/viscoelasticity/prony_reduction.hpp"
 #include "breccia/viscoelasticity/prony_series.hpp"
 #include "breccia/viscoelasticity/reduction.hpp"
 
-#include "common_times_fit.hpp"
+#include "viscoelasticity/common_times_fit.hpp"
+#include "viscoelasticity/prony_reduction.hpp"
 
 namespace breccia {
 

@@ -8,8 +8,8 @@
 
 #include "breccia/error.hpp"
 
-#include "least_squares.hpp"
-#include "non_negative_least_squares.hpp"
+#include "viscoelasticity/least_squares.hpp"
+#include "viscoelasticity/non_negative_least_squares.hpp"
 
 namespace breccia {
 namespace {

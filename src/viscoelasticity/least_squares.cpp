@@ -1,4 +1,4 @@
-#include "least_squares.hpp"
+#include "viscoelasticity/least_squares.hpp"
 
 #include <Eigen/Dense>
 #include <unsupported/Eigen/NonLinearOptimization>

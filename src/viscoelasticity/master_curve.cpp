@@ -12,9 +12,9 @@
 
 #include "breccia/error.hpp"
 
-#include "least_squares.hpp"
-#include "non_negative_least_squares.hpp"
-#include "temperature_text.hpp"
+#include "viscoelasticity/least_squares.hpp"
+#include "viscoelasticity/non_negative_least_squares.hpp"
+#include "viscoelasticity/temperature_text.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "merged_times.hpp"
+#include "viscoelasticity/merged_times.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
-#include "non_negative_least_squares.hpp"
+#include "viscoelasticity/non_negative_least_squares.hpp"
 
 #include <algorithm>
 #include <vector>
 
 #include "breccia/error.hpp"
 
-#include "least_squares.hpp"
+#include "viscoelasticity/least_squares.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "breccia/viscoelasticity/prony_reduction.hpp"
+#include "viscoelasticity/prony_reduction.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 
 #include "breccia/error.hpp"
 
-#include "common_times_search.hpp"
+#include "viscoelasticity/common_times_search.hpp"
 
 namespace breccia {
 namespace {

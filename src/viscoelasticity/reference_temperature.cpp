@@ -1,4 +1,4 @@
-#include "breccia/viscoelasticity/reference_temperature.hpp"
+#include "viscoelasticity/reference_temperature.hpp"
 
 namespace breccia {
 

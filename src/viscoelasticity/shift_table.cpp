@@ -13,7 +13,7 @@
 
 #include "breccia/error.hpp"
 
-#include "temperature_text.hpp"
+#include "viscoelasticity/temperature_text.hpp"
 
 namespace breccia {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "breccia/error.hpp"
 
-#include "temperature_text.hpp"
+#include "viscoelasticity/temperature_text.hpp"
 
 namespace breccia {
 

@@ -11,7 +11,7 @@
 
 #include "breccia/error.hpp"
 
-#include "least_squares.hpp"
+#include "viscoelasticity/least_squares.hpp"
 
 namespace breccia {
 namespace {

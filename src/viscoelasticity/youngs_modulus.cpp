@@ -1,4 +1,4 @@
-#include "breccia/viscoelasticity/youngs_modulus.hpp"
+#include "viscoelasticity/youngs_modulus.hpp"
 
 namespace breccia {
 

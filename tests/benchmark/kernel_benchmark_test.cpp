@@ -1,4 +1,4 @@
-#include "breccia/benchmark/kernel_benchmark.hpp"
+#include "benchmark/kernel_benchmark.hpp"
 
 #include <algorithm>
 #include <vector>

@@ -3,12 +3,12 @@
 #include <filesystem>
 #include <string>
 
-#include "breccia/io/text_file.hpp"
 #include "breccia/results/curves.hpp"
-#include "breccia/results/provenance.hpp"
-#include "breccia/study/identity.hpp"
 
+#include "io/text_file.hpp"
 #include "results/hand_made_results.hpp"
+#include "results/provenance.hpp"
+#include "study/identity.hpp"
 #include "study/two_stages.hpp"
 
 namespace breccia::test {

@@ -9,14 +9,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/campaign/sweep.hpp"
 #include "breccia/error.hpp"
-#include "breccia/results/history_file.hpp"
-#include "breccia/results/response_file.hpp"
-#include "breccia/results/study_record.hpp"
 
 #include "campaign/deck_study.hpp"
+#include "campaign/sweep.hpp"
 #include "one_vector_response.hpp"
+#include "results/history_file.hpp"
+#include "results/response_file.hpp"
+#include "results/study_record.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia {

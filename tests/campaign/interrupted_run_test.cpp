@@ -6,13 +6,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/campaign/pack.hpp"
-#include "breccia/campaign/resume.hpp"
 #include "breccia/campaign/run.hpp"
 #include "breccia/error.hpp"
-#include "breccia/results/study_record.hpp"
 
 #include "campaign/deck_study.hpp"
+#include "campaign/pack.hpp"
+#include "campaign/resume.hpp"
+#include "results/study_record.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia {

@@ -6,12 +6,12 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/results/checksums.hpp"
-#include "breccia/results/result_files.hpp"
-#include "breccia/results/study_record.hpp"
 
 #include "campaign/deck_study.hpp"
 #include "messages.hpp"
+#include "results/checksums.hpp"
+#include "results/result_files.hpp"
+#include "results/study_record.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia {

@@ -7,13 +7,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/campaign/resume.hpp"
 #include "breccia/error.hpp"
-#include "breccia/results/study_record.hpp"
 
 #include "campaign/checkpoints.hpp"
 #include "campaign/deck_study.hpp"
+#include "campaign/resume.hpp"
 #include "messages.hpp"
+#include "results/study_record.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia {

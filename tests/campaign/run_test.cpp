@@ -5,11 +5,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/campaign/resume.hpp"
 #include "breccia/deck/read_study.hpp"
 #include "breccia/error.hpp"
-#include "breccia/io/text_file.hpp"
 
+#include "campaign/resume.hpp"
+#include "io/text_file.hpp"
 #include "messages.hpp"
 #include "study/two_stages.hpp"
 #include "temporary_directory.hpp"

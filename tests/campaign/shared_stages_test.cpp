@@ -3,9 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/campaign/sweep.hpp"
 #include "breccia/error.hpp"
 
+#include "campaign/sweep.hpp"
 #include "results/hand_made_results.hpp"
 
 namespace breccia {

@@ -1,4 +1,4 @@
-#include "breccia/campaign/sweep_directory.hpp"
+#include "campaign/sweep_directory.hpp"
 
 #include <filesystem>
 
@@ -6,12 +6,12 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/results/sweep_tables.hpp"
 
 #include "campaign/deck_study.hpp"
 #include "campaign/result_directory.hpp"
 #include "campaign/sweep_temperatures.hpp"
 #include "messages.hpp"
+#include "results/sweep_tables.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia {

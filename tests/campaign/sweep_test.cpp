@@ -1,4 +1,4 @@
-#include "breccia/campaign/sweep.hpp"
+#include "campaign/sweep.hpp"
 
 #include <string>
 #include <vector>
@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/tables/csv.hpp"
 
 #include "messages.hpp"
+#include "tables/csv.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia {

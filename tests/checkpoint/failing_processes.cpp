@@ -7,10 +7,11 @@
 #include <fstream>
 #include <thread>
 
-#include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/error.hpp"
-#include "breccia/parallel/reduction.hpp"
-#include "breccia/parallel/session.hpp"
+
+#include "checkpoint/checkpoint.hpp"
+#include "parallel/reduction.hpp"
+#include "parallel/session.hpp"
 
 namespace {
 

@@ -14,7 +14,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "breccia/io/text_file.hpp"
+#include "io/text_file.hpp"
 
 namespace breccia::test {
 

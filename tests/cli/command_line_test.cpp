@@ -5,9 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/dynamics/instruction_set.hpp"
-
 #include "command.hpp"
+#include "dynamics/instruction_set.hpp"
 #include "good_deck.hpp"
 #include "scoped_variable.hpp"
 #include "temporary_directory.hpp"

@@ -7,10 +7,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/io/directory_lock.hpp"
-#include "breccia/io/text_file.hpp"
-
 #include "good_deck.hpp"
+#include "io/directory_lock.hpp"
+#include "io/text_file.hpp"
 #include "messages.hpp"
 #include "study_directory.hpp"
 

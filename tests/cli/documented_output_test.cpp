@@ -5,10 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/io/text_file.hpp"
-
 #include "command.hpp"
 #include "documentation_page.hpp"
+#include "io/text_file.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia {

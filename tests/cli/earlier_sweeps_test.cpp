@@ -7,9 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/io/text_file.hpp"
-
 #include "good_deck.hpp"
+#include "io/text_file.hpp"
 #include "messages.hpp"
 #include "study_directory.hpp"
 

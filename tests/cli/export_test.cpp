@@ -10,11 +10,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/io/text_file.hpp"
-#include "breccia/tables/csv.hpp"
-
+#include "io/text_file.hpp"
 #include "results/card_parsers.hpp"
 #include "study_directory.hpp"
+#include "tables/csv.hpp"
 
 namespace breccia::test {
 namespace {

@@ -7,13 +7,12 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "breccia/io/hdf5.hpp"
-#include "breccia/io/text_file.hpp"
-#include "breccia/tables/csv.hpp"
-
+#include "io/hdf5.hpp"
+#include "io/text_file.hpp"
 #include "model_deck.hpp"
 #include "report/xml.hpp"
 #include "study_directory.hpp"
+#include "tables/csv.hpp"
 
 namespace breccia {
 namespace {

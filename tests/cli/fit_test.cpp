@@ -9,14 +9,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/deck/prony_file.hpp"
-#include "breccia/io/text_file.hpp"
-#include "breccia/tables/csv.hpp"
-
 #include "command.hpp"
+#include "deck/prony_file.hpp"
 #include "good_deck.hpp"
+#include "io/text_file.hpp"
 #include "messages.hpp"
 #include "report/xml.hpp"
+#include "tables/csv.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia {

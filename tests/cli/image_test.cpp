@@ -13,11 +13,11 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "breccia/io/text_file.hpp"
-#include "breccia/rasters/npy.hpp"
-#include "breccia/rasters/png.hpp"
 #include "breccia/rasters/raster_reader.hpp"
 
+#include "io/text_file.hpp"
+#include "rasters/npy.hpp"
+#include "rasters/png.hpp"
 #include "study_directory.hpp"
 
 namespace breccia {

@@ -11,10 +11,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/deck/prony_file.hpp"
 #include "breccia/viscoelasticity/temperature_shift.hpp"
 
 #include "command.hpp"
+#include "deck/prony_file.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia::test {

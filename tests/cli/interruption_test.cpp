@@ -3,9 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/io/hdf5.hpp"
-
 #include "good_deck.hpp"
+#include "io/hdf5.hpp"
 #include "messages.hpp"
 #include "model_deck.hpp"
 #include "study_directory.hpp"

@@ -17,11 +17,10 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
-#include "breccia/io/text_file.hpp"
-#include "breccia/tables/csv.hpp"
-
 #include "command.hpp"
 #include "deck_mutation.hpp"
+#include "io/text_file.hpp"
+#include "tables/csv.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia {

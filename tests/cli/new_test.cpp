@@ -3,9 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/io/text_file.hpp"
-
 #include "command.hpp"
+#include "io/text_file.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia {

@@ -10,9 +10,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/io/text_file.hpp"
-
 #include "cli/heartbeat.hpp"
+#include "io/text_file.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia::cli {

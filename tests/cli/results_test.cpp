@@ -5,15 +5,14 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "breccia/io/hdf5.hpp"
-#include "breccia/io/text_file.hpp"
-#include "breccia/tables/csv.hpp"
-
 #include "good_deck.hpp"
+#include "io/hdf5.hpp"
+#include "io/text_file.hpp"
 #include "messages.hpp"
 #include "model_deck.hpp"
 #include "report/xml.hpp"
 #include "study_directory.hpp"
+#include "tables/csv.hpp"
 
 namespace breccia {
 namespace {

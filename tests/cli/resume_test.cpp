@@ -6,9 +6,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "breccia/io/text_file.hpp"
-
 #include "good_deck.hpp"
+#include "io/text_file.hpp"
 #include "messages.hpp"
 #include "model_deck.hpp"
 #include "study_directory.hpp"

@@ -13,10 +13,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "breccia/io/text_file.hpp"
-#include "breccia/rasters/npy.hpp"
 #include "breccia/rasters/raster_reader.hpp"
 
+#include "io/text_file.hpp"
+#include "rasters/npy.hpp"
 #include "report/embedded_pictures.hpp"
 #include "study_directory.hpp"
 

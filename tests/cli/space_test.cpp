@@ -13,10 +13,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "breccia/io/hdf5.hpp"
-#include "breccia/io/text_file.hpp"
 #include "breccia/rasters/raster_reader.hpp"
 
+#include "io/hdf5.hpp"
+#include "io/text_file.hpp"
 #include "study_directory.hpp"
 
 namespace breccia {

@@ -9,12 +9,11 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "breccia/io/text_file.hpp"
-#include "breccia/tables/csv.hpp"
-
+#include "io/text_file.hpp"
 #include "messages.hpp"
 #include "model_deck.hpp"
 #include "study_directory.hpp"
+#include "tables/csv.hpp"
 
 namespace breccia::test {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "breccia/tables/csv.hpp"
+#include "tables/csv.hpp"
 
 namespace breccia::test {
 

@@ -5,13 +5,12 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "breccia/io/text_file.hpp"
-#include "breccia/tables/csv.hpp"
-
 #include "good_deck.hpp"
+#include "io/text_file.hpp"
 #include "messages.hpp"
 #include "model_deck.hpp"
 #include "study_directory.hpp"
+#include "tables/csv.hpp"
 
 namespace breccia {
 namespace {

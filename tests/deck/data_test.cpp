@@ -2,9 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "breccia/tables/csv.hpp"
-
 #include "decks.hpp"
+#include "tables/csv.hpp"
 
 namespace breccia {
 namespace {

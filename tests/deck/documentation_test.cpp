@@ -2,9 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "breccia/io/text_file.hpp"
-
 #include "decks.hpp"
+#include "io/text_file.hpp"
 
 namespace breccia {
 namespace {

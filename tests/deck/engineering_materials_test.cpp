@@ -6,9 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/viscoelasticity/engineering_moduli.hpp"
-
 #include "decks.hpp"
+#include "viscoelasticity/engineering_moduli.hpp"
 
 // Materials given by two of bulk, shear, young and poisson, and by measured data.
 

@@ -12,13 +12,13 @@
 #include <gtest/gtest.h>
 
 #include "breccia/deck/sweep.hpp"
-#include "breccia/io/hdf5.hpp"
-#include "breccia/io/text_file.hpp"
-#include "breccia/rasters/npy.hpp"
-#include "breccia/rasters/png.hpp"
-#include "breccia/study/identity.hpp"
 
 #include "decks.hpp"
+#include "io/hdf5.hpp"
+#include "io/text_file.hpp"
+#include "rasters/npy.hpp"
+#include "rasters/png.hpp"
+#include "study/identity.hpp"
 
 namespace breccia {
 namespace {

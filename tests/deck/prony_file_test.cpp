@@ -1,10 +1,10 @@
-#include "breccia/deck/prony_file.hpp"
+#include "deck/prony_file.hpp"
 
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/text_file.hpp"
 
+#include "io/text_file.hpp"
 #include "messages.hpp"
 #include "temporary_directory.hpp"
 

@@ -1,9 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/study/identity.hpp"
-
 #include "decks.hpp"
+#include "study/identity.hpp"
 
 namespace breccia {
 namespace {

@@ -11,11 +11,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/rasters/npy.hpp"
-#include "breccia/study/filler_sizes.hpp"
-#include "breccia/study/identity.hpp"
-
 #include "decks.hpp"
+#include "rasters/npy.hpp"
+#include "study/filler_sizes.hpp"
+#include "study/identity.hpp"
 
 namespace breccia {
 namespace {

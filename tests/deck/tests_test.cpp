@@ -1,9 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/study/test_rules.hpp"
-
 #include "decks.hpp"
+#include "study/test_rules.hpp"
 
 namespace breccia {
 namespace {

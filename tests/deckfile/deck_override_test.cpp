@@ -3,9 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/deckfile/deck.hpp"
 #include "breccia/error.hpp"
 
+#include "deckfile/deck.hpp"
 #include "messages.hpp"
 #include "temporary_directory.hpp"
 

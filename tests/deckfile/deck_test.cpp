@@ -1,4 +1,4 @@
-#include "breccia/deckfile/deck.hpp"
+#include "deckfile/deck.hpp"
 
 #include <cmath>
 #include <vector>

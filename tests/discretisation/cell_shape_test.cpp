@@ -1,4 +1,4 @@
-#include "breccia/discretisation/cell_shape.hpp"
+#include "discretisation/cell_shape.hpp"
 
 #include <array>
 #include <cmath>

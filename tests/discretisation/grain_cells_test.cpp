@@ -1,4 +1,4 @@
-#include "breccia/discretisation/grain_cells.hpp"
+#include "discretisation/grain_cells.hpp"
 
 #include <array>
 #include <cmath>
@@ -7,9 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include "breccia/discretisation/mixed_cells.hpp"
 #include "breccia/error.hpp"
-#include "breccia/microstructure/grain_locator.hpp"
+
+#include "discretisation/mixed_cells.hpp"
+#include "microstructure/tessellation/grain_locator.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "breccia/discretisation/image_cells.hpp"
+#include "discretisation/image_cells.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/discretisation/mixed_cells.hpp"
 #include "breccia/error.hpp"
+
+#include "discretisation/mixed_cells.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "breccia/discretisation/joined_discretisation.hpp"
+#include "discretisation/joined_discretisation.hpp"
 
 #include <cmath>
 #include <functional>
@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include "breccia/discretisation/grain_cells.hpp"
-#include "breccia/discretisation/image_cells.hpp"
-#include "breccia/discretisation/labels.hpp"
-#include "breccia/discretisation/mixed_cells.hpp"
+#include "discretisation/grain_cells.hpp"
+#include "discretisation/image_cells.hpp"
+#include "discretisation/labels.hpp"
+#include "discretisation/mixed_cells.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "breccia/discretisation/labels.hpp"
+#include "discretisation/labels.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include "breccia/discretisation/mixed_cells.hpp"
 #include "breccia/error.hpp"
-#include "breccia/microstructure/disc_overlap.hpp"
+
+#include "discretisation/mixed_cells.hpp"
+#include "microstructure/disc_overlap.hpp"
 
 namespace breccia {
 namespace {

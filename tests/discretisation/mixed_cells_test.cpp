@@ -1,4 +1,4 @@
-#include "breccia/discretisation/mixed_cells.hpp"
+#include "discretisation/mixed_cells.hpp"
 
 #include <array>
 #include <cmath>

@@ -7,12 +7,13 @@
 
 #include <gtest/gtest.h>
 
-#include "breccia/discretisation/image_cells.hpp"
-#include "breccia/discretisation/labels.hpp"
-#include "breccia/discretisation/mixed_cells.hpp"
 #include "breccia/error.hpp"
-#include "breccia/microstructure/ellipsoid_locator.hpp"
-#include "breccia/microstructure/sphere_overlap.hpp"
+
+#include "discretisation/image_cells.hpp"
+#include "discretisation/labels.hpp"
+#include "discretisation/mixed_cells.hpp"
+#include "microstructure/shapes/ellipsoid_locator.hpp"
+#include "microstructure/sphere_overlap.hpp"
 
 namespace breccia {
 namespace {

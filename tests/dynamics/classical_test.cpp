@@ -1,4 +1,4 @@
-#include "classical.hpp"
+#include "dynamics/classical.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "breccia/dynamics/dynamic_solver.hpp"
 #include "breccia/error.hpp"
 
+#include "dynamics/dynamic_solver.hpp"
 #include "materials.hpp"
 
 namespace breccia {

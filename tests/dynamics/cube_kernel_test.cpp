@@ -9,9 +9,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "breccia/discretisation/cell_shape.hpp"
-
-#include "layer_step.hpp"
+#include "discretisation/cell_shape.hpp"
+#include "dynamics/layer_step.hpp"
 #include "materials.hpp"
 
 namespace breccia::dynamics {

@@ -11,9 +11,9 @@
 
 #include <gtest/gtest.h>
 
-#include "breccia/dynamics/dynamic_solver.hpp"
 #include "breccia/error.hpp"
 
+#include "dynamics/dynamic_solver.hpp"
 #include "materials.hpp"
 
 namespace breccia {

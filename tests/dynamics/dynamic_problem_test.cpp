@@ -1,4 +1,4 @@
-#include "breccia/dynamics/dynamic_problem.hpp"
+#include "dynamics/dynamic_problem.hpp"
 
 #include <cmath>
 
@@ -6,12 +6,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/discretisation/cell_shape.hpp"
 #include "breccia/error.hpp"
 
+#include "discretisation/cell_shape.hpp"
+#include "dynamics/nodal_mass.hpp"
 #include "materials.hpp"
 #include "messages.hpp"
-#include "nodal_mass.hpp"
 
 namespace breccia {
 namespace {

@@ -6,10 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "breccia/discretisation/cell_shape.hpp"
-
-#include "block_layout.hpp"
-#include "kernels.hpp"
+#include "discretisation/cell_shape.hpp"
+#include "dynamics/block_layout.hpp"
+#include "dynamics/kernels.hpp"
 #include "materials.hpp"
 
 namespace breccia::dynamics {

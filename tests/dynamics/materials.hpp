@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "breccia/discretisation/discretisation.hpp"
-#include "breccia/discretisation/mixed_cells.hpp"
-#include "breccia/dynamics/dynamic_problem.hpp"
 #include "breccia/viscoelasticity/material.hpp"
+
+#include "discretisation/mixed_cells.hpp"
+#include "dynamics/dynamic_problem.hpp"
 
 namespace breccia::testing_materials {
 

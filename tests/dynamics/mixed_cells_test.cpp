@@ -1,6 +1,6 @@
 // Mixed cells under the dynamic method: each is of one material, and neighbours differ.
 
-#include "breccia/discretisation/mixed_cells.hpp"
+#include "discretisation/mixed_cells.hpp"
 
 #include <array>
 #include <cmath>
@@ -11,13 +11,13 @@
 
 #include <gtest/gtest.h>
 
-#include "breccia/checkpoint/state.hpp"
-#include "breccia/discretisation/cell_shape.hpp"
-#include "breccia/dynamics/dynamic_solver.hpp"
 #include "breccia/error.hpp"
 
-#include "block_layout.hpp"
-#include "kernels.hpp"
+#include "checkpoint/state.hpp"
+#include "discretisation/cell_shape.hpp"
+#include "dynamics/block_layout.hpp"
+#include "dynamics/dynamic_solver.hpp"
+#include "dynamics/kernels.hpp"
 #include "materials.hpp"
 #include "temporary_directory.hpp"
 

@@ -12,12 +12,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "breccia/discretisation/mixed_cells.hpp"
-#include "breccia/dynamics/dynamic_solver.hpp"
 #include "breccia/parallel/ordered_values.hpp"
-#include "breccia/parallel/session.hpp"
 
+#include "discretisation/mixed_cells.hpp"
+#include "dynamics/dynamic_solver.hpp"
 #include "materials.hpp"
+#include "parallel/session.hpp"
 
 namespace breccia {
 namespace {

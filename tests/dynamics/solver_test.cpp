@@ -5,9 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/dynamics/dynamic_solver.hpp"
 #include "breccia/error.hpp"
 
+#include "dynamics/dynamic_solver.hpp"
 #include "materials.hpp"
 #include "messages.hpp"
 

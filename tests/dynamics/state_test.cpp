@@ -1,4 +1,4 @@
-#include "breccia/checkpoint/state.hpp"
+#include "checkpoint/state.hpp"
 
 #include <cmath>
 #include <tuple>
@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "breccia/dynamics/dynamic_solver.hpp"
 #include "breccia/error.hpp"
 
+#include "dynamics/dynamic_solver.hpp"
 #include "materials.hpp"
 #include "temporary_directory.hpp"
 #include "test_names.hpp"

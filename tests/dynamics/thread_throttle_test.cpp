@@ -1,4 +1,4 @@
-#include "thread_throttle.hpp"
+#include "dynamics/thread_throttle.hpp"
 
 #include <gtest/gtest.h>
 

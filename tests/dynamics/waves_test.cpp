@@ -4,8 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "breccia/dynamics/dynamic_solver.hpp"
-
+#include "dynamics/dynamic_solver.hpp"
 #include "materials.hpp"
 
 namespace breccia {

@@ -1,11 +1,11 @@
-#include "assembly/film_element.hpp"
+#include "films/assembly/film_element.hpp"
 
 #include <cmath>
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
-#include "assembly/junction_element.hpp"
+#include "films/assembly/junction_element.hpp"
 
 namespace breccia::films {
 namespace {

@@ -1,7 +1,7 @@
 // Ends of films against Stokes flow in junctions of three channels (tests/reference/film_end.py), solved by Taylor-Hood
 // elements without Breccia.
 
-#include "assembly/film_end.hpp"
+#include "films/assembly/film_end.hpp"
 
 #include <array>
 #include <numeric>

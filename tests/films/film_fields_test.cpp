@@ -9,12 +9,12 @@
 
 #include <gtest/gtest.h>
 
-#include "breccia/films/film_sampling.hpp"
-#include "breccia/quasistatic/carson_path.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
-#include "fields/film_recovery.hpp"
+#include "films/fields/film_recovery.hpp"
+#include "films/film_sampling.hpp"
 #include "films/grains_and_films.hpp"
+#include "quasistatic/reduced/carson_path.hpp"
 
 namespace breccia::films {
 namespace {

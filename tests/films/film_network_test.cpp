@@ -1,4 +1,4 @@
-#include "mesh/film_network.hpp"
+#include "films/mesh/film_network.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // Openings of films against a layer cut by a wall (tests/reference/film_opening.py), solved by Taylor-Hood elements
 // without Breccia.
 
-#include "assembly/film_opening.hpp"
+#include "films/assembly/film_opening.hpp"
 
 #include <cmath>
 #include <numbers>

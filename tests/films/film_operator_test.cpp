@@ -1,4 +1,4 @@
-#include "assembly/film_operator.hpp"
+#include "films/assembly/film_operator.hpp"
 
 #include <array>
 
@@ -6,7 +6,7 @@
 
 #include "breccia/films/film_moduli.hpp"
 
-#include "film_composite.hpp"
+#include "films/film_composite.hpp"
 #include "films/grains_and_films.hpp"
 
 namespace breccia::films {

@@ -7,8 +7,8 @@
 
 #include "breccia/error.hpp"
 #include "breccia/films/film_moduli.hpp"
-#include "breccia/films/film_sampling.hpp"
 
+#include "films/film_sampling.hpp"
 #include "films/grains_and_films.hpp"
 #include "microstructure/expect_error.hpp"
 

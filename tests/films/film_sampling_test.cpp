@@ -1,4 +1,4 @@
-#include "breccia/films/film_sampling.hpp"
+#include "films/film_sampling.hpp"
 
 #include <array>
 #include <cmath>
@@ -6,11 +6,11 @@
 #include <gtest/gtest.h>
 
 #include "breccia/films/film_moduli.hpp"
-#include "breccia/quasistatic/carson_path.hpp"
-#include "breccia/tables/csv.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
 #include "films/grains_and_films.hpp"
+#include "quasistatic/reduced/carson_path.hpp"
+#include "tables/csv.hpp"
 
 namespace breccia {
 namespace {

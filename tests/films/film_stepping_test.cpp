@@ -1,4 +1,4 @@
-#include "breccia/films/film_stepping.hpp"
+#include "films/film_stepping.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,12 +8,12 @@
 
 #include "breccia/error.hpp"
 #include "breccia/films/film_moduli.hpp"
-#include "breccia/films/film_sampling.hpp"
-#include "breccia/quasistatic/carson_path.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
+#include "films/film_sampling.hpp"
 #include "films/grains_and_films.hpp"
 #include "quasistatic/composites.hpp"
+#include "quasistatic/reduced/carson_path.hpp"
 
 namespace breccia {
 namespace {

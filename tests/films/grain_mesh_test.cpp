@@ -1,14 +1,14 @@
-#include "mesh/grain_mesh.hpp"
+#include "films/mesh/grain_mesh.hpp"
 
 #include <numbers>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "assembly/plane_strain.hpp"
-#include "assembly/quadratic_triangle.hpp"
+#include "films/assembly/plane_strain.hpp"
+#include "films/assembly/quadratic_triangle.hpp"
 #include "films/grains_and_films.hpp"
-#include "mesh/film_network.hpp"
+#include "films/mesh/film_network.hpp"
 
 namespace breccia::films {
 namespace {

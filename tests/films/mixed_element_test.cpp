@@ -1,4 +1,4 @@
-#include "assembly/mixed_element.hpp"
+#include "films/assembly/mixed_element.hpp"
 
 #include <array>
 #include <cstddef>

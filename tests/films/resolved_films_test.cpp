@@ -7,14 +7,14 @@
 
 #include <gtest/gtest.h>
 
-#include "breccia/discretisation/grain_cells.hpp"
 #include "breccia/films/film_moduli.hpp"
-#include "breccia/films/film_sampling.hpp"
 #include "breccia/quasistatic/apparent_moduli.hpp"
-#include "breccia/tables/csv.hpp"
 
-#include "film_composite.hpp"
+#include "discretisation/grain_cells.hpp"
+#include "films/film_composite.hpp"
+#include "films/film_sampling.hpp"
 #include "films/grains_and_films.hpp"
+#include "tables/csv.hpp"
 
 namespace breccia::films {
 namespace {

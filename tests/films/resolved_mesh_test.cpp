@@ -1,4 +1,4 @@
-#include "mesh/resolved_mesh.hpp"
+#include "films/mesh/resolved_mesh.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -8,8 +8,8 @@
 #include <gmock/gmock.h>
 
 #include "films/grains_and_films.hpp"
-#include "mesh/grading.hpp"
-#include "mesh/node_merger.hpp"
+#include "films/mesh/grading.hpp"
+#include "films/mesh/node_merger.hpp"
 
 namespace breccia::films {
 namespace {

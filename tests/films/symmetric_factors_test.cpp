@@ -1,4 +1,4 @@
-#include "solver/symmetric_factors.hpp"
+#include "films/solver/symmetric_factors.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -11,11 +11,11 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/parallel/session.hpp"
 
+#include "films/solver/elimination_order.hpp"
 #include "messages.hpp"
+#include "parallel/session.hpp"
 #include "scoped_variable.hpp"
-#include "solver/elimination_order.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia::films {

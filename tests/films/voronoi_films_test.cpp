@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "breccia/films/film_moduli.hpp"
-#include "breccia/tables/csv.hpp"
 
 #include "films/grains_and_films.hpp"
+#include "tables/csv.hpp"
 
 namespace breccia {
 namespace {

@@ -6,7 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "breccia/homogenisation/solve.hpp"
-#include "breccia/homogenisation/stage_warnings.hpp"
+
+#include "homogenisation/stage_warnings.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "homogenisation/comparison.hpp"
+#include "homogenisation/run/comparison.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

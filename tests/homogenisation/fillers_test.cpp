@@ -6,12 +6,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/solve.hpp"
 #include "breccia/homogenisation/stage_discretisation.hpp"
-#include "breccia/homogenisation/whole_filler.hpp"
 
+#include "checkpoint/checkpoint.hpp"
+#include "homogenisation/whole_filler.hpp"
 #include "messages.hpp"
 #include "temporary_directory.hpp"
 

@@ -9,9 +9,9 @@
 
 #include "breccia/homogenisation/point_labels.hpp"
 #include "breccia/homogenisation/stage_discretisation.hpp"
-#include "breccia/homogenisation/stage_warnings.hpp"
 
 #include "homogenisation/plan/cell_memory.hpp"
+#include "homogenisation/stage_warnings.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "breccia/homogenisation/quality.hpp"
+#include "homogenisation/quality.hpp"
 
 #include <limits>
 

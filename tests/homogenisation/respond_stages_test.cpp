@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/homogenisation/not_covered.hpp"
 #include "breccia/homogenisation/responder.hpp"
 
+#include "homogenisation/respond/not_covered.hpp"
 #include "messages.hpp"
 #include "one_vector_response.hpp"
 #include "study/two_stages.hpp"

@@ -10,9 +10,9 @@
 
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/solve.hpp"
-#include "breccia/quasistatic/carson_path.hpp"
 
 #include "messages.hpp"
+#include "quasistatic/reduced/carson_path.hpp"
 #include "study/two_stages.hpp"
 
 namespace breccia {

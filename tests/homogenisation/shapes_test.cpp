@@ -10,15 +10,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/error.hpp"
-#include "breccia/homogenisation/packed_stage.hpp"
 #include "breccia/homogenisation/point_labels.hpp"
 #include "breccia/homogenisation/solve.hpp"
 #include "breccia/homogenisation/stage_discretisation.hpp"
-#include "breccia/homogenisation/stage_microstructure_state.hpp"
 #include "breccia/quasistatic/apparent_moduli.hpp"
 
+#include "checkpoint/checkpoint.hpp"
+#include "homogenisation/box/stage_microstructure_state.hpp"
+#include "homogenisation/run/packed_stage.hpp"
 #include "messages.hpp"
 #include "temporary_directory.hpp"
 

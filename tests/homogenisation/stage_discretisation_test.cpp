@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/homogenisation/packed_stage.hpp"
 
+#include "homogenisation/run/packed_stage.hpp"
 #include "study/two_stages.hpp"
 
 namespace breccia {

@@ -1,4 +1,4 @@
-#include "homogenisation/stage_extrapolation.hpp"
+#include "homogenisation/run/stage_extrapolation.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "breccia/homogenisation/stage_materials.hpp"
+#include "homogenisation/stage_materials.hpp"
 
 #include <cmath>
 

@@ -8,11 +8,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/stage_discretisation.hpp"
-#include "breccia/homogenisation/stage_microstructure_state.hpp"
 
+#include "checkpoint/checkpoint.hpp"
+#include "homogenisation/box/stage_microstructure_state.hpp"
 #include "messages.hpp"
 #include "temporary_directory.hpp"
 

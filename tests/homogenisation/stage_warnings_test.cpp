@@ -1,4 +1,4 @@
-#include "breccia/homogenisation/stage_warnings.hpp"
+#include "homogenisation/stage_warnings.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "breccia/homogenisation/staging.hpp"
+#include "homogenisation/staging.hpp"
 
 #include <gtest/gtest.h>
 

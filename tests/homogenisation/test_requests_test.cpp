@@ -1,4 +1,4 @@
-#include "breccia/homogenisation/test_requests.hpp"
+#include "homogenisation/run/test_requests.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

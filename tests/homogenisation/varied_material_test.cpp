@@ -9,14 +9,14 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/homogenisation/not_covered.hpp"
 #include "breccia/homogenisation/responder.hpp"
 #include "breccia/homogenisation/solve.hpp"
-#include "breccia/homogenisation/varying_phases.hpp"
 
 #include "homogenisation/plan/cell_memory.hpp"
 #include "homogenisation/plan/expected_snapshots.hpp"
+#include "homogenisation/respond/not_covered.hpp"
 #include "homogenisation/respond/replaced_materials.hpp"
+#include "homogenisation/varying_phases.hpp"
 #include "messages.hpp"
 #include "study/two_stages.hpp"
 

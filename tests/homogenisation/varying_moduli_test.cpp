@@ -5,9 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/quasistatic/carson_path.hpp"
-
 #include "one_vector_response.hpp"
+#include "quasistatic/reduced/carson_path.hpp"
 #include "study/two_stages.hpp"
 
 namespace breccia {

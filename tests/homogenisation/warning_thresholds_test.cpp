@@ -5,10 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/homogenisation/stage_warnings.hpp"
-
 #include "homogenisation/material_warnings.hpp"
 #include "homogenisation/separation.hpp"
+#include "homogenisation/stage_warnings.hpp"
 
 namespace breccia {
 namespace {

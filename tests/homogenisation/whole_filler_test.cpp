@@ -1,4 +1,4 @@
-#include "breccia/homogenisation/whole_filler.hpp"
+#include "homogenisation/whole_filler.hpp"
 
 #include <gtest/gtest.h>
 

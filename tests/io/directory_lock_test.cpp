@@ -1,4 +1,4 @@
-#include "breccia/io/directory_lock.hpp"
+#include "io/directory_lock.hpp"
 
 #include <atomic>
 #include <filesystem>

@@ -1,4 +1,4 @@
-#include "breccia/io/display.hpp"
+#include "io/display.hpp"
 
 #include <limits>
 

@@ -1,4 +1,4 @@
-#include "breccia/io/hdf5.hpp"
+#include "io/hdf5.hpp"
 
 #include <span>
 #include <string>

@@ -1,4 +1,4 @@
-#include "breccia/io/nearest_name.hpp"
+#include "io/nearest_name.hpp"
 
 #include <string>
 #include <vector>

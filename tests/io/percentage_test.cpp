@@ -1,4 +1,4 @@
-#include "breccia/io/percentage.hpp"
+#include "io/percentage.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "breccia/io/printable.hpp"
+#include "io/printable.hpp"
 
 #include <string>
 #include <utility>

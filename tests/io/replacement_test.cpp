@@ -1,4 +1,4 @@
-#include "breccia/io/replacement.hpp"
+#include "io/replacement.hpp"
 
 #include <map>
 #include <string>
@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/text_file.hpp"
 
+#include "io/text_file.hpp"
 #include "messages.hpp"
 #include "temporary_directory.hpp"
 

@@ -1,12 +1,12 @@
-#include "breccia/io/seal.hpp"
+#include "io/seal.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/hdf5.hpp"
-#include "breccia/io/text_file.hpp"
 
+#include "io/hdf5.hpp"
+#include "io/text_file.hpp"
 #include "messages.hpp"
 #include "temporary_directory.hpp"
 

@@ -1,11 +1,11 @@
-#include "breccia/io/text_file.hpp"
+#include "io/text_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/partial_name.hpp"
 
+#include "io/partial_name.hpp"
 #include "messages.hpp"
 #include "temporary_directory.hpp"
 

@@ -1,4 +1,4 @@
-#include "breccia/io/units.hpp"
+#include "io/units.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,11 +1,11 @@
-#include "breccia/io/whole_results.hpp"
+#include "io/whole_results.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/text_file.hpp"
 
+#include "io/text_file.hpp"
 #include "messages.hpp"
 #include "temporary_directory.hpp"
 

@@ -10,9 +10,9 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/microstructure/ellipsoid_locator.hpp"
 
 #include "expect_error.hpp"
+#include "microstructure/shapes/ellipsoid_locator.hpp"
 #include "random_ellipsoids.hpp"
 
 namespace breccia {

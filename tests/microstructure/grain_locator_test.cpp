@@ -1,4 +1,4 @@
-#include "breccia/microstructure/grain_locator.hpp"
+#include "microstructure/tessellation/grain_locator.hpp"
 
 #include <cmath>
 #include <limits>

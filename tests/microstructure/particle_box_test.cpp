@@ -7,11 +7,11 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/microstructure/particle_locator.hpp"
-#include "breccia/microstructure/particle_validity.hpp"
 #include "breccia/microstructure/statistics.hpp"
 
 #include "expect_error.hpp"
+#include "microstructure/shapes/particle_locator.hpp"
+#include "microstructure/shapes/particle_validity.hpp"
 
 namespace breccia {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "breccia/error.hpp"
 #include "breccia/microstructure/particle_box.hpp"
-#include "breccia/microstructure/particle_validity.hpp"
 
 #include "expect_error.hpp"
+#include "microstructure/shapes/particle_validity.hpp"
 
 namespace breccia {
 namespace {

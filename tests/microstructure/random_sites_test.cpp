@@ -9,11 +9,11 @@
 #include "breccia/error.hpp"
 #include "breccia/microstructure/ball.hpp"
 #include "breccia/microstructure/draw_diameters.hpp"
-#include "breccia/microstructure/tessellation_statistics.hpp"
 
 #include "brute_force_tessellation.hpp"
 #include "expect_error.hpp"
 #include "hmx_sizes.hpp"
+#include "microstructure/tessellation/tessellation_statistics.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "breccia/microstructure/site_weights.hpp"
+#include "microstructure/tessellation/site_weights.hpp"
 
 #include <cmath>
 #include <cstdint>
@@ -9,10 +9,10 @@
 
 #include "breccia/error.hpp"
 #include "breccia/microstructure/tessellation.hpp"
-#include "breccia/microstructure/tessellation_statistics.hpp"
 
 #include "brute_force_tessellation.hpp"
 #include "expect_error.hpp"
+#include "microstructure/tessellation/tessellation_statistics.hpp"
 
 namespace breccia {
 namespace {

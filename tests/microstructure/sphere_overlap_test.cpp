@@ -1,4 +1,4 @@
-#include "breccia/microstructure/sphere_overlap.hpp"
+#include "microstructure/sphere_overlap.hpp"
 
 #include <cmath>
 #include <numbers>

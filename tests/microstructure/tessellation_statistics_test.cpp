@@ -1,4 +1,4 @@
-#include "breccia/microstructure/tessellation_statistics.hpp"
+#include "microstructure/tessellation/tessellation_statistics.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -10,11 +10,11 @@
 #include <gmock/gmock.h>
 
 #include "breccia/error.hpp"
-#include "breccia/microstructure/grain_locator.hpp"
 #include "breccia/microstructure/random_sites.hpp"
 
 #include "brute_force_tessellation.hpp"
 #include "expect_error.hpp"
+#include "microstructure/tessellation/grain_locator.hpp"
 #include "sum.hpp"
 #include "voronoi_sites_25.hpp"
 

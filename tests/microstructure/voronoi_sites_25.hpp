@@ -1,7 +1,8 @@
 #pragma once
 
 #include "breccia/microstructure/laguerre_sites.hpp"
-#include "breccia/tables/csv.hpp"
+
+#include "tables/csv.hpp"
 
 namespace breccia::test {
 

@@ -1,4 +1,4 @@
-#include "breccia/parallel/available_memory.hpp"
+#include "parallel/available_memory.hpp"
 
 #include <filesystem>
 #include <limits>

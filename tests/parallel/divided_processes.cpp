@@ -8,8 +8,9 @@
 #include <omp.h>
 
 #include "breccia/error.hpp"
-#include "breccia/parallel/session.hpp"
-#include "breccia/parallel/threads.hpp"
+
+#include "parallel/session.hpp"
+#include "parallel/threads.hpp"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "breccia/parallel/first_exception.hpp"
+#include "parallel/first_exception.hpp"
 
 #include <atomic>
 #include <new>

@@ -13,14 +13,15 @@
 
 #include <mpi.h>
 
-#include "breccia/discretisation/joined_discretisation.hpp"
-#include "breccia/discretisation/labels.hpp"
-#include "breccia/discretisation/mixed_cells.hpp"
 #include "breccia/error.hpp"
-#include "breccia/parallel/common_failure.hpp"
-#include "breccia/parallel/communicator.hpp"
-#include "breccia/parallel/machine.hpp"
-#include "breccia/parallel/session.hpp"
+
+#include "discretisation/joined_discretisation.hpp"
+#include "discretisation/labels.hpp"
+#include "discretisation/mixed_cells.hpp"
+#include "parallel/common_failure.hpp"
+#include "parallel/communicator.hpp"
+#include "parallel/machine.hpp"
+#include "parallel/session.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include <mpi.h>
 
-#include "breccia/parallel/session.hpp"
+#include "parallel/session.hpp"
 
 int main(int argc, char** argv) {
   MPI_Init(&argc, &argv);

@@ -9,10 +9,11 @@
 #include <span>
 #include <vector>
 
-#include "breccia/checkpoint/state.hpp"
 #include "breccia/parallel/ordered_values.hpp"
-#include "breccia/parallel/reduction.hpp"
-#include "breccia/parallel/session.hpp"
+
+#include "checkpoint/state.hpp"
+#include "parallel/reduction.hpp"
+#include "parallel/session.hpp"
 
 namespace {
 

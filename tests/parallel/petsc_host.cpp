@@ -5,7 +5,8 @@
 #include <petscsys.h>
 
 #include "breccia/error.hpp"
-#include "breccia/parallel/session.hpp"
+
+#include "parallel/session.hpp"
 
 int main() {
   if (PetscInitializeNoArguments() != 0) return 1;

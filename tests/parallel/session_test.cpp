@@ -1,10 +1,11 @@
-#include "breccia/parallel/session.hpp"
+#include "parallel/session.hpp"
 
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/parallel/blas_threads.hpp"
-#include "breccia/parallel/reduction.hpp"
+
+#include "parallel/blas_threads.hpp"
+#include "parallel/reduction.hpp"
 
 namespace breccia::parallel {
 namespace {

@@ -5,7 +5,7 @@
 #include <csignal>
 #include <cstdio>
 
-#include "breccia/parallel/session.hpp"
+#include "parallel/session.hpp"
 
 namespace {
 

@@ -6,9 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "breccia/quasistatic/log_time_stepping.hpp"
-
 #include "properties/random_composite.hpp"
+#include "quasistatic/stepping/log_time_stepping.hpp"
 
 namespace breccia {
 namespace {

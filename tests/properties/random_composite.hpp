@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "breccia/microstructure/microstructure.hpp"
-#include "breccia/virtual_test/dynamic_test.hpp"
-#include "breccia/virtual_test/quasistatic_test.hpp"
 #include "breccia/viscoelasticity/material.hpp"
+
+#include "virtual_test/dynamic_test.hpp"
+#include "virtual_test/quasistatic_test.hpp"
 
 namespace breccia::test {
 

@@ -1,14 +1,13 @@
-#include "solvers/substructuring/bddc_preconditioner.hpp"
+#include "quasistatic/solvers/substructuring/bddc_preconditioner.hpp"
 
 #include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "breccia/parallel/session.hpp"
-
-#include "operator/elastic_operator.hpp"
+#include "parallel/session.hpp"
 #include "quasistatic/composites.hpp"
+#include "quasistatic/operator/elastic_operator.hpp"
 #include "test_names.hpp"
 
 namespace breccia::quasistatic {

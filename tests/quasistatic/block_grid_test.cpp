@@ -1,4 +1,4 @@
-#include "solvers/substructuring/block_grid.hpp"
+#include "quasistatic/solvers/substructuring/block_grid.hpp"
 
 #include <algorithm>
 #include <map>

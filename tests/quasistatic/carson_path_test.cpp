@@ -1,4 +1,4 @@
-#include "breccia/quasistatic/carson_path.hpp"
+#include "quasistatic/reduced/carson_path.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,9 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "breccia/quasistatic/sampling.hpp"
-
 #include "quasistatic/composites.hpp"
+#include "quasistatic/reduced/sampling.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "operator/cell_sweep.hpp"
+#include "quasistatic/operator/cell_sweep.hpp"
 
 #include <new>
 

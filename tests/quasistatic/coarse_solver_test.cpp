@@ -1,4 +1,4 @@
-#include "solvers/substructuring/coarse_solver.hpp"
+#include "quasistatic/solvers/substructuring/coarse_solver.hpp"
 
 #include <vector>
 
@@ -6,7 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/parallel/session.hpp"
+
+#include "parallel/session.hpp"
 
 namespace breccia::quasistatic {
 namespace {

@@ -1,4 +1,4 @@
-#include "reduced/condensed_vectors.hpp"
+#include "quasistatic/reduced/condensed_vectors.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,13 +8,13 @@
 
 #include <gtest/gtest.h>
 
-#include "breccia/checkpoint/checkpoint.hpp"
-#include "breccia/discretisation/mixed_cells.hpp"
 #include "breccia/error.hpp"
 
+#include "checkpoint/checkpoint.hpp"
 #include "composites.hpp"
-#include "operator/vector_values.hpp"
-#include "reduced/cell_composite.hpp"
+#include "discretisation/mixed_cells.hpp"
+#include "quasistatic/operator/vector_values.hpp"
+#include "quasistatic/reduced/cell_composite.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia::quasistatic {

@@ -12,9 +12,10 @@
 
 #include <gtest/gtest.h>
 
-#include "breccia/discretisation/mixed_cells.hpp"
 #include "breccia/quasistatic/apparent_moduli.hpp"
-#include "breccia/tables/csv.hpp"
+
+#include "discretisation/mixed_cells.hpp"
+#include "tables/csv.hpp"
 
 namespace breccia {
 namespace {

@@ -1,16 +1,16 @@
-#include "operator/displacement.hpp"
+#include "quasistatic/operator/displacement.hpp"
 
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "breccia/checkpoint/state.hpp"
 #include "breccia/error.hpp"
 
-#include "operator/displacement_state.hpp"
-#include "operator/elastic_operator.hpp"
-#include "operator/square_forces.hpp"
-#include "operator/vector_values.hpp"
+#include "checkpoint/state.hpp"
+#include "quasistatic/operator/displacement_state.hpp"
+#include "quasistatic/operator/elastic_operator.hpp"
+#include "quasistatic/operator/square_forces.hpp"
+#include "quasistatic/operator/vector_values.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia::quasistatic {

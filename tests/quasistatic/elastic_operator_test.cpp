@@ -1,4 +1,4 @@
-#include "operator/elastic_operator.hpp"
+#include "quasistatic/operator/elastic_operator.hpp"
 
 #include <array>
 #include <cmath>
@@ -9,12 +9,11 @@
 
 #include <gtest/gtest.h>
 
-#include "breccia/discretisation/mixed_cells.hpp"
-
 #include "composites.hpp"
-#include "operator/cube_forces.hpp"
-#include "operator/square_forces.hpp"
-#include "operator/vector_values.hpp"
+#include "discretisation/mixed_cells.hpp"
+#include "quasistatic/operator/cube_forces.hpp"
+#include "quasistatic/operator/square_forces.hpp"
+#include "quasistatic/operator/vector_values.hpp"
 #include "test_names.hpp"
 
 namespace breccia::quasistatic {

@@ -4,13 +4,13 @@
 
 #include <gtest/gtest.h>
 
-#include "breccia/discretisation/mixed_cells.hpp"
-#include "breccia/quasistatic/carson_path.hpp"
-#include "breccia/quasistatic/log_time_stepping.hpp"
-#include "breccia/quasistatic/sampling.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
+#include "discretisation/mixed_cells.hpp"
 #include "quasistatic/composites.hpp"
+#include "quasistatic/reduced/carson_path.hpp"
+#include "quasistatic/reduced/sampling.hpp"
+#include "quasistatic/stepping/log_time_stepping.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "solvers/lattice/fourier_transform.hpp"
+#include "quasistatic/solvers/lattice/fourier_transform.hpp"
 
 #include <cmath>
 #include <complex>
@@ -10,7 +10,7 @@
 
 #include "breccia/error.hpp"
 
-#include "solvers/lattice/eigen_transform.hpp"
+#include "quasistatic/solvers/lattice/eigen_transform.hpp"
 #include "test_names.hpp"
 
 namespace breccia::quasistatic {

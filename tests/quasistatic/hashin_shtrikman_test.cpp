@@ -18,12 +18,13 @@
 
 #include <gtest/gtest.h>
 
-#include "breccia/discretisation/mixed_cells.hpp"
 #include "breccia/discretisation/point_fields.hpp"
 #include "breccia/microstructure/packing.hpp"
-#include "breccia/quasistatic/carson_path.hpp"
-#include "breccia/quasistatic/sampling.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
+
+#include "discretisation/mixed_cells.hpp"
+#include "quasistatic/reduced/carson_path.hpp"
+#include "quasistatic/reduced/sampling.hpp"
 
 namespace breccia {
 namespace {

@@ -1,5 +1,5 @@
 // The iterative solver of cubes: when it ends, beside sparse factors.
-#include "solvers/lattice/lattice_solver.hpp"
+#include "quasistatic/solvers/lattice/lattice_solver.hpp"
 
 #include <array>
 #include <cmath>
@@ -10,12 +10,11 @@
 
 #include <gtest/gtest.h>
 
-#include "breccia/discretisation/mixed_cells.hpp"
-#include "breccia/quasistatic/log_time_stepping.hpp"
-
 #include "composites.hpp"
-#include "operator/cube_forces.hpp"
-#include "solvers/direct/assembled_solver.hpp"
+#include "discretisation/mixed_cells.hpp"
+#include "quasistatic/operator/cube_forces.hpp"
+#include "quasistatic/solvers/direct/assembled_solver.hpp"
+#include "quasistatic/stepping/log_time_stepping.hpp"
 
 namespace breccia::quasistatic {
 namespace {

@@ -1,4 +1,4 @@
-#include "breccia/quasistatic/log_time_stepping.hpp"
+#include "quasistatic/stepping/log_time_stepping.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,10 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/error.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
+#include "checkpoint/checkpoint.hpp"
 #include "quasistatic/composites.hpp"
 #include "temporary_directory.hpp"
 #include "test_names.hpp"

@@ -1,4 +1,4 @@
-#include "operator/mixed_cell.hpp"
+#include "quasistatic/operator/mixed_cell.hpp"
 
 #include <array>
 #include <random>

@@ -1,6 +1,6 @@
 // Composites of mixed cells under the quasi-static method.
 
-#include "breccia/discretisation/mixed_cells.hpp"
+#include "discretisation/mixed_cells.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,12 +10,12 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/quasistatic/carson_path.hpp"
-#include "breccia/quasistatic/log_time_stepping.hpp"
-#include "breccia/quasistatic/sampling.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
 #include "quasistatic/composites.hpp"
+#include "quasistatic/reduced/carson_path.hpp"
+#include "quasistatic/reduced/sampling.hpp"
+#include "quasistatic/stepping/log_time_stepping.hpp"
 #include "test_names.hpp"
 
 namespace breccia {

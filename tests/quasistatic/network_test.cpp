@@ -1,4 +1,4 @@
-#include "breccia/quasistatic/network.hpp"
+#include "quasistatic/reduced/network.hpp"
 
 #include <array>
 #include <cmath>
@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include "breccia/quasistatic/carson_path.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
 #include "quasistatic/composites.hpp"
+#include "quasistatic/reduced/carson_path.hpp"
 
 namespace breccia::quasistatic {
 namespace {

@@ -1,4 +1,4 @@
-#include "solvers/substructuring/packed_symmetric.hpp"
+#include "quasistatic/solvers/substructuring/packed_symmetric.hpp"
 
 #include <gtest/gtest.h>
 

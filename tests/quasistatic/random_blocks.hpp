@@ -5,9 +5,8 @@
 
 #include <Eigen/Dense>
 
-#include "breccia/discretisation/cell_shape.hpp"
-
-#include "solvers/substructuring/block_stiffness.hpp"
+#include "discretisation/cell_shape.hpp"
+#include "quasistatic/solvers/substructuring/block_stiffness.hpp"
 
 namespace breccia::test {
 

@@ -1,4 +1,4 @@
-#include "operator/recovery.hpp"
+#include "quasistatic/operator/recovery.hpp"
 
 #include <array>
 #include <functional>

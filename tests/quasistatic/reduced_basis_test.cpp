@@ -1,4 +1,4 @@
-#include "breccia/quasistatic/reduced_basis.hpp"
+#include "quasistatic/reduced/reduced_basis.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,10 +10,10 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/quasistatic/residual_rounding.hpp"
 
 #include "quasistatic/composites.hpp"
-#include "reduced/cell_composite.hpp"
+#include "quasistatic/reduced/cell_composite.hpp"
+#include "quasistatic/reduced/residual_rounding.hpp"
 
 namespace breccia::quasistatic {
 namespace {

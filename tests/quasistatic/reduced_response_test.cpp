@@ -7,13 +7,13 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/quasistatic/carson_path.hpp"
-#include "breccia/quasistatic/log_time_stepping.hpp"
-#include "breccia/quasistatic/reduced_response_state.hpp"
-#include "breccia/quasistatic/sampling.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
 #include "quasistatic/composites.hpp"
+#include "quasistatic/reduced/carson_path.hpp"
+#include "quasistatic/reduced/reduced_response_state.hpp"
+#include "quasistatic/reduced/sampling.hpp"
+#include "quasistatic/stepping/log_time_stepping.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia {

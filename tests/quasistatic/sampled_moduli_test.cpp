@@ -1,13 +1,12 @@
-#include "breccia/quasistatic/sampled_moduli.hpp"
+#include "quasistatic/reduced/sampled_moduli.hpp"
 
 #include <array>
 
 #include <gtest/gtest.h>
 
-#include "breccia/quasistatic/carson_path.hpp"
-#include "breccia/quasistatic/sampling.hpp"
-
 #include "quasistatic/composites.hpp"
+#include "quasistatic/reduced/carson_path.hpp"
+#include "quasistatic/reduced/sampling.hpp"
 
 namespace breccia {
 namespace {

@@ -10,17 +10,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/checkpoint/checkpoint.hpp"
-#include "breccia/discretisation/labels.hpp"
 #include "breccia/error.hpp"
-#include "breccia/quasistatic/carson_path.hpp"
-#include "breccia/quasistatic/log_time_stepping.hpp"
-#include "breccia/quasistatic/sampled_moduli.hpp"
-#include "breccia/quasistatic/sampling.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
+#include "checkpoint/checkpoint.hpp"
+#include "discretisation/labels.hpp"
 #include "messages.hpp"
 #include "quasistatic/composites.hpp"
+#include "quasistatic/reduced/carson_path.hpp"
+#include "quasistatic/reduced/sampled_moduli.hpp"
+#include "quasistatic/reduced/sampling.hpp"
+#include "quasistatic/stepping/log_time_stepping.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia {

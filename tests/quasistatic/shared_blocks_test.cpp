@@ -1,4 +1,4 @@
-#include "solvers/substructuring/shared_blocks.hpp"
+#include "quasistatic/solvers/substructuring/shared_blocks.hpp"
 
 #include <array>
 #include <map>

@@ -11,11 +11,10 @@
 
 #include <gtest/gtest.h>
 
-#include "breccia/discretisation/mixed_cells.hpp"
-#include "breccia/quasistatic/sampling.hpp"
-#include "breccia/tables/csv.hpp"
-
+#include "discretisation/mixed_cells.hpp"
 #include "quasistatic/composites.hpp"
+#include "quasistatic/reduced/sampling.hpp"
+#include "tables/csv.hpp"
 
 namespace breccia {
 namespace {

@@ -10,10 +10,9 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
-#include "breccia/discretisation/mixed_cells.hpp"
-#include "breccia/quasistatic/log_time_stepping.hpp"
-
+#include "discretisation/mixed_cells.hpp"
 #include "quasistatic/composites.hpp"
+#include "quasistatic/stepping/log_time_stepping.hpp"
 
 namespace breccia {
 namespace {

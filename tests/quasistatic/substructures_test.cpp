@@ -1,4 +1,4 @@
-#include "solvers/substructuring/substructures.hpp"
+#include "quasistatic/solvers/substructuring/substructures.hpp"
 
 #include <set>
 #include <vector>

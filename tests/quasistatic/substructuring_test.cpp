@@ -5,9 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "breccia/quasistatic/sampling.hpp"
-
 #include "quasistatic/composites.hpp"
+#include "quasistatic/reduced/sampling.hpp"
 #include "test_names.hpp"
 
 namespace breccia {

@@ -1,17 +1,17 @@
 // The accuracy in time of a composite that relaxes by orders of magnitude with the only time of its binder.
 
-#include "breccia/quasistatic/target_curve.hpp"
+#include "quasistatic/reduced/target_curve.hpp"
 
 #include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "breccia/quasistatic/carson_path.hpp"
-#include "breccia/quasistatic/sampling.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
 #include "quasistatic/composites.hpp"
+#include "quasistatic/reduced/carson_path.hpp"
+#include "quasistatic/reduced/sampling.hpp"
 
 namespace breccia {
 namespace {

@@ -8,10 +8,11 @@
 
 #include <gtest/gtest.h>
 
-#include "breccia/discretisation/labels.hpp"
-#include "breccia/microstructure/grain_locator.hpp"
 #include "breccia/quasistatic/apparent_moduli.hpp"
-#include "breccia/tables/csv.hpp"
+
+#include "discretisation/labels.hpp"
+#include "microstructure/tessellation/grain_locator.hpp"
+#include "tables/csv.hpp"
 
 namespace breccia {
 namespace {

@@ -1,10 +1,10 @@
-#include "breccia/rasters/base64.hpp"
+#include "rasters/base64.hpp"
 
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "breccia/rasters/zlib_stream.hpp"
+#include "rasters/zlib_stream.hpp"
 
 namespace breccia {
 namespace {

@@ -9,9 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/text_file.hpp"
 #include "breccia/rasters/raster_reader.hpp"
 
+#include "io/text_file.hpp"
 #include "temporary_directory.hpp"
 #include "test_names.hpp"
 

@@ -10,13 +10,13 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/text_file.hpp"
-#include "breccia/rasters/npy.hpp"
-#include "breccia/rasters/png.hpp"
 #include "breccia/rasters/raster_reader.hpp"
-#include "breccia/rasters/vti.hpp"
 
+#include "io/text_file.hpp"
 #include "messages.hpp"
+#include "rasters/npy.hpp"
+#include "rasters/png.hpp"
+#include "rasters/vti.hpp"
 #include "temporary_directory.hpp"
 #include "test_names.hpp"
 

@@ -1,11 +1,11 @@
-#include "breccia/rasters/vtkhdf.hpp"
+#include "rasters/vtkhdf.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/hdf5.hpp"
 
+#include "io/hdf5.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia {

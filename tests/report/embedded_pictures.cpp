@@ -2,9 +2,9 @@
 
 #include <stdexcept>
 
-#include "breccia/rasters/base64.hpp"
 #include "breccia/rasters/raster_reader.hpp"
 
+#include "rasters/base64.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia::test {

@@ -1,4 +1,4 @@
-#include "breccia/report/field_picture.hpp"
+#include "report/field_picture.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "breccia/report/image_picture.hpp"
+#include "report/image_picture.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "breccia/report/modulus_plot.hpp"
+#include "report/modulus_plot.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "breccia/report/particle_picture.hpp"
+#include "report/particle_picture.hpp"
 
 #include <numbers>
 

@@ -1,4 +1,4 @@
-#include "breccia/report/polygon_picture.hpp"
+#include "report/polygon_picture.hpp"
 
 #include <limits>
 

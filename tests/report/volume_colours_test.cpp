@@ -1,4 +1,4 @@
-#include "breccia/report/volume_colours.hpp"
+#include "report/volume_colours.hpp"
 
 #include <cmath>
 #include <cstddef>

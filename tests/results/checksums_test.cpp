@@ -1,4 +1,4 @@
-#include "breccia/results/checksums.hpp"
+#include "results/checksums.hpp"
 
 #include <filesystem>
 #include <string>
@@ -6,9 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/io/seal.hpp"
-#include "breccia/io/text_file.hpp"
-
+#include "io/seal.hpp"
+#include "io/text_file.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia {

@@ -1,13 +1,12 @@
-#include "breccia/results/comparison_file.hpp"
+#include "results/comparison_file.hpp"
 
 #include <filesystem>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/tables/csv.hpp"
-
 #include "results/hand_made_results.hpp"
+#include "tables/csv.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia {

@@ -1,4 +1,4 @@
-#include "breccia/results/composite.hpp"
+#include "results/composite.hpp"
 
 #include <string>
 #include <vector>

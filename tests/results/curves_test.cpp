@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/tables/csv.hpp"
 
 #include "results/hand_made_results.hpp"
+#include "tables/csv.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia {

@@ -1,4 +1,4 @@
-#include "breccia/results/field_files.hpp"
+#include "results/field_files.hpp"
 
 #include <filesystem>
 
@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/hdf5.hpp"
-#include "breccia/io/text_file.hpp"
 
+#include "io/hdf5.hpp"
+#include "io/text_file.hpp"
 #include "study/two_stages.hpp"
 #include "temporary_directory.hpp"
 

@@ -1,14 +1,13 @@
-#include "breccia/results/film_field_files.hpp"
+#include "results/film_field_files.hpp"
 
 #include <filesystem>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/io/hdf5.hpp"
-#include "breccia/io/text_file.hpp"
-#include "breccia/results/field_files.hpp"
-
+#include "io/hdf5.hpp"
+#include "io/text_file.hpp"
+#include "results/field_files.hpp"
 #include "study/two_stages.hpp"
 #include "temporary_directory.hpp"
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "breccia/deck/sweep.hpp"
-#include "breccia/results/sweep_result.hpp"
 
+#include "results/sweep_result.hpp"
 #include "study/two_stages.hpp"
 
 namespace breccia::test {

@@ -1,4 +1,4 @@
-#include "breccia/results/history_file.hpp"
+#include "results/history_file.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,12 +9,12 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/hdf5.hpp"
-#include "breccia/study/identity.hpp"
 
+#include "io/hdf5.hpp"
 #include "messages.hpp"
 #include "results/hand_made_results.hpp"
 #include "results/report_data.hpp"
+#include "study/identity.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia {

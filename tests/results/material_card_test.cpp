@@ -1,6 +1,6 @@
 // Cards of finite element programs, read back by the rules of each program and compared in G(t) and K(t).
 
-#include "breccia/results/material_card.hpp"
+#include "results/material_card.hpp"
 
 #include <algorithm>
 #include <array>

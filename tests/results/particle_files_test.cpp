@@ -6,8 +6,8 @@
 
 #include "breccia/deck/read_study.hpp"
 #include "breccia/homogenisation/stage_discretisation.hpp"
-#include "breccia/results/microstructure_files.hpp"
 
+#include "results/microstructure_files.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia {

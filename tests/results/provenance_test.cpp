@@ -1,4 +1,4 @@
-#include "breccia/results/provenance.hpp"
+#include "results/provenance.hpp"
 
 #include <limits>
 
@@ -7,12 +7,12 @@
 #include <nlohmann/json.hpp>
 
 #include "breccia/error.hpp"
-#include "breccia/io/text_file.hpp"
-#include "breccia/study/identity.hpp"
 
+#include "io/text_file.hpp"
 #include "one_vector_response.hpp"
 #include "results/hand_made_results.hpp"
 #include "results/study_document.hpp"
+#include "study/identity.hpp"
 #include "study/two_stages.hpp"
 #include "temporary_directory.hpp"
 

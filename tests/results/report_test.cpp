@@ -1,4 +1,4 @@
-#include "breccia/results/report.hpp"
+#include "results/report.hpp"
 
 #include <filesystem>
 
@@ -7,18 +7,18 @@
 #include <nlohmann/json.hpp>
 
 #include "breccia/error.hpp"
-#include "breccia/io/text_file.hpp"
 #include "breccia/results/curves.hpp"
-#include "breccia/results/history_file.hpp"
-#include "breccia/results/microstructure_files.hpp"
-#include "breccia/results/provenance.hpp"
-#include "breccia/results/response_file.hpp"
-#include "breccia/results/study_report.hpp"
-#include "breccia/study/identity.hpp"
 
+#include "io/text_file.hpp"
 #include "messages.hpp"
 #include "one_vector_response.hpp"
 #include "results/hand_made_results.hpp"
+#include "results/history_file.hpp"
+#include "results/microstructure_files.hpp"
+#include "results/provenance.hpp"
+#include "results/response_file.hpp"
+#include "results/study_report.hpp"
+#include "study/identity.hpp"
 #include "study/two_stages.hpp"
 #include "temporary_directory.hpp"
 

@@ -1,4 +1,4 @@
-#include "breccia/results/response_curves.hpp"
+#include "results/response_curves.hpp"
 
 #include <filesystem>
 
@@ -7,11 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "breccia/error.hpp"
-#include "breccia/io/text_file.hpp"
-#include "breccia/tables/csv.hpp"
 
+#include "io/text_file.hpp"
 #include "messages.hpp"
 #include "results/hand_made_results.hpp"
+#include "tables/csv.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia {

@@ -1,4 +1,4 @@
-#include "breccia/results/response_file.hpp"
+#include "results/response_file.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/hdf5.hpp"
-#include "breccia/io/text_file.hpp"
 
+#include "io/hdf5.hpp"
+#include "io/text_file.hpp"
 #include "messages.hpp"
 #include "one_vector_response.hpp"
 #include "temporary_directory.hpp"

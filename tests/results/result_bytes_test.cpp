@@ -1,4 +1,4 @@
-#include "breccia/results/result_bytes.hpp"
+#include "results/result_bytes.hpp"
 
 #include <cmath>
 #include <limits>

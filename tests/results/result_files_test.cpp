@@ -1,4 +1,4 @@
-#include "breccia/results/result_files.hpp"
+#include "results/result_files.hpp"
 
 #include <filesystem>
 #include <numbers>
@@ -6,10 +6,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/io/text_file.hpp"
-#include "breccia/results/microstructure_files.hpp"
-#include "breccia/tables/csv.hpp"
-
+#include "io/text_file.hpp"
+#include "results/microstructure_files.hpp"
+#include "tables/csv.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia {

@@ -15,13 +15,13 @@
 #include <zlib.h>
 
 #include "breccia/error.hpp"
-#include "breccia/rasters/base64.hpp"
-#include "breccia/rasters/npy.hpp"
-#include "breccia/results/study_report.hpp"
-#include "breccia/results/volume_field_files.hpp"
 
 #include "messages.hpp"
+#include "rasters/base64.hpp"
+#include "rasters/npy.hpp"
 #include "results/hand_made_documents.hpp"
+#include "results/study_report.hpp"
+#include "results/volume_field_files.hpp"
 #include "study/two_stages.hpp"
 #include "temporary_directory.hpp"
 

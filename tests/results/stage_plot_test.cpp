@@ -1,12 +1,11 @@
-#include "breccia/results/stage_plot.hpp"
+#include "results/stage_plot.hpp"
 
 #include <filesystem>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/io/text_file.hpp"
-
+#include "io/text_file.hpp"
 #include "results/hand_made_results.hpp"
 #include "study/two_stages.hpp"
 #include "temporary_directory.hpp"

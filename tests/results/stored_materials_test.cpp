@@ -1,4 +1,4 @@
-#include "breccia/results/stored_materials.hpp"
+#include "results/stored_materials.hpp"
 
 #include <cmath>
 #include <string>

@@ -5,12 +5,12 @@
 #include <nlohmann/json.hpp>
 
 #include "breccia/error.hpp"
-#include "breccia/results/study_report.hpp"
-#include "breccia/results/sweep_report.hpp"
-#include "breccia/results/sweep_result.hpp"
 
 #include "messages.hpp"
 #include "results/hand_made_documents.hpp"
+#include "results/study_report.hpp"
+#include "results/sweep_report.hpp"
+#include "results/sweep_result.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia {

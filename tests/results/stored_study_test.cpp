@@ -1,4 +1,4 @@
-#include "breccia/results/stored_study.hpp"
+#include "results/stored_study.hpp"
 
 #include <string>
 

@@ -14,8 +14,8 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/text_file.hpp"
 
+#include "io/text_file.hpp"
 #include "messages.hpp"
 #include "temporary_directory.hpp"
 

@@ -1,4 +1,4 @@
-#include "breccia/results/study_record.hpp"
+#include "results/study_record.hpp"
 
 #include <filesystem>
 
@@ -6,11 +6,11 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/results/provenance.hpp"
-#include "breccia/study/identity.hpp"
 
 #include "messages.hpp"
 #include "results/hand_made_results.hpp"
+#include "results/provenance.hpp"
+#include "study/identity.hpp"
 #include "study/two_stages.hpp"
 #include "temporary_directory.hpp"
 

@@ -1,4 +1,4 @@
-#include "breccia/results/sweep_result.hpp"
+#include "results/sweep_result.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "breccia/results/sweep_tables.hpp"
+#include "results/sweep_tables.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -8,13 +8,13 @@
 #include <nlohmann/json.hpp>
 
 #include "breccia/error.hpp"
-#include "breccia/io/text_file.hpp"
-#include "breccia/results/sweep_plot.hpp"
-#include "breccia/results/sweep_report.hpp"
-#include "breccia/tables/csv.hpp"
 
+#include "io/text_file.hpp"
 #include "messages.hpp"
 #include "results/hand_made_sweep.hpp"
+#include "results/sweep_plot.hpp"
+#include "results/sweep_report.hpp"
+#include "tables/csv.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia {

@@ -1,4 +1,4 @@
-#include "breccia/results/volume_field_files.hpp"
+#include "results/volume_field_files.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,11 +9,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/io/hdf5.hpp"
-#include "breccia/io/text_file.hpp"
-#include "breccia/results/field_files.hpp"
-
+#include "io/hdf5.hpp"
+#include "io/text_file.hpp"
 #include "report/embedded_pictures.hpp"
+#include "results/field_files.hpp"
 #include "study/two_stages.hpp"
 #include "temporary_directory.hpp"
 

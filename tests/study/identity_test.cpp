@@ -1,4 +1,4 @@
-#include "breccia/study/identity.hpp"
+#include "study/identity.hpp"
 
 #include <functional>
 #include <set>

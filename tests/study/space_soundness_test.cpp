@@ -9,10 +9,10 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/study/identity.hpp"
 #include "breccia/study/soundness.hpp"
 
 #include "messages.hpp"
+#include "study/identity.hpp"
 #include "study/two_stages.hpp"
 
 namespace breccia {

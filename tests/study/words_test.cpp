@@ -7,8 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "breccia/dynamics/dynamic_problem.hpp"
 #include "breccia/study/tests.hpp"
+
+#include "dynamics/dynamic_problem.hpp"
 
 namespace breccia {
 namespace {

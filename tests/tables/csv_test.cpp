@@ -1,4 +1,4 @@
-#include "breccia/tables/csv.hpp"
+#include "tables/csv.hpp"
 
 #include <limits>
 #include <numbers>
@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/text_file.hpp"
 
+#include "io/text_file.hpp"
 #include "messages.hpp"
 #include "temporary_directory.hpp"
 

@@ -6,10 +6,10 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/tables/complex_modulus.hpp"
 #include "breccia/tables/measured_table_reader.hpp"
 
 #include "messages.hpp"
+#include "tables/complex_modulus.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia {

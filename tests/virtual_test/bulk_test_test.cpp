@@ -1,4 +1,4 @@
-#include "breccia/virtual_test/bulk_test.hpp"
+#include "virtual_test/bulk_test.hpp"
 
 #include <gtest/gtest.h>
 

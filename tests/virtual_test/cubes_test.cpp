@@ -10,13 +10,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/discretisation/mixed_cells.hpp"
 #include "breccia/error.hpp"
-#include "breccia/virtual_test/dynamic_test.hpp"
 #include "breccia/virtual_test/modulus_bounds.hpp"
-#include "breccia/virtual_test/quasistatic_test.hpp"
 
+#include "discretisation/mixed_cells.hpp"
 #include "messages.hpp"
+#include "virtual_test/dynamic_test.hpp"
+#include "virtual_test/quasistatic_test.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "breccia/virtual_test/dynamic_test.hpp"
+#include "virtual_test/dynamic_test.hpp"
 
 #include <array>
 #include <cmath>

@@ -6,10 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "breccia/virtual_test/dynamic_test.hpp"
-#include "breccia/virtual_test/quasistatic_test.hpp"
-
 #include "virtual_test/composites.hpp"
+#include "virtual_test/dynamic_test.hpp"
+#include "virtual_test/quasistatic_test.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "breccia/virtual_test/quasistatic_test.hpp"
+#include "virtual_test/quasistatic_test.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,11 +8,11 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/virtual_test/quasistatic_test_state.hpp"
 
 #include "messages.hpp"
 #include "temporary_directory.hpp"
 #include "virtual_test/composites.hpp"
+#include "virtual_test/quasistatic_test_state.hpp"
 
 namespace breccia {
 namespace {

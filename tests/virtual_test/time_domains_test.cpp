@@ -1,4 +1,4 @@
-#include "breccia/virtual_test/time_domains.hpp"
+#include "virtual_test/time_domains.hpp"
 
 #include <cmath>
 #include <functional>

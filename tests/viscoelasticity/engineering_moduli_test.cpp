@@ -1,4 +1,4 @@
-#include "breccia/viscoelasticity/engineering_moduli.hpp"
+#include "viscoelasticity/engineering_moduli.hpp"
 
 #include <cmath>
 #include <vector>

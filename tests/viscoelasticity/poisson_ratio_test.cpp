@@ -1,4 +1,4 @@
-#include "breccia/viscoelasticity/poisson_ratio.hpp"
+#include "viscoelasticity/poisson_ratio.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "breccia/viscoelasticity/prony_reduction.hpp"
+#include "viscoelasticity/prony_reduction.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,7 @@
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/filler_statistics.hpp"
 #include "breccia/study/study.hpp"
-#include "breccia/virtual_test/dynamic_test.hpp"
+#include "breccia/virtual_test/time_domain.hpp"
 
 namespace breccia {
 

@@ -1,9 +1,9 @@
-#include "assembly/film_element.hpp"
+#include "films/assembly/film_element.hpp"
 
 #include <cstddef>
 
-#include "assembly/plane_strain.hpp"
-#include "assembly/quadrature.hpp"
+#include "films/assembly/plane_strain.hpp"
+#include "films/assembly/quadrature.hpp"
 
 namespace breccia::films {
 

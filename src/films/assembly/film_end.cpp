@@ -1,4 +1,4 @@
-#include "assembly/film_end.hpp"
+#include "films/assembly/film_end.hpp"
 
 #include <algorithm>
 #include <cmath>

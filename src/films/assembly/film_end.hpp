@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "mesh/film_network.hpp"
+#include "films/mesh/film_network.hpp"
 
 namespace breccia::films {
 

@@ -1,4 +1,4 @@
-#include "assembly/film_mesh.hpp"
+#include "films/assembly/film_mesh.hpp"
 
 namespace breccia::films {
 namespace {

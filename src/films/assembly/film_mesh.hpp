@@ -8,11 +8,11 @@
 
 #include "breccia/films/film_problem.hpp"
 
-#include "assembly/film_element.hpp"
-#include "assembly/film_opening.hpp"
-#include "assembly/unknowns.hpp"
-#include "mesh/film_network.hpp"
-#include "mesh/grain_mesh.hpp"
+#include "films/assembly/film_element.hpp"
+#include "films/assembly/film_opening.hpp"
+#include "films/assembly/unknowns.hpp"
+#include "films/mesh/film_network.hpp"
+#include "films/mesh/grain_mesh.hpp"
 
 namespace breccia::films {
 

@@ -1,4 +1,4 @@
-#include "assembly/film_opening.hpp"
+#include "films/assembly/film_opening.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "assembly/film_operator.hpp"
+#include "films/assembly/film_operator.hpp"
 
 #include <cmath>
 
@@ -6,9 +6,9 @@
 
 #include "breccia/error.hpp"
 
-#include "assembly/macroscopic.hpp"
-#include "assembly/resolved_films.hpp"
-#include "assembly/thin_films.hpp"
+#include "films/assembly/macroscopic.hpp"
+#include "films/assembly/resolved_films.hpp"
+#include "films/assembly/thin_films.hpp"
 
 namespace breccia::films {
 namespace {

@@ -7,8 +7,8 @@
 #include "breccia/discretisation/load.hpp"
 #include "breccia/films/film_problem.hpp"
 
-#include "assembly/film_matrices.hpp"
-#include "assembly/film_vector.hpp"
+#include "films/assembly/film_matrices.hpp"
+#include "films/assembly/film_vector.hpp"
 
 namespace breccia::films {
 

@@ -1,4 +1,4 @@
-#include "assembly/film_vector.hpp"
+#include "films/assembly/film_vector.hpp"
 
 #include <cstddef>
 #include <span>

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "breccia/checkpoint/state.hpp"
+#include "checkpoint/state.hpp"
 
 namespace breccia::films {
 

@@ -1,9 +1,9 @@
-#include "assembly/junction_element.hpp"
+#include "films/assembly/junction_element.hpp"
 
 #include <array>
 #include <cmath>
 
-#include "assembly/plane_strain.hpp"
+#include "films/assembly/plane_strain.hpp"
 
 namespace breccia::films {
 

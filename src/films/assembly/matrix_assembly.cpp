@@ -1,4 +1,4 @@
-#include "assembly/matrix_assembly.hpp"
+#include "films/assembly/matrix_assembly.hpp"
 
 #include <cstddef>
 #include <utility>

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include "assembly/film_matrices.hpp"
+#include "films/assembly/film_matrices.hpp"
 
 namespace breccia::films {
 

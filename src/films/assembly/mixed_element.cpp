@@ -1,12 +1,12 @@
-#include "assembly/mixed_element.hpp"
+#include "films/assembly/mixed_element.hpp"
 
 #include <cstddef>
 
 #include <Eigen/LU>
 
-#include "assembly/plane_strain.hpp"
-#include "assembly/quadratic_triangle.hpp"
-#include "assembly/quadrature.hpp"
+#include "films/assembly/plane_strain.hpp"
+#include "films/assembly/quadratic_triangle.hpp"
+#include "films/assembly/quadrature.hpp"
 
 namespace breccia::films {
 namespace {

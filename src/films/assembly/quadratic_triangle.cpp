@@ -1,4 +1,4 @@
-#include "assembly/quadratic_triangle.hpp"
+#include "films/assembly/quadratic_triangle.hpp"
 
 #include <cstddef>
 

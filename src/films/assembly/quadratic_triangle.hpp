@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "assembly/plane_strain.hpp"
+#include "films/assembly/plane_strain.hpp"
 
 namespace breccia::films {
 

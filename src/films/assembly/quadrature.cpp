@@ -1,4 +1,4 @@
-#include "assembly/quadrature.hpp"
+#include "films/assembly/quadrature.hpp"
 
 #include <cmath>
 

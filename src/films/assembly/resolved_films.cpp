@@ -1,16 +1,16 @@
-#include "assembly/resolved_films.hpp"
+#include "films/assembly/resolved_films.hpp"
 
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
-#include "assembly/macroscopic.hpp"
-#include "assembly/matrix_assembly.hpp"
-#include "assembly/mixed_element.hpp"
-#include "assembly/plane_strain.hpp"
-#include "assembly/quadratic_triangle.hpp"
-#include "mesh/resolved_mesh.hpp"
+#include "films/assembly/macroscopic.hpp"
+#include "films/assembly/matrix_assembly.hpp"
+#include "films/assembly/mixed_element.hpp"
+#include "films/assembly/plane_strain.hpp"
+#include "films/assembly/quadratic_triangle.hpp"
+#include "films/mesh/resolved_mesh.hpp"
 
 namespace breccia::films {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "breccia/films/film_problem.hpp"
 
-#include "assembly/film_matrices.hpp"
+#include "films/assembly/film_matrices.hpp"
 
 namespace breccia::films {
 

@@ -1,4 +1,4 @@
-#include "assembly/thin_films.hpp"
+#include "films/assembly/thin_films.hpp"
 
 #include <array>
 #include <cmath>
@@ -6,14 +6,14 @@
 #include <span>
 #include <vector>
 
-#include "assembly/film_element.hpp"
-#include "assembly/film_end.hpp"
-#include "assembly/film_mesh.hpp"
-#include "assembly/junction_element.hpp"
-#include "assembly/macroscopic.hpp"
-#include "assembly/matrix_assembly.hpp"
-#include "assembly/plane_strain.hpp"
-#include "assembly/quadratic_triangle.hpp"
+#include "films/assembly/film_element.hpp"
+#include "films/assembly/film_end.hpp"
+#include "films/assembly/film_mesh.hpp"
+#include "films/assembly/junction_element.hpp"
+#include "films/assembly/macroscopic.hpp"
+#include "films/assembly/matrix_assembly.hpp"
+#include "films/assembly/plane_strain.hpp"
+#include "films/assembly/quadratic_triangle.hpp"
 
 namespace breccia::films {
 namespace {

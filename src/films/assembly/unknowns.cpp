@@ -1,4 +1,4 @@
-#include "assembly/unknowns.hpp"
+#include "films/assembly/unknowns.hpp"
 
 #include <cmath>
 

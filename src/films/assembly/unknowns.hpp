@@ -8,9 +8,9 @@
 
 #include "breccia/discretisation/boundary.hpp"
 
-#include "assembly/film_matrices.hpp"
-#include "mesh/film_network.hpp"
-#include "mesh/grain_mesh.hpp"
+#include "films/assembly/film_matrices.hpp"
+#include "films/mesh/film_network.hpp"
+#include "films/mesh/grain_mesh.hpp"
 
 namespace breccia::films {
 

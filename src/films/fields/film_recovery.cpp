@@ -1,4 +1,4 @@
-#include "fields/film_recovery.hpp"
+#include "films/fields/film_recovery.hpp"
 
 #include <array>
 #include <cmath>
@@ -10,12 +10,12 @@
 
 #include "breccia/error.hpp"
 
-#include "assembly/film_element.hpp"
-#include "assembly/film_end.hpp"
-#include "assembly/film_mesh.hpp"
-#include "assembly/junction_element.hpp"
-#include "assembly/macroscopic.hpp"
-#include "assembly/quadratic_triangle.hpp"
+#include "films/assembly/film_element.hpp"
+#include "films/assembly/film_end.hpp"
+#include "films/assembly/film_mesh.hpp"
+#include "films/assembly/junction_element.hpp"
+#include "films/assembly/macroscopic.hpp"
+#include "films/assembly/quadratic_triangle.hpp"
 
 namespace breccia::films {
 namespace {

@@ -3,9 +3,9 @@
 #include "breccia/discretisation/load.hpp"
 #include "breccia/films/film_fields.hpp"
 #include "breccia/films/film_problem.hpp"
-#include "breccia/quasistatic/composite_state.hpp"
 
-#include "film_composite.hpp"
+#include "films/film_composite.hpp"
+#include "quasistatic/reduced/composite_state.hpp"
 
 namespace breccia::films {
 

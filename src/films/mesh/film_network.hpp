@@ -9,7 +9,7 @@
 
 #include "breccia/microstructure/tessellation.hpp"
 
-#include "mesh/grain_polygon.hpp"
+#include "films/mesh/grain_polygon.hpp"
 
 namespace breccia::films {
 

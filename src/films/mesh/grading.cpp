@@ -1,4 +1,4 @@
-#include "mesh/grading.hpp"
+#include "films/mesh/grading.hpp"
 
 #include <algorithm>
 #include <cmath>

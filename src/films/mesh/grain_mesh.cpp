@@ -1,4 +1,4 @@
-#include "mesh/grain_mesh.hpp"
+#include "films/mesh/grain_mesh.hpp"
 
 #include <cmath>
 #include <map>
@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-#include "mesh/grading.hpp"
+#include "films/mesh/grading.hpp"
 
 namespace breccia::films {
 namespace {

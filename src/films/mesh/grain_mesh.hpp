@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "mesh/grain_polygon.hpp"
+#include "films/mesh/grain_polygon.hpp"
 
 namespace breccia::films {
 

@@ -1,4 +1,4 @@
-#include "mesh/grain_polygon.hpp"
+#include "films/mesh/grain_polygon.hpp"
 
 #include <cstdint>
 #include <limits>

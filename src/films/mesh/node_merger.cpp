@@ -1,4 +1,4 @@
-#include "mesh/node_merger.hpp"
+#include "films/mesh/node_merger.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "mesh/resolved_mesh.hpp"
+#include "films/mesh/resolved_mesh.hpp"
 
 #include <cmath>
 #include <span>
@@ -7,10 +7,10 @@
 
 #include "breccia/error.hpp"
 
-#include "mesh/film_network.hpp"
-#include "mesh/grading.hpp"
-#include "mesh/grain_mesh.hpp"
-#include "mesh/node_merger.hpp"
+#include "films/mesh/film_network.hpp"
+#include "films/mesh/grading.hpp"
+#include "films/mesh/grain_mesh.hpp"
+#include "films/mesh/node_merger.hpp"
 
 namespace breccia::films {
 namespace {

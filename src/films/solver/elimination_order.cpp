@@ -1,4 +1,4 @@
-#include "solver/elimination_order.hpp"
+#include "films/solver/elimination_order.hpp"
 
 #include <array>
 #include <csignal>

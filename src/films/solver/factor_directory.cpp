@@ -1,4 +1,4 @@
-#include "solver/factor_directory.hpp"
+#include "films/solver/factor_directory.hpp"
 
 #include <cerrno>
 #include <cstdlib>

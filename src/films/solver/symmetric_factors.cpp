@@ -1,4 +1,4 @@
-#include "solver/symmetric_factors.hpp"
+#include "films/solver/symmetric_factors.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -11,11 +11,11 @@
 #include <mpi.h>
 
 #include "breccia/error.hpp"
-#include "breccia/parallel/communicator.hpp"
-#include "breccia/parallel/reduction.hpp"
-#include "breccia/parallel/session.hpp"
 
-#include "solver/elimination_order.hpp"
+#include "films/solver/elimination_order.hpp"
+#include "parallel/communicator.hpp"
+#include "parallel/reduction.hpp"
+#include "parallel/session.hpp"
 
 namespace breccia::films {
 namespace {

@@ -9,7 +9,7 @@
 #include <Eigen/SparseCore>
 #include <dmumps_c.h>
 
-#include "solver/factor_directory.hpp"
+#include "films/solver/factor_directory.hpp"
 
 namespace breccia::films {
 

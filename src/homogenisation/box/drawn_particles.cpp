@@ -1,11 +1,11 @@
-#include "box/drawn_particles.hpp"
+#include "homogenisation/box/drawn_particles.hpp"
 
 #include <fmt/format.h>
 
 #include "breccia/microstructure/draw_diameters.hpp"
-#include "breccia/study/filler_sizes.hpp"
 
-#include "named_errors.hpp"
+#include "homogenisation/run/named_errors.hpp"
+#include "study/filler_sizes.hpp"
 
 namespace breccia {
 namespace {

@@ -1,10 +1,9 @@
-#include "box/explicit_packing.hpp"
+#include "homogenisation/box/explicit_packing.hpp"
 
 #include <utility>
 
-#include "breccia/study/listed_box.hpp"
-
-#include "box/simplest_box.hpp"
+#include "homogenisation/box/simplest_box.hpp"
+#include "study/listed_box.hpp"
 
 namespace breccia {
 namespace {

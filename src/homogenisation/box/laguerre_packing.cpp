@@ -1,4 +1,4 @@
-#include "box/laguerre_packing.hpp"
+#include "homogenisation/box/laguerre_packing.hpp"
 
 #include <optional>
 #include <utility>
@@ -7,11 +7,12 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/units.hpp"
 #include "breccia/microstructure/draw_diameters.hpp"
 #include "breccia/microstructure/random_sites.hpp"
 #include "breccia/microstructure/tessellation.hpp"
-#include "breccia/study/filler_sizes.hpp"
+
+#include "io/units.hpp"
+#include "study/filler_sizes.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "box/lubachevsky_stillinger_packing.hpp"
+#include "homogenisation/box/lubachevsky_stillinger_packing.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -6,8 +6,8 @@
 
 #include "breccia/error.hpp"
 
-#include "box/drawn_particles.hpp"
-#include "box/packing_advice.hpp"
+#include "homogenisation/box/drawn_particles.hpp"
+#include "homogenisation/box/packing_advice.hpp"
 
 namespace breccia {
 namespace {

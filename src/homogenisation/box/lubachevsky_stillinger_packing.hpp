@@ -2,8 +2,8 @@
 
 #include "breccia/study/stage.hpp"
 
-#include "box/packing_runner.hpp"
-#include "box/placed_box.hpp"
+#include "homogenisation/box/packing_runner.hpp"
+#include "homogenisation/box/placed_box.hpp"
 
 namespace breccia {
 

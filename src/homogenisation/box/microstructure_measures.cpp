@@ -1,4 +1,4 @@
-#include "box/microstructure_measures.hpp"
+#include "homogenisation/box/microstructure_measures.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,12 +11,12 @@
 #include <utility>
 #include <vector>
 
-#include "breccia/microstructure/image_statistics.hpp"
 #include "breccia/microstructure/statistics.hpp"
-#include "breccia/microstructure/tessellation_statistics.hpp"
-#include "breccia/study/coatings.hpp"
 
-#include "box/shaped_measures.hpp"
+#include "homogenisation/box/shaped_measures.hpp"
+#include "microstructure/image/image_statistics.hpp"
+#include "microstructure/tessellation/tessellation_statistics.hpp"
+#include "study/coatings.hpp"
 
 namespace breccia {
 

@@ -1,6 +1,6 @@
-#include "breccia/homogenisation/middle_plane.hpp"
+#include "homogenisation/box/middle_plane.hpp"
 
-#include "box/stage_labelling.hpp"
+#include "homogenisation/box/stage_labelling.hpp"
 
 namespace breccia {
 namespace {

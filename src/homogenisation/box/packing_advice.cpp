@@ -1,13 +1,13 @@
-#include "box/packing_advice.hpp"
+#include "homogenisation/box/packing_advice.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "breccia/io/display.hpp"
-#include "breccia/study/filler_sizes.hpp"
-#include "breccia/study/gap.hpp"
+#include "io/display.hpp"
+#include "study/filler_sizes.hpp"
+#include "study/gap.hpp"
 
 namespace breccia {
 namespace {

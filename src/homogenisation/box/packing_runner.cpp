@@ -1,11 +1,11 @@
-#include "box/packing_runner.hpp"
+#include "homogenisation/box/packing_runner.hpp"
 
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
 
-#include "box/microstructure_measures.hpp"
-#include "box/packing_state.hpp"
+#include "homogenisation/box/microstructure_measures.hpp"
+#include "homogenisation/box/packing_state.hpp"
 
 namespace breccia {
 

@@ -2,10 +2,11 @@
 
 #include <chrono>
 
-#include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/homogenisation/stage_microstructure.hpp"
 #include "breccia/microstructure/packing.hpp"
 #include "breccia/microstructure/random_sequential.hpp"
+
+#include "checkpoint/checkpoint.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "box/packing_state.hpp"
+#include "homogenisation/box/packing_state.hpp"
 
 #include <array>
 #include <cmath>

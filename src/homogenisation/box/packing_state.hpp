@@ -1,7 +1,8 @@
 #pragma once
 
-#include "breccia/checkpoint/state.hpp"
 #include "breccia/microstructure/packing.hpp"
+
+#include "checkpoint/state.hpp"
 
 namespace breccia {
 

@@ -7,10 +7,11 @@
 #include <variant>
 
 #include "breccia/homogenisation/stage_discretisation.hpp"
-#include "breccia/microstructure/ellipsoid_locator.hpp"
-#include "breccia/microstructure/grain_locator.hpp"
-#include "breccia/microstructure/particle_locator.hpp"
-#include "breccia/study/coatings.hpp"
+
+#include "microstructure/shapes/ellipsoid_locator.hpp"
+#include "microstructure/shapes/particle_locator.hpp"
+#include "microstructure/tessellation/grain_locator.hpp"
+#include "study/coatings.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "box/random_sequential_packing.hpp"
+#include "homogenisation/box/random_sequential_packing.hpp"
 
 #include <algorithm>
 #include <string>
@@ -9,14 +9,14 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/display.hpp"
 #include "breccia/microstructure/random_sequential.hpp"
-#include "breccia/study/filler_shapes.hpp"
-#include "breccia/study/filler_sizes.hpp"
-#include "breccia/study/gap.hpp"
 
-#include "box/drawn_particles.hpp"
-#include "box/simplest_box.hpp"
+#include "homogenisation/box/drawn_particles.hpp"
+#include "homogenisation/box/simplest_box.hpp"
+#include "io/display.hpp"
+#include "study/filler_shapes.hpp"
+#include "study/filler_sizes.hpp"
+#include "study/gap.hpp"
 
 namespace breccia {
 namespace {

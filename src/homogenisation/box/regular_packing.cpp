@@ -1,9 +1,10 @@
-#include "box/regular_packing.hpp"
+#include "homogenisation/box/regular_packing.hpp"
 
 #include <variant>
 
 #include "breccia/microstructure/cubic_array.hpp"
-#include "breccia/microstructure/regular_array.hpp"
+
+#include "microstructure/regular_array.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "box/shaped_measures.hpp"
+#include "homogenisation/box/shaped_measures.hpp"
 
 #include <algorithm>
 #include <cstddef>

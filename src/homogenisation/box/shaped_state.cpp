@@ -1,4 +1,4 @@
-#include "box/shaped_state.hpp"
+#include "homogenisation/box/shaped_state.hpp"
 
 #include <algorithm>
 #include <array>

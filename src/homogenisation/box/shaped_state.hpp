@@ -3,10 +3,11 @@
 #include <cstddef>
 #include <vector>
 
-#include "breccia/checkpoint/state.hpp"
 #include "breccia/microstructure/ellipsoid.hpp"
 #include "breccia/microstructure/particle_box.hpp"
 #include "breccia/study/stage.hpp"
+
+#include "checkpoint/state.hpp"
 
 namespace breccia {
 

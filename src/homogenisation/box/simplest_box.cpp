@@ -1,4 +1,4 @@
-#include "box/simplest_box.hpp"
+#include "homogenisation/box/simplest_box.hpp"
 
 #include <utility>
 

@@ -9,16 +9,16 @@
 
 #include <fmt/format.h>
 
-#include "breccia/discretisation/grain_cells.hpp"
-#include "breccia/discretisation/image_cells.hpp"
-#include "breccia/discretisation/joined_discretisation.hpp"
-#include "breccia/discretisation/labels.hpp"
-#include "breccia/discretisation/mixed_cells.hpp"
 #include "breccia/error.hpp"
-#include "breccia/parallel/common_failure.hpp"
-#include "breccia/parallel/machine.hpp"
 
-#include "box/stage_labelling.hpp"
+#include "discretisation/grain_cells.hpp"
+#include "discretisation/image_cells.hpp"
+#include "discretisation/joined_discretisation.hpp"
+#include "discretisation/labels.hpp"
+#include "discretisation/mixed_cells.hpp"
+#include "homogenisation/box/stage_labelling.hpp"
+#include "parallel/common_failure.hpp"
+#include "parallel/machine.hpp"
 
 namespace breccia {
 

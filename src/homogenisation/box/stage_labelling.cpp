@@ -1,4 +1,4 @@
-#include "box/stage_labelling.hpp"
+#include "homogenisation/box/stage_labelling.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +6,10 @@
 #include <utility>
 
 #include "breccia/homogenisation/stage_discretisation.hpp"
-#include "breccia/microstructure/ellipsoid_locator.hpp"
-#include "breccia/microstructure/grain_locator.hpp"
-#include "breccia/microstructure/particle_locator.hpp"
+
+#include "microstructure/shapes/ellipsoid_locator.hpp"
+#include "microstructure/shapes/particle_locator.hpp"
+#include "microstructure/tessellation/grain_locator.hpp"
 
 namespace breccia {
 namespace {

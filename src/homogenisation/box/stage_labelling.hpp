@@ -3,9 +3,10 @@
 #include <vector>
 
 #include "breccia/discretisation/discretisation.hpp"
-#include "breccia/discretisation/labels.hpp"
 #include "breccia/homogenisation/stage_microstructure.hpp"
 #include "breccia/study/stage.hpp"
+
+#include "discretisation/labels.hpp"
 
 namespace breccia {
 

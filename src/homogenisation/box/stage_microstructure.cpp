@@ -5,17 +5,16 @@
 #include <limits>
 #include <utility>
 
-#include "breccia/checkpoint/checkpoint.hpp"
-#include "breccia/homogenisation/stage_microstructure_state.hpp"
-
-#include "box/explicit_packing.hpp"
-#include "box/image_packing.hpp"
-#include "box/laguerre_packing.hpp"
-#include "box/lubachevsky_stillinger_packing.hpp"
-#include "box/microstructure_measures.hpp"
-#include "box/random_sequential_packing.hpp"
-#include "box/regular_packing.hpp"
-#include "named_errors.hpp"
+#include "checkpoint/checkpoint.hpp"
+#include "homogenisation/box/explicit_packing.hpp"
+#include "homogenisation/box/image_packing.hpp"
+#include "homogenisation/box/laguerre_packing.hpp"
+#include "homogenisation/box/lubachevsky_stillinger_packing.hpp"
+#include "homogenisation/box/microstructure_measures.hpp"
+#include "homogenisation/box/random_sequential_packing.hpp"
+#include "homogenisation/box/regular_packing.hpp"
+#include "homogenisation/box/stage_microstructure_state.hpp"
+#include "homogenisation/run/named_errors.hpp"
 
 namespace breccia {
 namespace {

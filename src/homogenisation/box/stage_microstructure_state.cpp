@@ -1,4 +1,4 @@
-#include "breccia/homogenisation/stage_microstructure_state.hpp"
+#include "homogenisation/box/stage_microstructure_state.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,10 +12,10 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/study/filler_shapes.hpp"
 
-#include "box/microstructure_measures.hpp"
-#include "box/shaped_state.hpp"
+#include "homogenisation/box/microstructure_measures.hpp"
+#include "homogenisation/box/shaped_state.hpp"
+#include "study/filler_shapes.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "cell_memory.hpp"
+#include "homogenisation/plan/cell_memory.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,19 +6,19 @@
 #include <numbers>
 #include <vector>
 
-#include "breccia/discretisation/cell_shape.hpp"
 #include "breccia/homogenisation/stage_discretisation.hpp"
-#include "breccia/homogenisation/test_requests.hpp"
-#include "breccia/homogenisation/varying_phases.hpp"
 #include "breccia/microstructure/ball.hpp"
 #include "breccia/microstructure/ellipsoid.hpp"
-#include "breccia/microstructure/image_statistics.hpp"
-#include "breccia/study/chain.hpp"
-#include "breccia/study/filler_shapes.hpp"
-#include "breccia/study/filler_sizes.hpp"
 
-#include "expected_snapshots.hpp"
-#include "measured_costs.hpp"
+#include "discretisation/cell_shape.hpp"
+#include "homogenisation/plan/expected_snapshots.hpp"
+#include "homogenisation/plan/measured_costs.hpp"
+#include "homogenisation/run/test_requests.hpp"
+#include "homogenisation/varying_phases.hpp"
+#include "microstructure/image/image_statistics.hpp"
+#include "study/chain.hpp"
+#include "study/filler_shapes.hpp"
+#include "study/filler_sizes.hpp"
 
 namespace breccia {
 namespace {

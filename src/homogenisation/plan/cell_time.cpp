@@ -1,4 +1,4 @@
-#include "cell_time.hpp"
+#include "homogenisation/plan/cell_time.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,12 +6,11 @@
 #include <limits>
 #include <vector>
 
-#include "breccia/homogenisation/varying_phases.hpp"
-#include "breccia/study/chain.hpp"
-
-#include "cell_memory.hpp"
-#include "expected_snapshots.hpp"
-#include "measured_costs.hpp"
+#include "homogenisation/plan/cell_memory.hpp"
+#include "homogenisation/plan/expected_snapshots.hpp"
+#include "homogenisation/plan/measured_costs.hpp"
+#include "homogenisation/varying_phases.hpp"
+#include "study/chain.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "expected_snapshots.hpp"
+#include "homogenisation/plan/expected_snapshots.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "breccia/homogenisation/stage_discretisation.hpp"
-#include "breccia/homogenisation/test_requests.hpp"
 
-#include "measured_costs.hpp"
+#include "homogenisation/plan/measured_costs.hpp"
+#include "homogenisation/run/test_requests.hpp"
 
 namespace breccia {
 namespace {

@@ -2,8 +2,9 @@
 
 #include <vector>
 
-#include "breccia/quasistatic/carson_path.hpp"
 #include "breccia/study/study.hpp"
+
+#include "quasistatic/reduced/carson_path.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "film_costs.hpp"
+#include "homogenisation/plan/film_costs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,15 +6,15 @@
 #include <variant>
 #include <vector>
 
-#include "breccia/homogenisation/test_requests.hpp"
 #include "breccia/microstructure/draw_diameters.hpp"
-#include "breccia/study/chain.hpp"
-#include "breccia/study/filler_sizes.hpp"
-#include "breccia/study/test_rules.hpp"
 
-#include "expected_snapshots.hpp"
-#include "measured_costs.hpp"
-#include "named_errors.hpp"
+#include "homogenisation/plan/expected_snapshots.hpp"
+#include "homogenisation/plan/measured_costs.hpp"
+#include "homogenisation/run/named_errors.hpp"
+#include "homogenisation/run/test_requests.hpp"
+#include "study/chain.hpp"
+#include "study/filler_sizes.hpp"
+#include "study/test_rules.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "grid_error.hpp"
+#include "homogenisation/plan/grid_error.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -10,16 +10,16 @@
 #include <fmt/ranges.h>
 
 #include "breccia/homogenisation/stage_microstructure.hpp"
-#include "breccia/homogenisation/stage_warnings.hpp"
-#include "breccia/study/identity.hpp"
-#include "breccia/study/test_rules.hpp"
 
-#include "cell_memory.hpp"
-#include "cell_time.hpp"
-#include "film_costs.hpp"
-#include "grid_error.hpp"
-#include "measured_costs.hpp"
-#include "test_plans.hpp"
+#include "homogenisation/plan/cell_memory.hpp"
+#include "homogenisation/plan/cell_time.hpp"
+#include "homogenisation/plan/film_costs.hpp"
+#include "homogenisation/plan/grid_error.hpp"
+#include "homogenisation/plan/measured_costs.hpp"
+#include "homogenisation/plan/test_plans.hpp"
+#include "homogenisation/stage_warnings.hpp"
+#include "study/identity.hpp"
+#include "study/test_rules.hpp"
 
 namespace breccia {
 namespace {

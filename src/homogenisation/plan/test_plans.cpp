@@ -1,4 +1,4 @@
-#include "test_plans.hpp"
+#include "homogenisation/plan/test_plans.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -8,13 +8,13 @@
 #include <fmt/format.h>
 
 #include "breccia/homogenisation/stage_discretisation.hpp"
-#include "breccia/homogenisation/test_requests.hpp"
-#include "breccia/study/chain.hpp"
 
-#include "cell_memory.hpp"
-#include "cell_time.hpp"
-#include "film_costs.hpp"
-#include "measured_costs.hpp"
+#include "homogenisation/plan/cell_memory.hpp"
+#include "homogenisation/plan/cell_time.hpp"
+#include "homogenisation/plan/film_costs.hpp"
+#include "homogenisation/plan/measured_costs.hpp"
+#include "homogenisation/run/test_requests.hpp"
+#include "study/chain.hpp"
 
 namespace breccia {
 namespace {

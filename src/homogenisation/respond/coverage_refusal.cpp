@@ -1,4 +1,4 @@
-#include "respond/coverage_refusal.hpp"
+#include "homogenisation/respond/coverage_refusal.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "breccia/io/display.hpp"
-#include "breccia/quasistatic/sampled_moduli.hpp"
+#include "io/display.hpp"
+#include "quasistatic/reduced/sampled_moduli.hpp"
 
 namespace breccia {
 namespace {

@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "breccia/error.hpp"
-#include "breccia/homogenisation/not_covered.hpp"
 #include "breccia/homogenisation/stage_responses.hpp"
+
+#include "homogenisation/respond/not_covered.hpp"
 
 namespace breccia {
 

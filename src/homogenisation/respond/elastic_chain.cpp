@@ -1,4 +1,4 @@
-#include "respond/elastic_chain.hpp"
+#include "homogenisation/respond/elastic_chain.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -8,8 +8,9 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/quasistatic/response_gradient.hpp"
-#include "breccia/virtual_test/bulk_test.hpp"
+
+#include "quasistatic/reduced/response_gradient.hpp"
+#include "virtual_test/bulk_test.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "respond/replaced_materials.hpp"
+#include "homogenisation/respond/replaced_materials.hpp"
 
 #include <algorithm>
 #include <map>
@@ -8,11 +8,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "breccia/io/nearest_name.hpp"
-#include "breccia/io/units.hpp"
 #include "breccia/study/phase_names.hpp"
 
-#include "respond/responded_stages.hpp"
+#include "homogenisation/respond/responded_stages.hpp"
+#include "io/nearest_name.hpp"
+#include "io/units.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "respond/responded_stages.hpp"
+#include "homogenisation/respond/responded_stages.hpp"
 
 #include <algorithm>
 #include <string>
@@ -7,13 +7,13 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/homogenisation/stage_materials.hpp"
-#include "breccia/quasistatic/sampled_moduli.hpp"
-#include "breccia/study/chain.hpp"
-#include "breccia/virtual_test/reduced_curves.hpp"
 
-#include "respond/coverage_refusal.hpp"
-#include "stage_extrapolation.hpp"
+#include "homogenisation/respond/coverage_refusal.hpp"
+#include "homogenisation/run/stage_extrapolation.hpp"
+#include "homogenisation/stage_materials.hpp"
+#include "quasistatic/reduced/sampled_moduli.hpp"
+#include "study/chain.hpp"
+#include "virtual_test/reduced_curves.hpp"
 
 namespace breccia {
 namespace {

@@ -10,15 +10,15 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/homogenisation/stage_warnings.hpp"
-#include "breccia/io/nearest_name.hpp"
-#include "breccia/quasistatic/carson_path.hpp"
 
-#include "material_warnings.hpp"
-#include "respond/coverage_refusal.hpp"
-#include "respond/elastic_chain.hpp"
-#include "respond/replaced_materials.hpp"
-#include "respond/responded_stages.hpp"
+#include "homogenisation/material_warnings.hpp"
+#include "homogenisation/respond/coverage_refusal.hpp"
+#include "homogenisation/respond/elastic_chain.hpp"
+#include "homogenisation/respond/replaced_materials.hpp"
+#include "homogenisation/respond/responded_stages.hpp"
+#include "homogenisation/stage_warnings.hpp"
+#include "io/nearest_name.hpp"
+#include "quasistatic/reduced/carson_path.hpp"
 
 namespace breccia {
 namespace {

@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/homogenisation/varying_phases.hpp"
-#include "breccia/study/identity.hpp"
 
-#include "inclusions.hpp"
+#include "homogenisation/inclusions.hpp"
+#include "homogenisation/varying_phases.hpp"
+#include "study/identity.hpp"
 
 namespace breccia {
 

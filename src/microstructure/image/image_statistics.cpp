@@ -1,4 +1,4 @@
-#include "breccia/microstructure/image_statistics.hpp"
+#include "microstructure/image/image_statistics.hpp"
 
 #include <fmt/format.h>
 

@@ -10,7 +10,7 @@
 
 #include "breccia/error.hpp"
 
-#include "vector_algebra.hpp"
+#include "microstructure/vector_algebra.hpp"
 
 namespace breccia {
 namespace {

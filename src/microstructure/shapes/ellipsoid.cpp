@@ -7,7 +7,7 @@
 
 #include <Eigen/Dense>
 
-#include "vector_algebra.hpp"
+#include "microstructure/vector_algebra.hpp"
 
 namespace breccia {
 namespace {

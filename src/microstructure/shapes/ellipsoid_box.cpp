@@ -12,9 +12,9 @@
 
 #include "breccia/error.hpp"
 
-#include "mistake_list.hpp"
-#include "near_pairs.hpp"
-#include "vector_algebra.hpp"
+#include "microstructure/mistake_list.hpp"
+#include "microstructure/near_pairs.hpp"
+#include "microstructure/vector_algebra.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "breccia/microstructure/ellipsoid_locator.hpp"
+#include "microstructure/shapes/ellipsoid_locator.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "level_grid.hpp"
-#include "periodic_images.hpp"
-#include "vector_algebra.hpp"
+#include "microstructure/level_grid.hpp"
+#include "microstructure/periodic_images.hpp"
+#include "microstructure/vector_algebra.hpp"
 
 namespace breccia {
 namespace {

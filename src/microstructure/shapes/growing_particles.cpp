@@ -1,4 +1,4 @@
-#include "growing_particles.hpp"
+#include "microstructure/shapes/growing_particles.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,9 +7,9 @@
 #include <numeric>
 #include <utility>
 
-#include "particles_to_place.hpp"
-#include "uniform.hpp"
-#include "vector_algebra.hpp"
+#include "microstructure/shapes/particles_to_place.hpp"
+#include "microstructure/uniform.hpp"
+#include "microstructure/vector_algebra.hpp"
 
 namespace breccia {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "breccia/microstructure/random_sequential.hpp"
 
-#include "level_grid.hpp"
-#include "periodic_images.hpp"
+#include "microstructure/level_grid.hpp"
+#include "microstructure/periodic_images.hpp"
 
 namespace breccia {
 

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "separation.hpp"
-#include "vector_algebra.hpp"
+#include "microstructure/shapes/separation.hpp"
+#include "microstructure/vector_algebra.hpp"
 
 namespace breccia {
 namespace {

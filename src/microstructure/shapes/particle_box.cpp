@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "particle_pairs.hpp"
+#include "microstructure/shapes/particle_pairs.hpp"
 
 namespace breccia {
 namespace {

@@ -1,11 +1,11 @@
-#include "breccia/microstructure/particle_locator.hpp"
+#include "microstructure/shapes/particle_locator.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "vector_algebra.hpp"
+#include "microstructure/vector_algebra.hpp"
 
 namespace breccia {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "breccia/microstructure/particle_box.hpp"
 
-#include "near_pairs.hpp"
+#include "microstructure/near_pairs.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "breccia/microstructure/particle_validity.hpp"
+#include "microstructure/shapes/particle_validity.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +12,8 @@
 
 #include "breccia/error.hpp"
 
-#include "mistake_list.hpp"
-#include "particle_pairs.hpp"
+#include "microstructure/mistake_list.hpp"
+#include "microstructure/shapes/particle_pairs.hpp"
 
 namespace breccia {
 namespace {

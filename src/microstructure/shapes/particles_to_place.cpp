@@ -1,4 +1,4 @@
-#include "particles_to_place.hpp"
+#include "microstructure/shapes/particles_to_place.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -8,8 +8,8 @@
 
 #include "breccia/error.hpp"
 
-#include "growing_particles.hpp"
-#include "particles_to_place.hpp"
+#include "microstructure/shapes/growing_particles.hpp"
+#include "microstructure/shapes/particles_to_place.hpp"
 
 namespace breccia {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "breccia/microstructure/particle.hpp"
 
-#include "vector_algebra.hpp"
+#include "microstructure/vector_algebra.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "cell_builder.hpp"
+#include "microstructure/tessellation/cell_builder.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "vector_algebra.hpp"
+#include "microstructure/vector_algebra.hpp"
 
 namespace breccia {
 

@@ -9,8 +9,8 @@
 #include "breccia/microstructure/convex_cell.hpp"
 #include "breccia/microstructure/laguerre_sites.hpp"
 
-#include "level_grid.hpp"
-#include "periodic_images.hpp"
+#include "microstructure/level_grid.hpp"
+#include "microstructure/periodic_images.hpp"
 
 namespace breccia {
 

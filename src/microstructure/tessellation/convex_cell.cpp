@@ -13,7 +13,7 @@
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 
-#include "vector_algebra.hpp"
+#include "microstructure/vector_algebra.hpp"
 
 namespace breccia {
 

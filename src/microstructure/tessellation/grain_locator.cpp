@@ -1,4 +1,4 @@
-#include "breccia/microstructure/grain_locator.hpp"
+#include "microstructure/tessellation/grain_locator.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 
 #include "breccia/error.hpp"
 
-#include "site_tree.hpp"
-#include "vector_algebra.hpp"
+#include "microstructure/tessellation/site_tree.hpp"
+#include "microstructure/vector_algebra.hpp"
 
 namespace breccia {
 

@@ -1,7 +1,7 @@
 #include "breccia/microstructure/laguerre_sites.hpp"
 
-#include "cell_builder.hpp"
-#include "site_mistakes.hpp"
+#include "microstructure/tessellation/cell_builder.hpp"
+#include "microstructure/tessellation/site_mistakes.hpp"
 
 namespace breccia {
 

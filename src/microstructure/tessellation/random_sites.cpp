@@ -13,13 +13,13 @@
 #include "breccia/error.hpp"
 #include "breccia/microstructure/ball.hpp"
 #include "breccia/microstructure/draw_diameters.hpp"
-#include "breccia/microstructure/site_weights.hpp"
 #include "breccia/microstructure/tessellation.hpp"
 
-#include "level_grid.hpp"
-#include "periodic_images.hpp"
-#include "uniform.hpp"
-#include "vector_algebra.hpp"
+#include "microstructure/level_grid.hpp"
+#include "microstructure/periodic_images.hpp"
+#include "microstructure/tessellation/site_weights.hpp"
+#include "microstructure/uniform.hpp"
+#include "microstructure/vector_algebra.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "site_mistakes.hpp"
+#include "microstructure/tessellation/site_mistakes.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
-#include "site_tree.hpp"
+#include "microstructure/tessellation/site_tree.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <span>
 
-#include "periodic_images.hpp"
-#include "vector_algebra.hpp"
+#include "microstructure/periodic_images.hpp"
+#include "microstructure/vector_algebra.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "breccia/microstructure/site_weights.hpp"
+#include "microstructure/tessellation/site_weights.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +14,9 @@
 
 #include "breccia/error.hpp"
 
-#include "cell_builder.hpp"
-#include "site_mistakes.hpp"
-#include "vector_algebra.hpp"
+#include "microstructure/tessellation/cell_builder.hpp"
+#include "microstructure/tessellation/site_mistakes.hpp"
+#include "microstructure/vector_algebra.hpp"
 
 namespace breccia {
 

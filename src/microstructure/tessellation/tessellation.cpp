@@ -9,8 +9,8 @@
 
 #include "breccia/error.hpp"
 
-#include "cell_builder.hpp"
-#include "site_mistakes.hpp"
+#include "microstructure/tessellation/cell_builder.hpp"
+#include "microstructure/tessellation/site_mistakes.hpp"
 
 namespace breccia {
 

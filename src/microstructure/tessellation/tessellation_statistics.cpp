@@ -1,4 +1,4 @@
-#include "breccia/microstructure/tessellation_statistics.hpp"
+#include "microstructure/tessellation/tessellation_statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include "breccia/error.hpp"
 #include "breccia/microstructure/ball.hpp"
 
-#include "vector_algebra.hpp"
+#include "microstructure/vector_algebra.hpp"
 
 namespace breccia {
 

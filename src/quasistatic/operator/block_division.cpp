@@ -1,9 +1,9 @@
-#include "operator/block_division.hpp"
+#include "quasistatic/operator/block_division.hpp"
 
 #include <algorithm>
 #include <cstdint>
 
-#include "breccia/quasistatic/substructure_side.hpp"
+#include "quasistatic/solvers/substructuring/substructure_side.hpp"
 
 namespace breccia::quasistatic {
 namespace {

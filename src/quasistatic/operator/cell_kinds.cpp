@@ -1,4 +1,4 @@
-#include "operator/cell_kinds.hpp"
+#include "quasistatic/operator/cell_kinds.hpp"
 
 #include <algorithm>
 #include <map>

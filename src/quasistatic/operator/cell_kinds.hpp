@@ -7,11 +7,11 @@
 #include <span>
 #include <vector>
 
-#include "breccia/discretisation/cell_shape.hpp"
 #include "breccia/discretisation/discretisation.hpp"
 
-#include "operator/mixed_cell.hpp"
-#include "operator/node_layout.hpp"
+#include "discretisation/cell_shape.hpp"
+#include "quasistatic/operator/mixed_cell.hpp"
+#include "quasistatic/operator/node_layout.hpp"
 
 namespace breccia::quasistatic {
 

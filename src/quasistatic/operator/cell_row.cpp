@@ -1,4 +1,4 @@
-#include "operator/cell_row.hpp"
+#include "quasistatic/operator/cell_row.hpp"
 
 namespace breccia::quasistatic {
 namespace {

@@ -1,11 +1,11 @@
-#include "operator/cell_sweep.hpp"
+#include "quasistatic/operator/cell_sweep.hpp"
 
 #include <algorithm>
 #include <vector>
 
 #include <omp.h>
 
-#include "breccia/parallel/first_exception.hpp"
+#include "parallel/first_exception.hpp"
 
 namespace breccia::quasistatic {
 

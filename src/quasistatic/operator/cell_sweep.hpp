@@ -6,10 +6,10 @@
 #include <functional>
 #include <vector>
 
-#include "breccia/discretisation/cell_shape.hpp"
 #include "breccia/microstructure/index.hpp"
 
-#include "operator/cell_row.hpp"
+#include "discretisation/cell_shape.hpp"
+#include "quasistatic/operator/cell_row.hpp"
 
 namespace breccia::quasistatic {
 

@@ -1,4 +1,4 @@
-#include "operator/cube_forces.hpp"
+#include "quasistatic/operator/cube_forces.hpp"
 
 #include <array>
 #include <cstddef>
@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "operator/halo_field.hpp"
-#include "operator/vector_values.hpp"
+#include "quasistatic/operator/halo_field.hpp"
+#include "quasistatic/operator/vector_values.hpp"
 
 namespace breccia::quasistatic {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <span>
 
-#include "operator/cell_sweep.hpp"
-#include "operator/elastic_operator.hpp"
+#include "quasistatic/operator/cell_sweep.hpp"
+#include "quasistatic/operator/elastic_operator.hpp"
 
 namespace breccia::quasistatic {
 

@@ -1,4 +1,4 @@
-#include "operator/displacement.hpp"
+#include "quasistatic/operator/displacement.hpp"
 
 namespace breccia::quasistatic {
 

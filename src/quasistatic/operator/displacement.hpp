@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "operator/petsc_handle.hpp"
+#include "quasistatic/operator/petsc_handle.hpp"
 
 namespace breccia::quasistatic {
 

@@ -1,10 +1,10 @@
-#include "operator/displacement_state.hpp"
+#include "quasistatic/operator/displacement_state.hpp"
 
 #include <cstddef>
 #include <span>
 
-#include "operator/natural_order.hpp"
-#include "operator/vector_values.hpp"
+#include "quasistatic/operator/natural_order.hpp"
+#include "quasistatic/operator/vector_values.hpp"
 
 namespace breccia::quasistatic {
 namespace {

@@ -2,9 +2,8 @@
 
 #include <string>
 
-#include "breccia/checkpoint/state.hpp"
-
-#include "operator/displacement.hpp"
+#include "checkpoint/state.hpp"
+#include "quasistatic/operator/displacement.hpp"
 
 namespace breccia::quasistatic {
 

@@ -1,4 +1,4 @@
-#include "operator/elastic_operator.hpp"
+#include "quasistatic/operator/elastic_operator.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "breccia/error.hpp"
-#include "breccia/parallel/threads.hpp"
 
-#include "operator/sum_over_cells.hpp"
-#include "operator/vector_values.hpp"
+#include "parallel/threads.hpp"
+#include "quasistatic/operator/sum_over_cells.hpp"
+#include "quasistatic/operator/vector_values.hpp"
 
 namespace breccia::quasistatic {
 template <int dim>

@@ -6,15 +6,15 @@
 #include <vector>
 
 #include "breccia/discretisation/boundary.hpp"
-#include "breccia/discretisation/cell_shape.hpp"
 #include "breccia/discretisation/discretisation.hpp"
 #include "breccia/discretisation/load.hpp"
 
-#include "operator/cell_kinds.hpp"
-#include "operator/displacement.hpp"
-#include "operator/mixed_cell.hpp"
-#include "operator/natural_order.hpp"
-#include "operator/node_layout.hpp"
+#include "discretisation/cell_shape.hpp"
+#include "quasistatic/operator/cell_kinds.hpp"
+#include "quasistatic/operator/displacement.hpp"
+#include "quasistatic/operator/mixed_cell.hpp"
+#include "quasistatic/operator/natural_order.hpp"
+#include "quasistatic/operator/node_layout.hpp"
 
 namespace breccia::quasistatic {
 

@@ -1,8 +1,8 @@
-#include "operator/halo_field.hpp"
+#include "quasistatic/operator/halo_field.hpp"
 
 #include <numeric>
 
-#include "operator/vector_values.hpp"
+#include "quasistatic/operator/vector_values.hpp"
 
 namespace breccia::quasistatic {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "breccia/discretisation/tensor.hpp"
 
-#include "operator/cell_sweep.hpp"
-#include "operator/node_layout.hpp"
+#include "quasistatic/operator/cell_sweep.hpp"
+#include "quasistatic/operator/node_layout.hpp"
 
 namespace breccia::quasistatic {
 

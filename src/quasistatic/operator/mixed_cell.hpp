@@ -6,8 +6,9 @@
 
 #include <Eigen/Core>
 
-#include "breccia/discretisation/cell_shape.hpp"
 #include "breccia/discretisation/mixture.hpp"
+
+#include "discretisation/cell_shape.hpp"
 
 namespace breccia::quasistatic {
 

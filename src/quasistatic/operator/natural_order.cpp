@@ -1,4 +1,4 @@
-#include "operator/natural_order.hpp"
+#include "quasistatic/operator/natural_order.hpp"
 
 #include <array>
 #include <cstddef>

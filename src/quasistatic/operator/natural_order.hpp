@@ -4,7 +4,7 @@
 
 #include "breccia/parallel/ordered_values.hpp"
 
-#include "operator/petsc_handle.hpp"
+#include "quasistatic/operator/petsc_handle.hpp"
 
 namespace breccia::quasistatic {
 

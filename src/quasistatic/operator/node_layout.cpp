@@ -1,12 +1,12 @@
-#include "operator/node_layout.hpp"
+#include "quasistatic/operator/node_layout.hpp"
 
 #include <algorithm>
 
 #include <petscdmda.h>
 
-#include "operator/block_division.hpp"
-#include "operator/plane_division.hpp"
-#include "operator/vector_values.hpp"
+#include "quasistatic/operator/block_division.hpp"
+#include "quasistatic/operator/plane_division.hpp"
+#include "quasistatic/operator/vector_values.hpp"
 
 namespace breccia::quasistatic {
 namespace {

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "breccia/discretisation/boundary.hpp"
-#include "breccia/discretisation/cell_shape.hpp"
 #include "breccia/discretisation/grid.hpp"
 
-#include "operator/petsc_handle.hpp"
+#include "discretisation/cell_shape.hpp"
+#include "quasistatic/operator/petsc_handle.hpp"
 
 namespace breccia::quasistatic {
 

@@ -5,7 +5,7 @@
 #include <petscdm.h>
 #include <petscksp.h>
 
-#include "breccia/parallel/session.hpp"
+#include "parallel/session.hpp"
 
 namespace breccia::quasistatic {
 

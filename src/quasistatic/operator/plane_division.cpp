@@ -1,4 +1,4 @@
-#include "operator/plane_division.hpp"
+#include "quasistatic/operator/plane_division.hpp"
 
 #include <cstdint>
 

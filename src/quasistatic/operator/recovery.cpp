@@ -1,10 +1,10 @@
-#include "operator/recovery.hpp"
+#include "quasistatic/operator/recovery.hpp"
 
 #include <array>
 #include <cmath>
 #include <cstddef>
 
-#include "operator/vector_values.hpp"
+#include "quasistatic/operator/vector_values.hpp"
 
 namespace breccia::quasistatic {
 namespace {

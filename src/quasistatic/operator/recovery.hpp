@@ -4,7 +4,7 @@
 
 #include "breccia/discretisation/point_fields.hpp"
 
-#include "operator/elastic_operator.hpp"
+#include "quasistatic/operator/elastic_operator.hpp"
 
 namespace breccia::quasistatic {
 

@@ -1,11 +1,11 @@
-#include "operator/square_forces.hpp"
+#include "quasistatic/operator/square_forces.hpp"
 
 #include <algorithm>
 #include <utility>
 #include <vector>
 
-#include "operator/sum_over_cells.hpp"
-#include "operator/vector_values.hpp"
+#include "quasistatic/operator/sum_over_cells.hpp"
+#include "quasistatic/operator/vector_values.hpp"
 
 namespace breccia::quasistatic {
 

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "operator/elastic_operator.hpp"
+#include "quasistatic/operator/elastic_operator.hpp"
 
 namespace breccia::quasistatic {
 

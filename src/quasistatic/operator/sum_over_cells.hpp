@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "operator/node_layout.hpp"
-#include "operator/vector_values.hpp"
+#include "quasistatic/operator/node_layout.hpp"
+#include "quasistatic/operator/vector_values.hpp"
 
 namespace breccia::quasistatic {
 

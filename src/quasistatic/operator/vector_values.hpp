@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <petscvec.h>
 
-#include "breccia/parallel/session.hpp"
+#include "parallel/session.hpp"
 
 namespace breccia::quasistatic {
 

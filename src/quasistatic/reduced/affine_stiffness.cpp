@@ -1,4 +1,4 @@
-#include "reduced/affine_stiffness.hpp"
+#include "quasistatic/reduced/affine_stiffness.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -6,8 +6,9 @@
 #include "breccia/discretisation/discretisation.hpp"
 #include "breccia/discretisation/moduli.hpp"
 #include "breccia/quasistatic/reduced_response.hpp"
-#include "breccia/quasistatic/training_path.hpp"
 #include "breccia/viscoelasticity/material.hpp"
+
+#include "quasistatic/reduced/training_path.hpp"
 
 namespace breccia::quasistatic {
 

@@ -5,7 +5,8 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/quasistatic/sampling.hpp"
+
+#include "quasistatic/reduced/sampling.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "breccia/quasistatic/carson_path.hpp"
+#include "quasistatic/reduced/carson_path.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "reduced/cell_composite.hpp"
+#include "quasistatic/reduced/cell_composite.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -7,9 +7,9 @@
 
 #include "breccia/error.hpp"
 
-#include "operator/cube_forces.hpp"
-#include "operator/recovery.hpp"
-#include "operator/square_forces.hpp"
+#include "quasistatic/operator/cube_forces.hpp"
+#include "quasistatic/operator/recovery.hpp"
+#include "quasistatic/operator/square_forces.hpp"
 
 namespace breccia::quasistatic {
 

@@ -9,15 +9,15 @@
 #include <vector>
 
 #include "breccia/discretisation/point_fields.hpp"
-#include "breccia/quasistatic/affine_composite.hpp"
-#include "breccia/quasistatic/composite_state.hpp"
 #include "breccia/quasistatic/quasistatic_problem.hpp"
 
-#include "operator/displacement_state.hpp"
-#include "operator/elastic_operator.hpp"
-#include "reduced/affine_stiffness.hpp"
-#include "reduced/condensed_vectors.hpp"
-#include "solvers/elastic_solver.hpp"
+#include "quasistatic/operator/displacement_state.hpp"
+#include "quasistatic/operator/elastic_operator.hpp"
+#include "quasistatic/reduced/affine_composite.hpp"
+#include "quasistatic/reduced/affine_stiffness.hpp"
+#include "quasistatic/reduced/composite_state.hpp"
+#include "quasistatic/reduced/condensed_vectors.hpp"
+#include "quasistatic/solvers/elastic_solver.hpp"
 
 namespace breccia::quasistatic {
 

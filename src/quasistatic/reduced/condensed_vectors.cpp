@@ -1,4 +1,4 @@
-#include "reduced/condensed_vectors.hpp"
+#include "quasistatic/reduced/condensed_vectors.hpp"
 
 #include <cstdint>
 #include <deque>
@@ -7,9 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "breccia/parallel/first_exception.hpp"
-
-#include "operator/vector_values.hpp"
+#include "parallel/first_exception.hpp"
+#include "quasistatic/operator/vector_values.hpp"
 
 namespace breccia::quasistatic {
 namespace {

@@ -7,11 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "breccia/quasistatic/stored_vectors.hpp"
-
-#include "operator/displacement_state.hpp"
-#include "operator/elastic_operator.hpp"
-#include "reduced/affine_stiffness.hpp"
+#include "quasistatic/operator/displacement_state.hpp"
+#include "quasistatic/operator/elastic_operator.hpp"
+#include "quasistatic/reduced/affine_stiffness.hpp"
+#include "quasistatic/reduced/stored_vectors.hpp"
 
 namespace breccia::quasistatic {
 

@@ -1,4 +1,4 @@
-#include "breccia/quasistatic/greedy_sampling.hpp"
+#include "quasistatic/reduced/greedy_sampling.hpp"
 
 namespace breccia::quasistatic {
 

@@ -1,4 +1,4 @@
-#include "breccia/quasistatic/network.hpp"
+#include "quasistatic/reduced/network.hpp"
 
 #include <array>
 #include <cmath>
@@ -12,7 +12,7 @@
 
 #include "breccia/error.hpp"
 
-#include "reduced/part_series.hpp"
+#include "quasistatic/reduced/part_series.hpp"
 
 namespace breccia::quasistatic {
 namespace {

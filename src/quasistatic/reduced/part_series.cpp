@@ -1,4 +1,4 @@
-#include "reduced/part_series.hpp"
+#include "quasistatic/reduced/part_series.hpp"
 
 #include <algorithm>
 #include <cstddef>

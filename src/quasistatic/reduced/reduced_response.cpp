@@ -10,11 +10,11 @@
 #include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
-#include "breccia/quasistatic/network.hpp"
-#include "breccia/quasistatic/residual_rounding.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
-#include "reduced/part_series.hpp"
+#include "quasistatic/reduced/network.hpp"
+#include "quasistatic/reduced/part_series.hpp"
+#include "quasistatic/reduced/residual_rounding.hpp"
 
 namespace breccia {
 namespace {

@@ -1,5 +1,5 @@
 // A reduced response as a part of the state of a calculation.
-#include "breccia/quasistatic/reduced_response_state.hpp"
+#include "quasistatic/reduced/reduced_response_state.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "breccia/checkpoint/enumeration.hpp"
+#include "checkpoint/enumeration.hpp"
 
 namespace breccia {
 namespace {

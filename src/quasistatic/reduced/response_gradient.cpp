@@ -1,4 +1,4 @@
-#include "breccia/quasistatic/response_gradient.hpp"
+#include "quasistatic/reduced/response_gradient.hpp"
 
 #include <algorithm>
 #include <cstddef>

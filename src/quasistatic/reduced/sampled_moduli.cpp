@@ -1,4 +1,4 @@
-#include "breccia/quasistatic/sampled_moduli.hpp"
+#include "quasistatic/reduced/sampled_moduli.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,8 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/quasistatic/carson_path.hpp"
+
+#include "quasistatic/reduced/carson_path.hpp"
 
 namespace breccia {
 namespace {

@@ -1,14 +1,13 @@
-#include "breccia/quasistatic/sampling.hpp"
+#include "quasistatic/reduced/sampling.hpp"
 
 #include <memory>
 #include <utility>
 
-#include "breccia/checkpoint/checkpoint.hpp"
-#include "breccia/quasistatic/greedy_sampling.hpp"
-#include "breccia/quasistatic/linear_effort_state.hpp"
-
-#include "operator/displacement_state.hpp"
-#include "reduced/cell_composite.hpp"
+#include "checkpoint/checkpoint.hpp"
+#include "quasistatic/operator/displacement_state.hpp"
+#include "quasistatic/reduced/cell_composite.hpp"
+#include "quasistatic/reduced/greedy_sampling.hpp"
+#include "quasistatic/solvers/linear_effort_state.hpp"
 
 namespace breccia {
 namespace {

@@ -1,4 +1,4 @@
-#include "breccia/quasistatic/target_curve.hpp"
+#include "quasistatic/reduced/target_curve.hpp"
 
 #include <algorithm>
 #include <cmath>

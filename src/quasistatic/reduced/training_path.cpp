@@ -1,4 +1,4 @@
-#include "breccia/quasistatic/training_path.hpp"
+#include "quasistatic/reduced/training_path.hpp"
 
 #include "breccia/quasistatic/reduced_response.hpp"
 

@@ -1,4 +1,4 @@
-#include "solvers/elastic_solver.hpp"
+#include "quasistatic/solvers/elastic_solver.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,11 +8,11 @@
 
 #include "breccia/error.hpp"
 
-#include "operator/block_division.hpp"
-#include "operator/plane_division.hpp"
-#include "solvers/direct/assembled_solver.hpp"
-#include "solvers/lattice/lattice_solver.hpp"
-#include "solvers/substructuring/substructuring_solver.hpp"
+#include "quasistatic/operator/block_division.hpp"
+#include "quasistatic/operator/plane_division.hpp"
+#include "quasistatic/solvers/direct/assembled_solver.hpp"
+#include "quasistatic/solvers/lattice/lattice_solver.hpp"
+#include "quasistatic/solvers/substructuring/substructuring_solver.hpp"
 
 namespace breccia::quasistatic {
 

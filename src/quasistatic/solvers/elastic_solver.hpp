@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "breccia/checkpoint/state.hpp"
 #include "breccia/quasistatic/quasistatic_problem.hpp"
 
-#include "operator/elastic_operator.hpp"
+#include "checkpoint/state.hpp"
+#include "quasistatic/operator/elastic_operator.hpp"
 
 namespace breccia::quasistatic {
 

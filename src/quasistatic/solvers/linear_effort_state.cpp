@@ -1,4 +1,4 @@
-#include "breccia/quasistatic/linear_effort_state.hpp"
+#include "quasistatic/solvers/linear_effort_state.hpp"
 
 #include <cstdint>
 

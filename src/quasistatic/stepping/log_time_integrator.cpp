@@ -1,4 +1,4 @@
-#include "breccia/quasistatic/log_time_integrator.hpp"
+#include "quasistatic/stepping/log_time_integrator.hpp"
 
 namespace breccia::quasistatic {
 

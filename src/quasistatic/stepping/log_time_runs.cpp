@@ -1,4 +1,4 @@
-#include "breccia/quasistatic/log_time_runs.hpp"
+#include "quasistatic/stepping/log_time_runs.hpp"
 
 #include <cmath>
 

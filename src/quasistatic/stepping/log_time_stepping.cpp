@@ -1,12 +1,11 @@
-#include "breccia/quasistatic/log_time_stepping.hpp"
+#include "quasistatic/stepping/log_time_stepping.hpp"
 
 #include <fmt/format.h>
 
-#include "breccia/quasistatic/linear_effort_state.hpp"
-#include "breccia/quasistatic/log_time_runs.hpp"
-
-#include "operator/displacement_state.hpp"
-#include "reduced/cell_composite.hpp"
+#include "quasistatic/operator/displacement_state.hpp"
+#include "quasistatic/reduced/cell_composite.hpp"
+#include "quasistatic/solvers/linear_effort_state.hpp"
+#include "quasistatic/stepping/log_time_runs.hpp"
 
 namespace breccia {
 namespace {

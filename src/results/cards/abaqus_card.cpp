@@ -1,11 +1,10 @@
-#include "abaqus_card.hpp"
+#include "results/cards/abaqus_card.hpp"
 
 #include <fmt/format.h>
 
-#include "breccia/viscoelasticity/poisson_ratio.hpp"
-#include "breccia/viscoelasticity/youngs_modulus.hpp"
-
-#include "card_terms.hpp"
+#include "results/cards/card_terms.hpp"
+#include "viscoelasticity/poisson_ratio.hpp"
+#include "viscoelasticity/youngs_modulus.hpp"
 
 namespace breccia::cards {
 

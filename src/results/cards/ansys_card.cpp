@@ -1,14 +1,13 @@
-#include "ansys_card.hpp"
+#include "results/cards/ansys_card.hpp"
 
 #include <algorithm>
 #include <string_view>
 
 #include <fmt/format.h>
 
-#include "breccia/viscoelasticity/poisson_ratio.hpp"
-#include "breccia/viscoelasticity/youngs_modulus.hpp"
-
-#include "card_terms.hpp"
+#include "results/cards/card_terms.hpp"
+#include "viscoelasticity/poisson_ratio.hpp"
+#include "viscoelasticity/youngs_modulus.hpp"
 
 namespace breccia::cards {
 namespace {

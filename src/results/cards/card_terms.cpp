@@ -1,4 +1,4 @@
-#include "card_terms.hpp"
+#include "results/cards/card_terms.hpp"
 
 #include <map>
 

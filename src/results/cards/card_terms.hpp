@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "breccia/results/material_card.hpp"
+#include "results/material_card.hpp"
 
 namespace breccia::cards {
 

@@ -1,8 +1,8 @@
-#include "comsol_card.hpp"
+#include "results/cards/comsol_card.hpp"
 
 #include <fmt/format.h>
 
-#include "card_terms.hpp"
+#include "results/cards/card_terms.hpp"
 
 namespace breccia::cards {
 

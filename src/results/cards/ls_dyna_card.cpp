@@ -1,4 +1,4 @@
-#include "ls_dyna_card.hpp"
+#include "results/cards/ls_dyna_card.hpp"
 
 #include <cmath>
 #include <string>
@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "card_terms.hpp"
+#include "results/cards/card_terms.hpp"
 
 namespace breccia::cards {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "breccia/results/material_card.hpp"
+#include "results/material_card.hpp"
 
 namespace breccia::cards {
 

@@ -1,4 +1,4 @@
-#include "moose_card.hpp"
+#include "results/cards/moose_card.hpp"
 
 #include <algorithm>
 #include <string>
@@ -7,10 +7,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "breccia/viscoelasticity/poisson_ratio.hpp"
-#include "breccia/viscoelasticity/youngs_modulus.hpp"
-
-#include "card_terms.hpp"
+#include "results/cards/card_terms.hpp"
+#include "viscoelasticity/poisson_ratio.hpp"
+#include "viscoelasticity/youngs_modulus.hpp"
 
 namespace breccia::cards {
 namespace {

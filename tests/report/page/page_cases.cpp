@@ -13,17 +13,17 @@
 #include <Eigen/Dense>
 #include <nlohmann/json.hpp>
 
-#include "breccia/dynamics/dynamic_problem.hpp"
-#include "breccia/io/display.hpp"
-#include "breccia/quasistatic/carson_path.hpp"
 #include "breccia/quasistatic/reduced_response.hpp"
-#include "breccia/quasistatic/sampled_moduli.hpp"
 #include "breccia/virtual_test/curve.hpp"
-#include "breccia/virtual_test/extrapolation.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 #include "breccia/viscoelasticity/prony_series.hpp"
 #include "breccia/viscoelasticity/temperature_shift.hpp"
 
+#include "dynamics/dynamic_problem.hpp"
+#include "io/display.hpp"
+#include "quasistatic/reduced/carson_path.hpp"
+#include "quasistatic/reduced/sampled_moduli.hpp"
+#include "virtual_test/extrapolation.hpp"
 #include "viscoelasticity/binder.hpp"
 
 namespace breccia {

@@ -1,4 +1,4 @@
-#include "solvers/direct/assembled_solver.hpp"
+#include "quasistatic/solvers/direct/assembled_solver.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "solvers/direct/breakdown.hpp"
-#include "solvers/direct/sparse_factors.hpp"
+#include "quasistatic/solvers/direct/breakdown.hpp"
+#include "quasistatic/solvers/direct/sparse_factors.hpp"
 
 namespace breccia::quasistatic {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "solvers/elastic_solver.hpp"
+#include "quasistatic/solvers/elastic_solver.hpp"
 
 namespace breccia::quasistatic {
 

@@ -1,8 +1,8 @@
-#include "solvers/direct/breakdown.hpp"
+#include "quasistatic/solvers/direct/breakdown.hpp"
 
 #include "breccia/error.hpp"
 
-#include "operator/petsc_handle.hpp"
+#include "quasistatic/operator/petsc_handle.hpp"
 
 namespace breccia::quasistatic {
 

@@ -1,4 +1,4 @@
-#include "solvers/direct/sparse_factors.hpp"
+#include "quasistatic/solvers/direct/sparse_factors.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "breccia/parallel/session.hpp"
+#include "parallel/session.hpp"
 
 namespace breccia::quasistatic {
 namespace {

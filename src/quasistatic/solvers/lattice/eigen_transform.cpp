@@ -1,4 +1,4 @@
-#include "solvers/lattice/eigen_transform.hpp"
+#include "quasistatic/solvers/lattice/eigen_transform.hpp"
 
 #include <algorithm>
 #include <vector>

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "solvers/lattice/fourier_transform.hpp"
+#include "quasistatic/solvers/lattice/fourier_transform.hpp"
 
 namespace breccia::quasistatic {
 

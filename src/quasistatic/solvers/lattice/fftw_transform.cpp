@@ -1,4 +1,4 @@
-#include "solvers/lattice/fftw_transform.hpp"
+#include "quasistatic/solvers/lattice/fftw_transform.hpp"
 
 #include <algorithm>
 #include <type_traits>

@@ -1,12 +1,12 @@
-#include "solvers/lattice/fourier_transform.hpp"
+#include "quasistatic/solvers/lattice/fourier_transform.hpp"
 
 #include <cstdlib>
 #include <new>
 
 #ifdef BRECCIA_HAS_FFTW
-#include "solvers/lattice/fftw_transform.hpp"
+#include "quasistatic/solvers/lattice/fftw_transform.hpp"
 #else
-#include "solvers/lattice/eigen_transform.hpp"
+#include "quasistatic/solvers/lattice/eigen_transform.hpp"
 #endif
 
 namespace breccia::quasistatic {

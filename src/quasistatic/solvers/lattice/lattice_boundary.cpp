@@ -1,10 +1,9 @@
-#include "solvers/lattice/lattice_boundary.hpp"
+#include "quasistatic/solvers/lattice/lattice_boundary.hpp"
 
 #include <algorithm>
 
-#include "breccia/parallel/reduction.hpp"
-
-#include "operator/vector_values.hpp"
+#include "parallel/reduction.hpp"
+#include "quasistatic/operator/vector_values.hpp"
 
 namespace breccia::quasistatic {
 

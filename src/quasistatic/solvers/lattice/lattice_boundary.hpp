@@ -2,8 +2,8 @@
 
 #include <petscvec.h>
 
-#include "solvers/lattice/nodal_field.hpp"
-#include "solvers/lattice/plane_exchange.hpp"
+#include "quasistatic/solvers/lattice/nodal_field.hpp"
+#include "quasistatic/solvers/lattice/plane_exchange.hpp"
 
 namespace breccia::quasistatic {
 

@@ -1,7 +1,7 @@
-#include "solvers/lattice/lattice_preconditioner.hpp"
+#include "quasistatic/solvers/lattice/lattice_preconditioner.hpp"
 
-#include "solvers/lattice/periodic_preconditioner.hpp"
-#include "solvers/lattice/wall_preconditioner.hpp"
+#include "quasistatic/solvers/lattice/periodic_preconditioner.hpp"
+#include "quasistatic/solvers/lattice/wall_preconditioner.hpp"
 
 namespace breccia::quasistatic {
 

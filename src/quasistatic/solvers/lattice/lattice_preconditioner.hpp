@@ -4,7 +4,7 @@
 
 #include "breccia/discretisation/moduli.hpp"
 
-#include "solvers/lattice/nodal_field.hpp"
+#include "quasistatic/solvers/lattice/nodal_field.hpp"
 
 namespace breccia::quasistatic {
 

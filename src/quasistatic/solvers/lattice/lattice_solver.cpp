@@ -1,4 +1,4 @@
-#include "solvers/lattice/lattice_solver.hpp"
+#include "quasistatic/solvers/lattice/lattice_solver.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/parallel/reduction.hpp"
 
-#include "operator/cube_forces.hpp"
+#include "parallel/reduction.hpp"
+#include "quasistatic/operator/cube_forces.hpp"
 
 namespace breccia::quasistatic {
 

@@ -3,10 +3,10 @@
 #include <memory>
 #include <string>
 
-#include "solvers/elastic_solver.hpp"
-#include "solvers/lattice/lattice_boundary.hpp"
-#include "solvers/lattice/lattice_preconditioner.hpp"
-#include "solvers/lattice/nodal_field.hpp"
+#include "quasistatic/solvers/elastic_solver.hpp"
+#include "quasistatic/solvers/lattice/lattice_boundary.hpp"
+#include "quasistatic/solvers/lattice/lattice_preconditioner.hpp"
+#include "quasistatic/solvers/lattice/nodal_field.hpp"
 
 namespace breccia::quasistatic {
 

@@ -1,10 +1,11 @@
-#include "solvers/lattice/nodal_field.hpp"
+#include "quasistatic/solvers/lattice/nodal_field.hpp"
 
 #include <algorithm>
 #include <numeric>
 
 #include "breccia/error.hpp"
-#include "breccia/parallel/reduction.hpp"
+
+#include "parallel/reduction.hpp"
 
 namespace breccia::quasistatic {
 namespace {

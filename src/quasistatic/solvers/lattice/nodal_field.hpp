@@ -8,9 +8,9 @@
 
 #include "breccia/discretisation/boundary.hpp"
 
-#include "operator/cell_sweep.hpp"
-#include "operator/node_layout.hpp"
-#include "solvers/lattice/fourier_transform.hpp"
+#include "quasistatic/operator/cell_sweep.hpp"
+#include "quasistatic/operator/node_layout.hpp"
+#include "quasistatic/solvers/lattice/fourier_transform.hpp"
 
 namespace breccia::quasistatic {
 

@@ -1,4 +1,4 @@
-#include "solvers/lattice/periodic_preconditioner.hpp"
+#include "quasistatic/solvers/lattice/periodic_preconditioner.hpp"
 
 #include <algorithm>
 #include <numbers>

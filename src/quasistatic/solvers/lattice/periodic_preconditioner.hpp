@@ -5,10 +5,10 @@
 #include <memory>
 #include <vector>
 
-#include "solvers/lattice/fourier_transform.hpp"
-#include "solvers/lattice/lattice_preconditioner.hpp"
-#include "solvers/lattice/row_exchange.hpp"
-#include "solvers/lattice/wave_symbol.hpp"
+#include "quasistatic/solvers/lattice/fourier_transform.hpp"
+#include "quasistatic/solvers/lattice/lattice_preconditioner.hpp"
+#include "quasistatic/solvers/lattice/row_exchange.hpp"
+#include "quasistatic/solvers/lattice/wave_symbol.hpp"
 
 namespace breccia::quasistatic {
 

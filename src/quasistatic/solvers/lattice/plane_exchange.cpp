@@ -1,9 +1,9 @@
-#include "solvers/lattice/plane_exchange.hpp"
+#include "quasistatic/solvers/lattice/plane_exchange.hpp"
 
 #include <algorithm>
 
-#include "breccia/parallel/communicator.hpp"
-#include "breccia/parallel/session.hpp"
+#include "parallel/communicator.hpp"
+#include "parallel/session.hpp"
 
 namespace breccia::quasistatic {
 namespace {

@@ -1,12 +1,11 @@
-#include "solvers/lattice/row_exchange.hpp"
+#include "quasistatic/solvers/lattice/row_exchange.hpp"
 
 #include <algorithm>
 #include <cstdint>
 
-#include "breccia/parallel/communicator.hpp"
-#include "breccia/parallel/session.hpp"
-
-#include "operator/plane_division.hpp"
+#include "parallel/communicator.hpp"
+#include "parallel/session.hpp"
+#include "quasistatic/operator/plane_division.hpp"
 
 namespace breccia::quasistatic {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <mpi.h>
 
-#include "solvers/lattice/fourier_transform.hpp"
-#include "solvers/lattice/nodal_field.hpp"
+#include "quasistatic/solvers/lattice/fourier_transform.hpp"
+#include "quasistatic/solvers/lattice/nodal_field.hpp"
 
 namespace breccia::quasistatic {
 

@@ -1,4 +1,4 @@
-#include "solvers/lattice/wall_preconditioner.hpp"
+#include "quasistatic/solvers/lattice/wall_preconditioner.hpp"
 
 #include <algorithm>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "solvers/lattice/wall_transform.hpp"
+#include "quasistatic/solvers/lattice/wall_transform.hpp"
 
 #include <cmath>
 #include <numbers>

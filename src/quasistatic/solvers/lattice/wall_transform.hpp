@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "solvers/lattice/fourier_transform.hpp"
+#include "quasistatic/solvers/lattice/fourier_transform.hpp"
 
 namespace breccia::quasistatic {
 

@@ -1,4 +1,4 @@
-#include "solvers/lattice/wave_symbol.hpp"
+#include "quasistatic/solvers/lattice/wave_symbol.hpp"
 
 #include <cmath>
 #include <cstddef>

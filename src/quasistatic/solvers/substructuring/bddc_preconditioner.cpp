@@ -1,12 +1,11 @@
-#include "solvers/substructuring/bddc_preconditioner.hpp"
+#include "quasistatic/solvers/substructuring/bddc_preconditioner.hpp"
 
 #include <algorithm>
 #include <span>
 #include <utility>
 
-#include "breccia/parallel/first_exception.hpp"
-
-#include "solvers/substructuring/shared_edge_averages.hpp"
+#include "parallel/first_exception.hpp"
+#include "quasistatic/solvers/substructuring/shared_edge_averages.hpp"
 
 namespace breccia::quasistatic {
 namespace {

@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "solvers/substructuring/coarse_solver.hpp"
-#include "solvers/substructuring/edge_averages.hpp"
-#include "solvers/substructuring/packed_symmetric.hpp"
-#include "solvers/substructuring/substructures.hpp"
+#include "quasistatic/solvers/substructuring/coarse_solver.hpp"
+#include "quasistatic/solvers/substructuring/edge_averages.hpp"
+#include "quasistatic/solvers/substructuring/packed_symmetric.hpp"
+#include "quasistatic/solvers/substructuring/substructures.hpp"
 
 namespace breccia::quasistatic {
 

@@ -5,7 +5,7 @@
 
 #include <Eigen/Dense>
 
-#include "operator/block_division.hpp"
+#include "quasistatic/operator/block_division.hpp"
 
 namespace breccia::quasistatic {
 

@@ -1,4 +1,4 @@
-#include "solvers/substructuring/block_stiffness.hpp"
+#include "quasistatic/solvers/substructuring/block_stiffness.hpp"
 
 #include <algorithm>
 #include <cmath>

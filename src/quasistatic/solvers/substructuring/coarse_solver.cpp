@@ -1,10 +1,10 @@
-#include "solvers/substructuring/coarse_solver.hpp"
+#include "quasistatic/solvers/substructuring/coarse_solver.hpp"
 
 #include <numeric>
 #include <span>
 
-#include "solvers/direct/breakdown.hpp"
-#include "solvers/direct/sparse_factors.hpp"
+#include "quasistatic/solvers/direct/breakdown.hpp"
+#include "quasistatic/solvers/direct/sparse_factors.hpp"
 
 namespace breccia::quasistatic {
 namespace {

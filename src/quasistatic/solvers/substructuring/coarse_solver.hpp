@@ -5,8 +5,8 @@
 
 #include <Eigen/Dense>
 
-#include "operator/petsc_handle.hpp"
-#include "solvers/substructuring/shared_values.hpp"
+#include "quasistatic/operator/petsc_handle.hpp"
+#include "quasistatic/solvers/substructuring/shared_values.hpp"
 
 namespace breccia::quasistatic {
 

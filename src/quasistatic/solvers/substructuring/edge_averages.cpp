@@ -1,4 +1,4 @@
-#include "solvers/substructuring/edge_averages.hpp"
+#include "quasistatic/solvers/substructuring/edge_averages.hpp"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 
 #include <Eigen/Dense>
 
-#include "solvers/substructuring/block_grid.hpp"
+#include "quasistatic/solvers/substructuring/block_grid.hpp"
 
 namespace breccia::quasistatic {
 

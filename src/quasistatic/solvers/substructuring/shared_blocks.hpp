@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "operator/block_division.hpp"
-#include "solvers/substructuring/block_grid.hpp"
-#include "solvers/substructuring/shared_values.hpp"
+#include "quasistatic/operator/block_division.hpp"
+#include "quasistatic/solvers/substructuring/block_grid.hpp"
+#include "quasistatic/solvers/substructuring/shared_values.hpp"
 
 namespace breccia::quasistatic {
 

@@ -1,8 +1,8 @@
-#include "solvers/substructuring/shared_edge_averages.hpp"
+#include "quasistatic/solvers/substructuring/shared_edge_averages.hpp"
 
 #include <algorithm>
 
-#include "breccia/parallel/reduction.hpp"
+#include "parallel/reduction.hpp"
 
 namespace breccia::quasistatic {
 namespace {

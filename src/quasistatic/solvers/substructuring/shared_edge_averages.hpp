@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "solvers/substructuring/edge_averages.hpp"
-#include "solvers/substructuring/packed_symmetric.hpp"
-#include "solvers/substructuring/substructures.hpp"
+#include "quasistatic/solvers/substructuring/edge_averages.hpp"
+#include "quasistatic/solvers/substructuring/packed_symmetric.hpp"
+#include "quasistatic/solvers/substructuring/substructures.hpp"
 
 namespace breccia::quasistatic {
 

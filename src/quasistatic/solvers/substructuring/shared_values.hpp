@@ -5,7 +5,7 @@
 
 #include <petscsf.h>
 
-#include "operator/petsc_handle.hpp"
+#include "quasistatic/operator/petsc_handle.hpp"
 
 namespace breccia::quasistatic {
 

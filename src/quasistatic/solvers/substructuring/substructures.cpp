@@ -1,11 +1,11 @@
-#include "solvers/substructuring/substructures.hpp"
+#include "quasistatic/solvers/substructuring/substructures.hpp"
 
 #include <algorithm>
 #include <map>
 #include <string>
 #include <unordered_map>
 
-#include "breccia/parallel/session.hpp"
+#include "parallel/session.hpp"
 
 namespace breccia::quasistatic {
 namespace {

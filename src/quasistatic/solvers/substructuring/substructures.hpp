@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "operator/elastic_operator.hpp"
-#include "solvers/substructuring/block_grid.hpp"
-#include "solvers/substructuring/block_stiffness.hpp"
-#include "solvers/substructuring/shared_blocks.hpp"
+#include "quasistatic/operator/elastic_operator.hpp"
+#include "quasistatic/solvers/substructuring/block_grid.hpp"
+#include "quasistatic/solvers/substructuring/block_stiffness.hpp"
+#include "quasistatic/solvers/substructuring/shared_blocks.hpp"
 
 namespace breccia::quasistatic {
 

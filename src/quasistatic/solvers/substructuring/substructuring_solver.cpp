@@ -1,4 +1,4 @@
-#include "solvers/substructuring/substructuring_solver.hpp"
+#include "quasistatic/solvers/substructuring/substructuring_solver.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,12 +6,12 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/parallel/first_exception.hpp"
-#include "breccia/parallel/reduction.hpp"
-#include "breccia/parallel/threads.hpp"
 
-#include "operator/square_forces.hpp"
-#include "operator/vector_values.hpp"
+#include "parallel/first_exception.hpp"
+#include "parallel/reduction.hpp"
+#include "parallel/threads.hpp"
+#include "quasistatic/operator/square_forces.hpp"
+#include "quasistatic/operator/vector_values.hpp"
 
 namespace breccia::quasistatic {
 namespace {

@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "solvers/elastic_solver.hpp"
-#include "solvers/substructuring/bddc_preconditioner.hpp"
-#include "solvers/substructuring/packed_symmetric.hpp"
-#include "solvers/substructuring/substructures.hpp"
+#include "quasistatic/solvers/elastic_solver.hpp"
+#include "quasistatic/solvers/substructuring/bddc_preconditioner.hpp"
+#include "quasistatic/solvers/substructuring/packed_symmetric.hpp"
+#include "quasistatic/solvers/substructuring/substructures.hpp"
 
 namespace breccia::quasistatic {
 

@@ -1,0 +1,116 @@
+#include "homogenisation/run/solve_stage.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+#include "breccia/homogenisation/stage_discretisation.hpp"
+
+#include "checkpoint/checkpoint.hpp"
+#include "homogenisation/quality.hpp"
+#include "homogenisation/run/comparison.hpp"
+#include "homogenisation/run/packed_stage.hpp"
+#include "homogenisation/run/stage_extrapolation.hpp"
+#include "homogenisation/run/stage_tests.hpp"
+#include "homogenisation/stage_materials.hpp"
+#include "homogenisation/varying_moduli.hpp"
+#include "study/chain.hpp"
+#include "study/test_rules.hpp"
+
+namespace breccia {
+namespace {
+
+/// Runs the tests of the last stage of a result and adds each to the result when it is finished.
+class StageSolution {
+ public:
+  StageSolution(const Study& study, const Stage& stage, StudySink& sink, StudyResult& result)
+      : study_(study), stage_(stage), sink_(sink), result_(result), done_(result.stages.back()) {}
+
+  void run(int threads) {
+    if (model_of(study_.tests, stage_) == Model::films) {
+      const auto& grains = std::get<Grains<2>>(std::get<Box<2>>(done_.microstructure.box));
+      const StageFilms films{&study_, &stage_, &grains, threads};
+      for (const auto boundary : study_.tests.boundaries) run(films, boundary);
+    } else {
+      run_on_grids(threads);
+    }
+    for (auto& test : extrapolate_tests(stage_.name, stage_.side, done_.tests, study_.tests.mixing))
+      add(std::move(test));
+    for (const auto& warning : warnings_on_bounds(quality_of(stage_, done_))) {
+      done_.warnings.push_back(fmt::format("{}: {}", stage_.name, warning));
+    }
+    if (serves_as_matrix(study_.stages, stage_.name))
+      done_.materials = materials_from(study_, stage_, result_.stages, done_);
+    done_.comparisons = compare(study_, stage_, done_.tests);
+    sink_.happened(StageFinished{stage_, result_});
+  }
+
+ private:
+  void run_on_grids(int threads) {
+    for (const int cells : stage_.grids()) {
+      const StageGrid grid{&study_, &stage_,
+                           discretise_together(stage_, done_.microstructure, cells, study_.tests.mixing), threads};
+      for (const auto boundary : study_.tests.boundaries) {
+        for (const auto method : study_.tests.methods) run(grid, boundary, method);
+      }
+    }
+  }
+
+  void run(const StageGrid& grid, Boundary boundary, Method method) {
+    const auto& matrix = matrix_of(stage_.name, stage_.matrix, result_.stages, boundary, method);
+    if (method == Method::quasistatic) {
+      auto moduli = varying_moduli(study_, stage_, result_.stages, boundary);
+      add_all_loads(run_quasistatic(grid, matrix, std::move(moduli), boundary, sink_));
+      return;
+    }
+    for (const auto load : loads_of(study_, stage_)) {
+      add(run_dynamic(grid, matrix, boundary, load, sink_));
+    }
+  }
+
+  void run(const StageFilms& films, Boundary boundary) {
+    const auto& matrix = matrix_of(stage_.name, stage_.matrix, result_.stages, boundary, Method::quasistatic);
+    auto moduli = varying_moduli(study_, stage_, result_.stages, boundary);
+    add_all_loads(run_films(films, matrix, std::move(moduli), boundary, sink_));
+  }
+
+  void add_all_loads(std::vector<TestResult> tests) {
+    for (auto& test : tests) add(std::move(test));
+    sink_.happened(AllLoadsFinished{stage_, result_});
+  }
+
+  void add(TestResult test) {
+    done_.tests.push_back(std::move(test));
+    std::ranges::copy(warnings_of(stage_, done_.tests.back()), std::back_inserter(done_.warnings));
+    sink_.happened(TestFinished{stage_, result_});
+  }
+
+  const Study& study_;
+  const Stage& stage_;
+  StudySink& sink_;
+  StudyResult& result_;
+  StageResult& done_;
+};
+
+}  // namespace
+
+void pack_stage(const Study& study, const Stage& stage, StudySink& sink, StudyResult& result) {
+  const auto checkpoint = sink.packing_checkpoint(stage);
+  const auto follow = [&](const Progress& progress) { sink.progress(progress); };
+  auto microstructure = make_microstructure(stage, follow, checkpoint.get());
+  result.stages.push_back(packed_stage_together(study, stage, std::move(microstructure)));
+  sink.happened(StagePacked{stage, result});
+}
+
+void test_stage(const Study& study, const Stage& stage, int threads, StudySink& sink, StudyResult& result) {
+  if (result.stages.empty() || result.stages.back().name != stage.name) {
+    throw InputError(
+        fmt::format("stage {} is not the last one of the result, so that it cannot be tested", stage.name));
+  }
+  StageSolution(study, stage, sink, result).run(threads);
+}
+
+}  // namespace breccia

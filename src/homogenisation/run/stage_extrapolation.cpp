@@ -1,0 +1,135 @@
+#include "homogenisation/run/stage_extrapolation.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+
+#include "homogenisation/run/named_errors.hpp"
+#include "homogenisation/run/stage_tests.hpp"
+#include "io/display.hpp"
+#include "virtual_test/extrapolation.hpp"
+
+namespace breccia {
+namespace {
+
+/// The tests that differ from the given one only in their grid, by rising number of cells.
+std::vector<const TestResult*> same_on_all_grids(const TestResult& one, const std::vector<TestResult>& tests) {
+  std::vector<const TestResult*> same;
+  for (const auto& test : tests) {
+    auto on_its_grid = one.id;
+    on_its_grid.grid = test.id.grid;
+    if (test.id == on_its_grid && !test.id.grid.is_extrapolated()) same.push_back(&test);
+  }
+  return same;
+}
+
+std::string pascals(double modulus) {
+  return display(modulus, "Pa");
+}
+
+std::string per_pascal(double compliance) {
+  return fmt::format("{:.3g} 1/Pa", compliance);
+}
+
+/// The limit of a value at a time [s] over several grids, with an error of first order in the cell side. `shown` writes
+/// a value with its unit; `side` is that of the box [m].
+template <class Value>
+Extrapolated limit(double side, const std::vector<const TestResult*>& grids, double time, const Value& value,
+                   std::string (*shown)(double)) {
+  std::vector<double> cell_sides, values;
+  for (const auto* grid : grids) {
+    cell_sides.push_back(side / grid->id.grid.cells().value());
+    values.push_back(value(*grid));
+  }
+  const auto extrapolated = extrapolate(cell_sides, values);
+  if (extrapolated.value > 0.0) return extrapolated;
+  throw NumericalError(
+      fmt::format("extrapolation to vanishing cells gives {} at {}: the grids are too "
+                  "coarse for a law of first order; take finer ones",
+                  shown(extrapolated.value), display_time(time)));
+}
+
+ExtrapolationRecord record_of(const std::vector<const TestResult*>& grids) {
+  ExtrapolationRecord record;
+  for (const auto* grid : grids) record.cells.push_back(grid->id.grid.cells().value());
+  return record;
+}
+
+std::vector<double> moduli_of(const TestResult& test) {
+  std::vector<double> moduli;
+  for (const auto& sample : test.modulus) moduli.push_back(sample.modulus);
+  return moduli;
+}
+
+/// The test on the finest grid, with the error band that follows from the next coarser one.
+TestResult finest_with_band(const std::vector<const TestResult*>& grids) {
+  const auto& finest = *grids.back();
+  TestResult result{
+      .id = finest.id, .modulus = finest.modulus, .compliance = finest.compliance, .series = finest.series};
+  result.id.grid = TestGrid::extrapolated();
+  result.half_bands = half_bands_of_mixed_cells(moduli_of(*grids[grids.size() - 2]), moduli_of(finest));
+  result.record = record_of(grids);
+  return result;
+}
+
+TestResult extrapolate_test(double side, const std::vector<const TestResult*>& grids) {
+  const auto& finest = *grids.back();
+  TestResult result{.id = finest.id};
+  result.id.grid = TestGrid::extrapolated();
+  for (std::size_t i = 0; i < finest.modulus.size(); ++i) {
+    const double time = finest.modulus[i].time;
+    const auto [modulus, half_band] = limit(
+        side, grids, time, [i](const TestResult& grid) { return grid.modulus[i].modulus; }, pascals);
+    result.modulus.push_back({time, modulus});
+    result.half_bands.push_back(half_band);
+    if (finest.compliance.empty()) continue;
+    const auto creep = limit(
+        side, grids, time, [i](const TestResult& grid) { return grid.compliance[i].compliance; }, per_pascal);
+    result.compliance.push_back({time, creep.value});
+  }
+  result.series = fitted(result.modulus);
+  result.record = record_of(grids);
+  return result;
+}
+
+/// Whether the series of a test is exact, from a reduced response, instead of a fit to its curve.
+bool has_exact_series(const TestResult& test) {
+  const auto* record = std::get_if<QuasistaticRecord>(&test.record);
+  return record != nullptr && record->reduced.has_value();
+}
+
+}  // namespace
+
+std::vector<TestResult> extrapolate_tests(const std::string& stage, double side, const std::vector<TestResult>& tests,
+                                          Mixing mixing) {
+  std::vector<TestResult> extrapolated;
+  for (const auto& test : tests) {
+    const auto grids = same_on_all_grids(test, tests);
+    if (grids.size() < 2 || grids.back() != &test) continue;
+    const auto name =
+        fmt::format("{} {} {} {}", stage, name_of(test.id.load), bound_of(test.id.boundary), name_of(test.id.method));
+    extrapolated.push_back(name_errors(
+        name, [&] { return mixing == Mixing::series ? finest_with_band(grids) : extrapolate_test(side, grids); }));
+  }
+  return extrapolated;
+}
+
+Curve curve_at(const TestResult& test, double side, const std::vector<TestResult>& tests, Mixing mixing,
+               const std::vector<double>& times) {
+  auto grids = test.id.grid.is_extrapolated() ? same_on_all_grids(test, tests) : std::vector{&test};
+  if (mixing == Mixing::series) grids.erase(grids.begin(), std::prev(grids.end()));
+  if (!std::ranges::all_of(grids, [](const TestResult* grid) { return has_exact_series(*grid); })) return test.modulus;
+  Curve curve;
+  for (const double time : times) {
+    const auto modulus = [time](const TestResult& grid) { return grid.series.at(time); };
+    curve.push_back(
+        {time, grids.size() == 1 ? modulus(*grids.front()) : limit(side, grids, time, modulus, pascals).value});
+  }
+  return curve;
+}
+
+}  // namespace breccia

@@ -1,0 +1,142 @@
+#include "homogenisation/run/test_requests.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include "breccia/homogenisation/stage_discretisation.hpp"
+
+#include "discretisation/mixed_cells.hpp"
+#include "homogenisation/mixtures.hpp"
+#include "homogenisation/varying_phases.hpp"
+#include "study/chain.hpp"
+#include "study/filler_sizes.hpp"
+#include "study/test_rules.hpp"
+
+namespace breccia {
+namespace {
+
+/// Times [s] at which a test of a stage saves fields: only under the first load and on the finest grid.
+std::vector<double> field_times_of(const Study& study, const Stage& stage, int cells, Load load) {
+  const bool are_wanted = load == study.tests.loads.front() && cells == stage.cells && has_fields(study.tests, stage);
+  return are_wanted ? study.tests.field_times : std::vector<double>();
+}
+
+/// All fillers of a stage taken for one.
+struct ExpectedFiller {
+  double density = 0.0;          ///< mean [kg/m^3]
+  double bulk_compliance = 0.0;  ///< mean, unrelaxed [1/Pa]
+  double shear = 0.0;            ///< of the stiffest, unrelaxed [Pa]
+};
+
+/// Fillers whose fraction is not known count alike.
+ExpectedFiller expected_filler(const Stage& stage) {
+  const auto all = fraction_asked_of(stage);
+  ExpectedFiller expected;
+  for (const auto& filler : stage.fillers) {
+    const double share = all ? *filler.fraction / *all : 1.0 / static_cast<double>(stage.fillers.size());
+    expected.density += share * filler.material.density;
+    expected.bulk_compliance += share * (1.0 / filler.material.bulk.unrelaxed());
+    expected.shear = std::max(expected.shear, filler.material.shear.unrelaxed());
+  }
+  return expected;
+}
+
+/// Other materials of the phases that vary: every choice for those over whose moduli the tests sample.
+std::vector<std::vector<Material>> variants_of(const Tests& tests, const std::vector<VaryingPhase>& varying,
+                                               const std::vector<Material>& materials) {
+  std::vector<Material> of_phases;
+  for (const auto& [index, name] : varying) of_phases.push_back(materials[index]);
+  std::vector<std::vector<Material>> variants;
+  for (const auto& choice : choices_of_varied(tests.varied, of_phases)) {
+    if (choice.empty()) continue;
+    auto& variant = variants.emplace_back(of_phases);
+    for (const auto& material : choice) *std::ranges::find(variant, material.name, &Material::name) = material;
+  }
+  return variants;
+}
+
+QuasistaticTest test_without_fields(const Study& study, const Stage& stage, const Material& matrix,
+                                    QuasistaticComposite composite, Boundary boundary, int threads) {
+  auto options = study.tests.quasistatic;
+  options.linear.threads = threads;
+  // Over every further modulus the basis takes up to three times as many snapshots.
+  options.sampling.most_snapshots *= 1 + 2 * varied_moduli(study.tests.varied);
+  const auto materials = materials_of(stage, matrix);
+  const auto varying = varying_phases(study.tests, stage);
+  return {.composite = std::move(composite),
+          .materials = materials,
+          .varying = varying,
+          .variants = variants_of(study.tests, varying, materials),
+          .volumetric = study.tests.volumetric,
+          .boundary = boundary,
+          .loads = loads_of(study, stage),
+          .times = {study.tests.first_time, study.tests.last_time},
+          .points_per_decade = study.tests.points_per_decade,
+          .options = options};
+}
+
+}  // namespace
+
+template <int dim>
+DynamicTest<dim> make_dynamic_test(const Study& study, const Stage& stage, const Material& matrix,
+                                   const Discretisation<dim>& discretisation, Boundary boundary, Load load,
+                                   int threads) {
+  return {.discretisation = discretisation,
+          .materials = with_mixtures(discretisation, materials_of(stage, matrix)),
+          .volumetric = study.tests.volumetric,
+          .boundary = boundary,
+          .load = load,
+          .times = {study.tests.first_time, study.tests.last_time},
+          .points_per_decade = study.tests.points_per_decade,
+          .field_times = field_times_of(study, stage, discretisation.grid().cells[0], load),
+          .options = study.tests.dynamic,
+          .threads = threads};
+}
+
+template DynamicTest<2> make_dynamic_test(const Study&, const Stage&, const Material&, const Discretisation<2>&,
+                                          Boundary, Load, int);
+template DynamicTest<3> make_dynamic_test(const Study&, const Stage&, const Material&, const Discretisation<3>&,
+                                          Boundary, Load, int);
+
+QuasistaticTest make_quasistatic_test(const Study& study, const Stage& stage, const Material& matrix,
+                                      const StageDiscretisation& discretisation, Boundary boundary, int threads) {
+  auto test = std::visit(
+      [&](const auto& points) { return test_without_fields(study, stage, matrix, points, boundary, threads); },
+      discretisation);
+  test.field_times = field_times_of(study, stage, cells_along(discretisation), study.tests.loads.front());
+  return test;
+}
+
+QuasistaticTest make_film_test(const Study& study, const Stage& stage, const Material& matrix, const Grains<2>& grains,
+                               Boundary boundary, int threads) {
+  const auto& material = stage.fillers.front().material;
+  FilmProblem problem = {.tessellation = Tessellation<2>(grains.sites),
+                         .thickness = grains.statistics.film,
+                         .grain = {.bulk = material.bulk.unrelaxed(), .shear = material.shear.unrelaxed()},
+                         .boundary = boundary,
+                         .face_share = study.tests.films.face_share,
+                         .layers = study.tests.films.layers};
+  auto test = test_without_fields(study, stage, matrix, std::move(problem), boundary, threads);
+  if (has_fields(study.tests, stage)) test.field_times = study.tests.field_times;
+  return test;
+}
+
+Material expected_matrix(const Study& study, const Stage& stage) {
+  if (const auto* material = std::get_if<Material>(&stage.matrix)) return *material;
+  const auto& name = std::get<EarlierStage>(stage.matrix).name;
+  const auto& earlier = *std::ranges::find(study.stages, name, &Stage::name);
+  auto matrix = expected_matrix(study, earlier);
+  if (earlier.fillers.empty()) return matrix;
+  const double fraction = fraction_asked_of(earlier).value_or(0.5);
+  const auto [density, bulk_compliance, shear] = expected_filler(earlier);
+  // Shear: rigid discs, or spheres, in an incompressible matrix (Hashin's lower bound); bulk: uniform pressure (rule of
+  // mixtures).
+  const double rigid =
+      stage.dimensions() == 3 ? 1.0 + 2.5 * fraction / (1.0 - fraction) : (1.0 + fraction) / (1.0 - fraction);
+  const double stiffening = std::min(rigid, shear / matrix.shear.unrelaxed());
+  const double bulk = 1.0 / mixed(1.0 / matrix.bulk.unrelaxed(), bulk_compliance, fraction);
+  return {name, mixed(matrix.density, density, fraction), PronySeries(bulk), matrix.shear.scaled(stiffening)};
+}
+
+}  // namespace breccia

@@ -1,0 +1,268 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+
+#include "checkpoint/checkpoint.hpp"
+#include "checkpoint/state.hpp"
+#include "quasistatic/reduced/affine_composite.hpp"
+#include "quasistatic/reduced/reduced_basis.hpp"
+#include "quasistatic/reduced/residual_rounding.hpp"
+#include "quasistatic/reduced/sampling.hpp"
+#include "quasistatic/reduced/target_curve.hpp"
+#include "quasistatic/reduced/training_path.hpp"
+
+namespace breccia::quasistatic {
+
+[[nodiscard]] bool are_equal(std::span<const Moduli> some, std::span<const Moduli> others);
+
+/// The candidate for the next snapshot: where in the training set the error estimate is largest.
+struct Candidate {
+  std::vector<Moduli> moduli;  ///< [Pa] of the phases that vary
+  double estimate = -1.0;
+};
+
+/// The reduced basis of each load, which grows snapshot by snapshot by a greedy selection (theory, section 10). The
+/// bases point to the composite, which must outlive this.
+template <AffineComposite Composite>
+class GreedySampling {
+ public:
+  using Vector = typename Composite::Vector;
+
+  GreedySampling(const Composite& composite, std::span<const Load> loads, const std::vector<Moduli>& reference)
+      : composite_(&composite), scales_(loads.size(), 0.0), measured_(loads.size()) {
+    for (const auto load : loads) bases_.emplace_back(composite, load, reference);
+  }
+
+  [[nodiscard]] const std::vector<ReducedBasis<Composite>>& bases() const noexcept { return bases_; }
+  [[nodiscard]] int snapshots() const noexcept { return snapshots_; }
+  /// Relative error at the last snapshot before it was added; 1 when it was not measured.
+  [[nodiscard]] double error() const noexcept { return error_; }
+
+  /// Adds the snapshot at these moduli to the basis of each load, without measuring the error there.
+  template <CompositeSolver<Vector> Solver>
+  void add_initial_snapshot(Solver& solver, const std::vector<Moduli>& at) {
+    add_snapshot(solver, at, [](std::size_t, const Vector&) { return 0.0; });
+    error_ = 1.0;
+  }
+
+  /// Measures the error of each reduced response at these moduli, and adds the snapshot.
+  template <CompositeSolver<Vector> Solver>
+  void add_selected_snapshot(Solver& solver, const std::vector<Moduli>& at, double tolerance) {
+    error_ = 0.0;
+    add_snapshot(solver, at, [&](std::size_t load, const Vector& solution) {
+      const double error = measure_error(load, solution, at, tolerance);
+      error_ = std::max(error_, error);
+      return error;
+    });
+  }
+
+  /// The moduli of the training set with the largest error estimate of all loads. Estimates are scaled by the ratios of
+  /// error to residual measured so far. One that rounding alone may have caused counts as no error, since no further
+  /// snapshot would reduce it.
+  [[nodiscard]] Candidate greedy_choice(std::span<const std::vector<Moduli>> training_set) const {
+    Candidate choice, within_rounding;
+    for (std::size_t l = 0; l < bases_.size(); ++l) add_candidates(l, training_set, choice, within_rounding);
+    return choice.estimate > 0.0 ? choice : Candidate{within_rounding.moduli, 0.0};
+  }
+
+  /// The largest error estimate of one load, in the same way.
+  [[nodiscard]] double largest_estimate(std::size_t load, std::span<const std::vector<Moduli>> training_set) const {
+    Candidate choice, within_rounding;
+    add_candidates(load, training_set, choice, within_rounding);
+    return std::max(0.0, choice.estimate);
+  }
+
+  /// Whether the bases have met the tolerance at Laplace variables before. A snapshot that is added later may correct
+  /// the estimates upwards.
+  [[nodiscard]] bool has_met_tolerance() const noexcept { return has_met_tolerance_; }
+  void tolerance_is_met() noexcept { has_met_tolerance_ = true; }
+  [[nodiscard]] bool is_snapshot(const std::vector<Moduli>& moduli) const {
+    return std::ranges::any_of(bases_.front().response().snapshots,
+                               [&](const Snapshot& one) { return are_equal(one.moduli, moduli); });
+  }
+
+  [[nodiscard]] std::vector<ReducedResponse> responses() const {
+    std::vector<ReducedResponse> responses;
+    for (std::size_t l = 0; l < bases_.size(); ++l) {
+      auto& response = responses.emplace_back(bases_[l].response());
+      response.residual_scale = scales_[l];
+      for (std::size_t i = 0; i < measured_[l].size(); ++i) response.snapshots[i].error_before = measured_[l][i];
+    }
+    return responses;
+  }
+
+  void save(StateWriter& state) const {
+    state.write("/sampling/snapshots", std::int64_t{snapshots_});
+    state.write("/sampling/error", error_);
+    state.write("/sampling/has_met_tolerance", std::int64_t{has_met_tolerance_ ? 1 : 0});
+    state.write("/sampling/scales", scales_);
+    for (std::size_t l = 0; l < bases_.size(); ++l) {
+      const auto group = fmt::format("/sampling/load/{}", l);
+      state.write(group + "/measured", measured_[l]);
+      bases_[l].save(state, group);
+    }
+  }
+
+  void restore(const StateReader& state) {
+    snapshots_ = static_cast<int>(state.integer("/sampling/snapshots"));
+    error_ = state.number("/sampling/error");
+    has_met_tolerance_ = state.integer("/sampling/has_met_tolerance") != 0;
+    scales_ = state.numbers("/sampling/scales", bases_.size());
+    for (std::size_t l = 0; l < bases_.size(); ++l) {
+      const auto group = fmt::format("/sampling/load/{}", l);
+      measured_[l] = state.numbers(group + "/measured");
+      bases_[l].restore(state, group);
+    }
+  }
+
+ private:
+  /// Takes the moduli with the largest estimate of a load among those of other loads: of estimates that rounding alone
+  /// may have caused, and of all others.
+  void add_candidates(std::size_t load, std::span<const std::vector<Moduli>> training_set, Candidate& choice,
+                      Candidate& within_rounding) const {
+    auto response = bases_[load].response();
+    response.residual_scale = scales_[load] > 0.0 ? scales_[load] : 1.0;
+    for (const auto& moduli : training_set) {
+      const double estimate = response.error_estimate(moduli);
+      const bool is_rounding = estimate <= rounding_of_error_estimate(response, moduli);
+      auto& largest = is_rounding ? within_rounding : choice;
+      if (estimate > largest.estimate) largest = {moduli, estimate};
+    }
+  }
+
+  [[nodiscard]] std::vector<double> parameters(std::span<const Moduli> varying) const {
+    return bases_.front().response().parameters(varying);
+  }
+
+  /// Solves for each load, and adds the solution after error_at(load, solution) has returned the error to record.
+  template <class Solver, class ErrorAt>
+  void add_snapshot(Solver& solver, const std::vector<Moduli>& at, const ErrorAt& error_at) {
+    solver.prepare(parameters(at));
+    for (std::size_t l = 0; l < bases_.size(); ++l) {
+      auto solution = solver.solve(bases_[l].load(), bases_[l].approximation(at));
+      measured_[l].push_back(error_at(l, solution));
+      bases_[l].add(std::move(solution), at);
+    }
+    ++snapshots_;
+  }
+
+  /// Modulus [Pa] of the composite, from the energy of a solution.
+  [[nodiscard]] double modulus_of(std::size_t load, std::span<const Moduli> at, const Vector& solution) const {
+    const auto forces = composite_->forces(parameters(at), bases_[load].load(), solution);
+    const double energy = work(forces, solution) / composite_->volume();
+    return composite_->boundary() == Boundary::traction ? 1.0 / energy : energy;
+  }
+
+  /// Relative error of the reduced response to a load at these moduli. Updates the ratio of error to residual, unless
+  /// the error is so far below the tolerance that it may come from the linear solver.
+  double measure_error(std::size_t load, const Vector& solution, std::span<const Moduli> at, double tolerance) {
+    constexpr double least_share = 0.1;
+    auto response = bases_[load].response();
+    response.residual_scale = 1.0;
+    const double exact = modulus_of(load, at, solution);
+    const double error = std::abs(response.modulus(at) / exact - 1.0);
+    if (error > least_share * tolerance || scales_[load] == 0.0) {
+      // An estimate below its rounding may be anything, and zero.
+      const double estimate = std::max(response.error_estimate(at), rounding_of_error_estimate(response, at));
+      scales_[load] = std::max(scales_[load], error / estimate);
+    }
+    return error;
+  }
+
+  const Composite* composite_;
+  std::vector<ReducedBasis<Composite>> bases_;  ///< by load
+  std::vector<double> scales_;                  ///< largest ratio of error to residual found so far, by load
+  std::vector<std::vector<double>> measured_;   ///< errors of the snapshots, by load
+  int snapshots_ = 0;
+  double error_ = 1.0;
+  bool has_met_tolerance_ = false;
+};
+
+/// The middle of a training set, and both its ends where they differ from it.
+[[nodiscard]] std::vector<std::vector<Moduli>> initial_snapshots(const TrainingPath& training_set);
+
+/// Throws InputError when there are no loads, the training set is empty, or a point of it has not the moduli of each of
+/// its phases.
+void require_complete(std::span<const Load> loads, const TrainingPath& training_set);
+
+/// Throws NumericalError when as many snapshots as allowed have not met the tolerance.
+void require_more_snapshots(int snapshots, double error, const SamplingOptions& options);
+
+/// Progress of the greedy selection: the share of the orders of magnitude by which the error is to fall. `error` is the
+/// relative error at the last snapshot before it was added, 1 before one was measured [-].
+Progress progress_of(int snapshots, double error, const SamplingOptions& options);
+
+/// Whether bases that meet the tolerance at Laplace variables have changed the target little by their last vectors, or
+/// would gain nothing more: because what is left of a load at Laplace variables is far below the tolerance, or as small
+/// as the error of the linear solver.
+template <AffineComposite Composite>
+[[nodiscard]] bool is_accurate_in_time(const GreedySampling<Composite>& sampling, const TrainingPath& training_set,
+                                       const Candidate& next, double tolerance) {
+  if (!training_set.target || sampling.is_snapshot(next.moduli)) return true;
+  // The error that is left may be as large as the last change.
+  constexpr double change_by_last = 10.0, far_below = 1e-3, of_the_solver = 1e-8;
+  const double nothing = std::max(far_below * tolerance, of_the_solver);
+  for (std::size_t load = 0; load < sampling.bases().size(); ++load) {
+    if (sampling.largest_estimate(load, training_set.points) <= nothing) continue;
+    const auto response = sampling.bases()[load].response();
+    if (!(change_by_last_vector(response, *training_set.target) <= change_by_last * tolerance)) return false;
+  }
+  return true;
+}
+
+/// Adds snapshots of the training set until the tolerance is met, and then, where the set has a target and as long as
+/// more snapshots are allowed, until it is accurate in time. With a
+/// checkpoint, the state is saved between solutions when that is due: save_others(state) adds what the caller needs to
+/// go on.
+template <AffineComposite Composite, CompositeSolver<typename Composite::Vector> Solver, class SaveOthers>
+void sample(GreedySampling<Composite>& sampling, Solver& solver, const TrainingPath& training_set,
+            const SamplingOptions& options, const ProgressObserver& observer, Checkpoint* checkpoint,
+            const SaveOthers& save_others) {
+  const auto save_if_due = [&] {
+    if (checkpoint == nullptr || !checkpoint->is_due()) return;
+    checkpoint->save([&](StateWriter& state) {
+      save_others(state);
+      sampling.save(state);
+    });
+  };
+  const auto report = [&] {
+    if (observer) observer(progress_of(sampling.snapshots(), sampling.error(), options));
+  };
+  const auto initial = initial_snapshots(training_set);
+  for (auto i = static_cast<std::size_t>(sampling.snapshots()); i < initial.size(); ++i) {
+    save_if_due();
+    sampling.add_initial_snapshot(solver, initial[i]);
+    report();
+    for (const auto& basis : sampling.bases()) {
+      if (basis.response().load_forces.size() > 0) continue;
+      throw NumericalError("reduced basis: the first solution vanishes; a modulus may be beyond what numbers can hold");
+    }
+  }
+  while (training_set.points.size() > 1) {
+    const auto choice = sampling.greedy_choice(training_set.points);
+    const double error = std::max(sampling.error(), choice.estimate);
+    if (error <= options.tolerance) {
+      sampling.tolerance_is_met();
+      if (is_accurate_in_time(sampling, training_set, choice, options.tolerance)) break;
+    }
+    if (sampling.has_met_tolerance() && sampling.snapshots() >= options.most_snapshots) break;
+    require_more_snapshots(sampling.snapshots(), error, options);
+    save_if_due();
+    sampling.add_selected_snapshot(solver, choice.moduli, options.tolerance);
+    report();
+  }
+}
+
+}  // namespace breccia::quasistatic

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "io/hdf5.hpp"
+
+namespace breccia {
+
+/// A regular lattice of nx times ny equal squares in the plane.
+struct PlaneLattice {
+  std::size_t nx = 0;
+  std::size_t ny = 0;
+  std::array<double, 2> origin{};  ///< lower left corner of the lattice [m]
+  double spacing = 0.0;            ///< side of a square [m]
+};
+
+/// A regular lattice of equal cubes.
+struct CubeLattice {
+  std::array<std::size_t, 3> cubes{};  ///< along each axis
+  std::array<double, 3> origin{};      ///< the corner with the lowest coordinates [m]
+  double spacing = 0.0;                ///< side of a cube [m]
+};
+
+/// Polygons in the plane.
+struct PolygonMesh {
+  std::vector<std::array<double, 2>> points;  ///< their positions [m]
+  std::vector<std::int64_t> corners;          ///< points of the polygons, one polygon after the other, anticlockwise
+  std::vector<std::int64_t> corner_counts;    ///< of each polygon, at least three
+};
+
+/// A field on the squares or cubes of a lattice, or on the polygons or points of a mesh: a scalar (1), a vector (3) or
+/// a symmetric tensor (6: xx, yy, zz, xy, yz, xz).
+struct MeshField {
+  std::string name;
+  std::size_t components = 1;
+  /// Values in the order: components fastest, then those of the mesh, or the squares or cubes of a row along x, the
+  /// rows along y and the layers along z.
+  std::variant<std::vector<float>, std::vector<std::uint8_t>> values;
+};
+
+/// A number that belongs to all fields, such as the time: it is written as an attribute of the file.
+struct FieldNumber {
+  std::string name;
+  double value;
+};
+
+/// A compressed VTKHDF file (version 1.0, UnstructuredGrid with a quadrilateral or hexahedron for each square or cube),
+/// which ParaView 5.11 and later open; 5.11 reads neither images of two dimensions nor cell data of images. The fields
+/// of the squares or cubes come in parts, since all of them may be larger than the memory. All members throw FileError,
+/// also where a part does not fit the lattice.
+class VtkhdfFile {
+ public:
+  VtkhdfFile(const std::filesystem::path& path, const PlaneLattice& lattice, const std::vector<FieldNumber>& numbers);
+  VtkhdfFile(const std::filesystem::path& path, const CubeLattice& lattice, const std::vector<FieldNumber>& numbers);
+
+  /// Adds a field of some components (MeshField), float or std::uint8_t, to be filled by write(). Throws InputError for
+  /// other components.
+  template <class Number>
+  void add_field(const std::string& name, std::size_t components);
+  /// Writes values of a field, in the order of MeshField, from a square or cube on. Parts that begin and end at
+  /// multiples of 16384 take least time.
+  template <class Number>
+  void write(const std::string& name, std::size_t first, const std::vector<Number>& values);
+  /// Gives the complete file its name.
+  void commit() { file_.commit(); }
+
+ private:
+  std::filesystem::path path_;
+  Hdf5Writer file_;
+  std::size_t cells_;
+};
+
+/// Writes fields of the polygons of a mesh, and of its points, as such a file. Throws FileError, and InputError when a
+/// field does not fit the mesh, or its numbers of corners do not fit its corners.
+void write_vtkhdf(const std::filesystem::path& path, const PolygonMesh& mesh,
+                  const std::vector<MeshField>& polygon_fields, const std::vector<MeshField>& point_fields,
+                  const std::vector<FieldNumber>& numbers);
+
+}  // namespace breccia

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+
+#include "breccia/homogenisation/study_result.hpp"
+#include "breccia/study/study.hpp"
+
+#include "results/stage_record.hpp"
+
+namespace breccia {
+
+/// Writes `study.json` to a directory: what was asked for, how every number was made, and what the directory tells of
+/// the stages beside it. Throws FileError.
+void write_provenance(const std::filesystem::path& directory, const Study& study, const StudyResult& result,
+                      const StageRecords& records = {});
+
+}  // namespace breccia

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "breccia/error.hpp"
+
+#include "results/composite.hpp"
+
+namespace breccia {
+
+/// Reads the series of the preferred tests from `prony.csv` in a directory of results. Throws FileError when the file
+/// is not as `breccia run` writes it.
+std::vector<StageSeries> read_stored_series(const std::filesystem::path& directory);
+
+/// Reads what is known of a study beside its moduli from `study.json` in a directory of results. Throws FileError when
+/// the file is not as `breccia run` writes it.
+StudyContent read_stored_content(const std::filesystem::path& directory);
+
+/// Error: a directory has curves that were answered from the responses of other results, and nothing else of these.
+class AnsweredResults : public InputError {
+ public:
+  using InputError::InputError;
+};
+
+/// Throws InputError where a directory does not have the results of a study with at least one finished test.
+void require_stored_study(const std::filesystem::path& directory);
+
+/// Reads the moduli of a composite from both. Throws InputError with every mistake in the choice, with what there is to
+/// choose from, and as require_stored_study(); and FileError.
+Composite read_stored_composite(const std::filesystem::path& directory, const CompositeChoice& choice = {});
+
+}  // namespace breccia

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "breccia/deck/sweep.hpp"
+
+#include "results/sweep_result.hpp"
+
+namespace breccia {
+
+/// Writes `sweep.svg`, the shear modulus of the last stage in all finished tasks. If no task is finished, writes
+/// nothing and removes the file. Throws FileError.
+void write_sweep_plot(const std::filesystem::path& directory, const Sweep& sweep, const SweepResult& result);
+
+}  // namespace breccia

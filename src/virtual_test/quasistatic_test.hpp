@@ -1,0 +1,74 @@
+#pragma once
+
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "breccia/films/film_problem.hpp"
+#include "breccia/progress.hpp"
+#include "breccia/quasistatic/quasistatic_problem.hpp"
+#include "breccia/quasistatic/reduced_response.hpp"
+#include "breccia/virtual_test/curve.hpp"
+#include "breccia/virtual_test/quasistatic_options.hpp"
+#include "breccia/virtual_test/test_fields.hpp"
+
+#include "quasistatic/reduced/training_path.hpp"
+
+namespace breccia {
+
+class Checkpoint;
+
+/// The body of a quasi-static test: cells in 2 or 3 dimensions, or grains and films, whose boundary is that of the
+/// test. In grains and films only the binder relaxes and varies.
+using QuasistaticComposite = std::variant<Discretisation<2>, Discretisation<3>, FilmProblem>;
+
+/// A quasi-static virtual test.
+struct QuasistaticTest {
+  QuasistaticComposite composite;
+  std::vector<Material> materials;  ///< by PhaseIndex
+  /// The phases whose moduli vary in the reduced basis, the matrix first: all that relax, and any other. The stepping
+  /// solver of cells does not use them; that of films takes the first for the binder.
+  std::vector<VaryingPhase> varying = {};
+  /// Other materials of these phases, each list in their order, for which the reduced response must be valid, too.
+  std::vector<std::vector<Material>> variants = {};
+  /// Carson moduli [Pa] of these phases and of their variants, in their order, over their whole relaxation, from stiff
+  /// to soft, for a matrix that is itself a composite, whose series is a fit to some times alone. Empty: those of the
+  /// series. Used with SampledRange::matrix alone.
+  std::vector<std::vector<Moduli>> relaxation = {};
+  Volumetric volumetric = Volumetric::averaged;
+  Boundary boundary = Boundary::displacement;
+  std::vector<Load> loads;
+  TimeWindow times;                      ///< times of the curves [s]
+  int points_per_decade = 20;            ///< of the curves
+  std::vector<double> field_times = {};  ///< rising times at which fields of the first load are wanted [s]
+  QuasistaticOptions options = {};
+};
+
+/// The response to one load.
+struct QuasistaticResponse {
+  Load load = Load::shear;
+  Curve modulus;       ///< relaxation modulus at logarithmic times; under a traction boundary by interconversion
+  Creep compliance;    ///< creep compliance at the same times, under a traction boundary alone
+  PronySeries series;  ///< relaxation modulus; exact with the reduced solver, a fit with the stepping solver
+  /// Largest estimated relative error [-]: of the reduced basis over the training set, or of the time steps.
+  double error_estimate = 0.0;
+  std::optional<double> fit_error = {};  ///< largest relative deviation of the series from the steps [-]
+  std::optional<ReducedResponse> reduced = {};
+};
+
+/// The result of a quasi-static test.
+struct QuasistaticTestResult {
+  std::vector<QuasistaticResponse> responses;  ///< by load
+  TestFields fields;                           ///< under the first load
+  LinearEffort effort;
+  double seconds = 0.0;  ///< wall time [s]
+};
+
+/// Runs a test. With a checkpoint, the state is saved when that is due, and an earlier state is resumed, with the same
+/// bits as in one run; a finished test returns its result without the fields.
+/// Throws InputError for an incomplete test or field times outside its times, NumericalError when a linear system
+/// cannot be solved or the tolerance cannot be met.
+QuasistaticTestResult run_quasistatic_test(const QuasistaticTest& test, const ProgressObserver& observer = {},
+                                           Checkpoint* checkpoint = nullptr);
+
+}  // namespace breccia
