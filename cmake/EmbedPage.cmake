@@ -25,7 +25,7 @@ string(REPLACE "<!--SCRIPTS-->" "${scripts}" page "${page}")
 string(REPLACE "<!--LIBRARY-->" "${library}" page "${page}")
 
 # As a raw literal, which compiles in no time where the same bytes as numbers take a minute and gigabytes.
-file(WRITE "${OUTPUT}" "#include \"report/page_templates.hpp\"
+file(WRITE "${OUTPUT}" "#include \"page/page_templates.hpp\"
 
 #pragma GCC diagnostic ignored \"-Woverlength-strings\"
 

@@ -21,7 +21,7 @@ if(NOT library_result EQUAL 0 OR NOT script_result EQUAL 0)
   message(FATAL_ERROR "esbuild cannot join the modules of ${SCRIPT} and ${LIBRARY}")
 endif()
 
-file(WRITE "${OUTPUT}" "#include \"report/page_templates.hpp\"
+file(WRITE "${OUTPUT}" "#include \"page/page_templates.hpp\"
 
 #pragma GCC diagnostic ignored \"-Woverlength-strings\"
 

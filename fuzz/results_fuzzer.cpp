@@ -3,9 +3,9 @@
 
 #include "campaign/resume.hpp"
 #include "input_folder.hpp"
+#include "page/study_report.hpp"
+#include "page/sweep_report.hpp"
 #include "refusal.hpp"
-#include "results/study_report.hpp"
-#include "results/sweep_report.hpp"
 #include "results/sweep_result.hpp"
 #include "study/identity.hpp"
 

@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 
 #include "io/text_file.hpp"
+#include "page/study_report.hpp"
 #include "results/checksums.hpp"
 #include "results/result_files.hpp"
-#include "results/study_report.hpp"
 #include "study/identity.hpp"
 
 namespace breccia {

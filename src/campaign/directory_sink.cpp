@@ -7,6 +7,7 @@
 #include "breccia/results/curves.hpp"
 
 #include "io/text_file.hpp"
+#include "page/study_report.hpp"
 #include "parallel/common_failure.hpp"
 #include "results/comparison_file.hpp"
 #include "results/field_files.hpp"
@@ -16,7 +17,6 @@
 #include "results/provenance.hpp"
 #include "results/response_file.hpp"
 #include "results/stage_plot.hpp"
-#include "results/study_report.hpp"
 #include "results/volume_field_files.hpp"
 #include "study/identity.hpp"
 

@@ -17,12 +17,12 @@
 #include "campaign/sweep_directory.hpp"
 #include "campaign/sweep_temperatures.hpp"
 #include "io/text_file.hpp"
+#include "page/sweep_report.hpp"
 #include "parallel/available_memory.hpp"
 #include "parallel/common_failure.hpp"
 #include "parallel/session.hpp"
 #include "results/result_files.hpp"
 #include "results/sweep_plot.hpp"
-#include "results/sweep_report.hpp"
 #include "results/sweep_tables.hpp"
 
 namespace breccia {

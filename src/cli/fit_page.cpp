@@ -7,7 +7,7 @@
 
 #include "breccia/error.hpp"
 
-#include "report/page.hpp"
+#include "page/page.hpp"
 
 namespace breccia::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "results/report.hpp"
+#include "page/report.hpp"
 
 #include <memory>
 

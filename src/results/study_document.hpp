@@ -13,70 +13,18 @@
 #include "breccia/homogenisation/study_result.hpp"
 #include "breccia/study/study.hpp"
 #include "breccia/viscoelasticity/prony_series.hpp"
-#include "breccia/viscoelasticity/temperature_shift.hpp"
 
 #include "dynamics/dynamic_solver.hpp"
 #include "homogenisation/whole_filler.hpp"
 #include "results/json_fields.hpp"
+#include "results/material_entries.hpp"
+#include "results/microstructure_entries.hpp"
 #include "results/stage_record.hpp"
 
 namespace breccia {
 
 // The content of study.json, as docs/results.md describes it: structs with the values of the file, each followed by its
 // description, from which it is written and read. Numbers that a file may have as null are optional.
-
-template <>
-inline constexpr auto fields<MaxwellTerm> = std::tuple(field("relaxation_time_s", &MaxwellTerm::relaxation_time),
-                                                       field("modulus_Pa", &MaxwellTerm::modulus));
-
-/// The parts of a Prony series.
-struct SeriesEntry {
-  double equilibrium = 0.0;  ///< [Pa]
-  std::vector<MaxwellTerm> terms = {};
-};
-template <>
-inline constexpr auto fields<SeriesEntry> = std::tuple(field("equilibrium_Pa", &SeriesEntry::equilibrium),
-                                                       field("terms", &SeriesEntry::terms));
-template <>
-struct JsonForm<PronySeries> {
-  static nlohmann::ordered_json write(const PronySeries& series) {
-    return json_from(SeriesEntry{series.equilibrium(), series.terms()});
-  }
-  /// That of a composite in plane strain may have negative moduli, which a difference alone can have.
-  static PronySeries read(const nlohmann::ordered_json& json);
-};
-
-/// A law of Williams, Landel and Ferry, or a table.
-struct ShiftEntry {
-  std::optional<double> c1 = {}, c2 = {};  ///< [-], [K]
-  std::optional<std::vector<double>> temperatures = {}, log10_factors = {};
-  double reference = 0.0, temperature = 0.0;  ///< [K]
-};
-template <>
-inline constexpr auto fields<ShiftEntry> = std::tuple(field_if_any("c1", &ShiftEntry::c1),
-                                                      field_if_any("c2_K", &ShiftEntry::c2),
-                                                      field_if_any("temperatures_K", &ShiftEntry::temperatures),
-                                                      field_if_any("log10_shift_factors", &ShiftEntry::log10_factors),
-                                                      field("reference_K", &ShiftEntry::reference),
-                                                      field("temperature_K", &ShiftEntry::temperature));
-template <>
-struct JsonForm<TemperatureShift> {
-  static nlohmann::ordered_json write(const TemperatureShift& shift);
-  static TemperatureShift read(const nlohmann::ordered_json& json);
-};
-
-struct MaterialEntry {
-  std::string name;
-  double density = 0.0;  ///< [kg/m^3]
-  PronySeries bulk = {}, shear = {};
-  std::optional<TemperatureShift> shift = {};
-};
-template <>
-inline constexpr auto fields<MaterialEntry> = std::tuple(field("name", &MaterialEntry::name),
-                                                         field("density_kg_per_m3", &MaterialEntry::density),
-                                                         field("bulk", &MaterialEntry::bulk),
-                                                         field("shear", &MaterialEntry::shear),
-                                                         field_if_any("temperature_shift", &MaterialEntry::shift));
 
 template <>
 struct JsonForm<TimeWindow> {
@@ -91,68 +39,6 @@ struct JsonForm<TestGrid> {
   static nlohmann::ordered_json write(const TestGrid& grid);
   static TestGrid read(const nlohmann::ordered_json& json);
 };
-
-struct CoatingEntry {
-  std::string material;
-  double thickness = 0.0;        ///< [m]
-  double thickness_cells = 0.0;  ///< [-]
-  double fraction = 0.0;         ///< [-]
-};
-template <>
-inline constexpr auto fields<CoatingEntry> = std::tuple(field("material", &CoatingEntry::material),
-                                                        field("thickness_m", &CoatingEntry::thickness),
-                                                        field("thickness_cells", &CoatingEntry::thickness_cells),
-                                                        field("fraction", &CoatingEntry::fraction));
-
-struct FillerEntry {
-  std::string material;
-  std::optional<std::size_t> particles = {};
-  double fraction = 0.0;  ///< [-]
-  std::optional<double> fraction_asked = {};
-  std::optional<double> smallest_diameter = {}, largest_diameter = {};  ///< [m]
-  std::optional<double> size_deviation = {};
-  std::optional<double> gap = {};  ///< [m]
-  std::optional<CoatingEntry> coating = {};
-  std::optional<std::string> shape = {};
-};
-template <>
-inline constexpr auto fields<FillerEntry> =
-    std::tuple(field("material", &FillerEntry::material), field("particles", &FillerEntry::particles),
-               field("fraction", &FillerEntry::fraction), field("fraction_asked", &FillerEntry::fraction_asked),
-               field("smallest_diameter_m", &FillerEntry::smallest_diameter),
-               field("largest_diameter_m", &FillerEntry::largest_diameter),
-               field("size_distribution_deviation", &FillerEntry::size_deviation), field("gap_m", &FillerEntry::gap),
-               field("coating", &FillerEntry::coating), field_if_any("shape", &FillerEntry::shape));
-
-struct MicrostructureEntry {
-  std::optional<std::size_t> particles = {};
-  double fraction = 0.0;                                                ///< [-]
-  std::optional<double> interface_per_volume = {};                      ///< in three dimensions [1/m]
-  std::optional<double> interface_per_area = {};                        ///< in two [1/m]
-  std::optional<double> gap = {}, gap_cells = {};                       ///< [m], [-]
-  std::optional<double> wall_gap = {};                                  ///< [m]
-  double seconds = 0.0;                                                 ///< wall time [s]
-  std::optional<double> film = {}, film_cells = {};                     ///< of grains [m], [-]
-  std::optional<double> smallest_diameter = {}, largest_diameter = {};  ///< [m]
-  std::optional<std::vector<int>> pixels = {};                          ///< of an image, along its sides
-  std::optional<double> pixel_side = {};                                ///< [m]
-  std::optional<double> size_deviation = {};
-  std::optional<std::uint64_t> seed = {};
-  std::optional<std::uint64_t> events = {};
-};
-template <>
-inline constexpr auto fields<MicrostructureEntry> = std::tuple(
-    field("particles", &MicrostructureEntry::particles), field("fraction", &MicrostructureEntry::fraction),
-    field_if_any("interface_per_volume_1_per_m", &MicrostructureEntry::interface_per_volume),
-    field_if_any("interface_per_area_1_per_m", &MicrostructureEntry::interface_per_area),
-    field("smallest_gap_m", &MicrostructureEntry::gap), field("smallest_gap_cells", &MicrostructureEntry::gap_cells),
-    field("smallest_wall_gap_m", &MicrostructureEntry::wall_gap), field("wall_time_s", &MicrostructureEntry::seconds),
-    field_if_any("film_m", &MicrostructureEntry::film), field_if_any("film_cells", &MicrostructureEntry::film_cells),
-    field_if_any("smallest_diameter_m", &MicrostructureEntry::smallest_diameter),
-    field_if_any("largest_diameter_m", &MicrostructureEntry::largest_diameter),
-    field_if_any("pixels", &MicrostructureEntry::pixels), field_if_any("pixel_m", &MicrostructureEntry::pixel_side),
-    field_if_any("size_distribution_deviation", &MicrostructureEntry::size_deviation),
-    field_if_any("seed", &MicrostructureEntry::seed), field_if_any("events", &MicrostructureEntry::events));
 
 template <>
 inline constexpr auto fields<LinearEffort> = std::tuple(field("unknowns", &LinearEffort::unknowns),

@@ -12,8 +12,8 @@
 
 #include "io/hdf5.hpp"
 #include "messages.hpp"
+#include "page/report_data.hpp"
 #include "results/hand_made_results.hpp"
-#include "results/report_data.hpp"
 #include "study/identity.hpp"
 #include "temporary_directory.hpp"
 

@@ -7,9 +7,9 @@
 #include "breccia/error.hpp"
 
 #include "messages.hpp"
+#include "page/study_report.hpp"
+#include "page/sweep_report.hpp"
 #include "results/hand_made_documents.hpp"
-#include "results/study_report.hpp"
-#include "results/sweep_report.hpp"
 #include "results/sweep_result.hpp"
 #include "temporary_directory.hpp"
 

@@ -11,9 +11,9 @@
 
 #include "io/text_file.hpp"
 #include "messages.hpp"
+#include "page/sweep_report.hpp"
 #include "results/hand_made_sweep.hpp"
 #include "results/sweep_plot.hpp"
-#include "results/sweep_report.hpp"
 #include "tables/csv.hpp"
 #include "temporary_directory.hpp"
 

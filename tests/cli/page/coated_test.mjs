@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import {readFileSync} from "node:fs";
 import {test} from "node:test";
 
-import {respond} from "../../../src/report/page/response.js";
+import {respond} from "../../../src/page/scripts/response.js";
 import {assertClose} from "../../report/page/close.mjs";
 
 const read = (name) => readFileSync(`${process.env.RESULTS}/${name}`, "utf8");

@@ -5,9 +5,9 @@ import assert from "node:assert/strict";
 import {readFileSync} from "node:fs";
 import {test} from "node:test";
 
-import {respond} from "../../../src/report/page/response.js";
-import {readSpectrum} from "../../../src/report/page/spectrum_text.js";
-import {decadesOfShift, shiftedSeries} from "../../../src/report/page/viscoelasticity.js";
+import {respond} from "../../../src/page/scripts/response.js";
+import {readSpectrum} from "../../../src/page/scripts/spectrum_text.js";
+import {decadesOfShift, shiftedSeries} from "../../../src/page/scripts/viscoelasticity.js";
 import {assertClose} from "../../report/page/close.mjs";
 
 const read = (name) => readFileSync(`${process.env.RESULTS}/${name}`, "utf8");
@@ -26,7 +26,7 @@ function limitsIn(directory) {
 }
 
 /// The command has exact spectra, the page fits them: 2.3e-4 of the modulus of a term, which is here up to three times
-/// G(t) when it relaxes (tests/report/page/viscoelasticity_test.mjs). Before stage A serves as the matrix of stage B,
+/// G(t) when it relaxes (tests/page/scripts/viscoelasticity_test.mjs). Before stage A serves as the matrix of stage B,
 /// the page fits its limit once more, and the command fits it within a thirtieth of fit_tolerance = 0.003.
 const tolerances = {A: 7e-4, B: 2 * 7e-4 + 1e-4};
 

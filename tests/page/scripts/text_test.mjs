@@ -3,9 +3,9 @@
 import assert from "node:assert/strict";
 import {test} from "node:test";
 
-import {csvOf, csvOfTable, fileName} from "../../../src/report/page/files.js";
-import {distinct, groupsOf, numberOf, own} from "../../../src/report/page/records.js";
-import {readSpectrum} from "../../../src/report/page/spectrum_text.js";
+import {csvOf, csvOfTable, fileName} from "../../../src/page/scripts/files.js";
+import {distinct, groupsOf, numberOf, own} from "../../../src/page/scripts/records.js";
+import {readSpectrum} from "../../../src/page/scripts/spectrum_text.js";
 
 test("a relaxation spectrum as it is typed", () => {
   assert.deepEqual(readSpectrum("relaxation_time_s,modulus_Pa\n# a comment\n1e-2, 2e6\r\n\n3;4\n5 6\ninf 7\n"), {

@@ -1,4 +1,4 @@
-#include "results/report.hpp"
+#include "page/report.hpp"
 
 #include <optional>
 
@@ -8,9 +8,9 @@
 
 #include "io/directory_lock.hpp"
 #include "io/replacement.hpp"
+#include "page/study_report.hpp"
+#include "page/sweep_report.hpp"
 #include "results/study_record.hpp"
-#include "results/study_report.hpp"
-#include "results/sweep_report.hpp"
 
 namespace breccia {
 

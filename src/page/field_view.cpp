@@ -1,4 +1,4 @@
-#include "results/field_view.hpp"
+#include "page/field_view.hpp"
 
 #include <array>
 #include <cmath>
@@ -11,8 +11,8 @@
 #include "breccia/error.hpp"
 
 #include "io/hdf5.hpp"
+#include "page/page_bytes.hpp"
 #include "report/volume_colours.hpp"
-#include "results/page_bytes.hpp"
 #include "results/volume_quantities.hpp"
 
 namespace breccia {

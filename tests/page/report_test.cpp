@@ -1,4 +1,4 @@
-#include "results/report.hpp"
+#include "page/report.hpp"
 
 #include <filesystem>
 
@@ -12,12 +12,12 @@
 #include "io/text_file.hpp"
 #include "messages.hpp"
 #include "one_vector_response.hpp"
+#include "page/study_report.hpp"
 #include "results/hand_made_results.hpp"
 #include "results/history_file.hpp"
 #include "results/microstructure_files.hpp"
 #include "results/provenance.hpp"
 #include "results/response_file.hpp"
-#include "results/study_report.hpp"
 #include "study/identity.hpp"
 #include "study/two_stages.hpp"
 #include "temporary_directory.hpp"

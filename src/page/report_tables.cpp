@@ -1,9 +1,9 @@
-#include "results/report_tables.hpp"
+#include "page/report_tables.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "results/report_data.hpp"
+#include "page/report_data.hpp"
 #include "tables/csv.hpp"
 
 namespace breccia {

@@ -17,10 +17,10 @@
 #include "breccia/error.hpp"
 
 #include "messages.hpp"
+#include "page/study_report.hpp"
 #include "rasters/base64.hpp"
 #include "rasters/npy.hpp"
 #include "results/hand_made_documents.hpp"
-#include "results/study_report.hpp"
 #include "results/volume_field_files.hpp"
 #include "study/two_stages.hpp"
 #include "temporary_directory.hpp"

@@ -4,10 +4,10 @@ import assert from "node:assert/strict";
 import {test} from "node:test";
 import {deflateSync} from "node:zlib";
 
-import {unpackedBytes, unpackedNumbers} from "../../../src/report/page/compressed_bytes.js";
-import {channelsOf, coloursOfPhases} from "../../../src/report/page/phase_colours.js";
-import {roundLength} from "../../../src/report/page/rotatable_view.js";
-import {cuts, edgesOf, surfaceOf} from "../../../src/report/page/solid_cut.js";
+import {unpackedBytes, unpackedNumbers} from "../../../src/page/scripts/compressed_bytes.js";
+import {channelsOf, coloursOfPhases} from "../../../src/page/scripts/phase_colours.js";
+import {roundLength} from "../../../src/page/scripts/rotatable_view.js";
+import {cuts, edgesOf, surfaceOf} from "../../../src/page/scripts/solid_cut.js";
 
 const dot = (a, b) => a.reduce((sum, one, i) => sum + one * b[i], 0);
 const minus = (a, b) => a.map((one, i) => one - b[i]);

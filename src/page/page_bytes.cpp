@@ -1,4 +1,4 @@
-#include "results/page_bytes.hpp"
+#include "page/page_bytes.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "results/space_views.hpp"
+#include "page/space_views.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "page/field_view.hpp"
+#include "page/microstructure_view.hpp"
+#include "page/report_data.hpp"
 #include "report/volume_colours.hpp"
-#include "results/field_view.hpp"
-#include "results/microstructure_view.hpp"
-#include "results/report_data.hpp"
 
 namespace breccia {
 namespace {

@@ -3,9 +3,9 @@
 import assert from "node:assert/strict";
 import {test} from "node:test";
 
-import {parted} from "../../../src/report/page/end_labels.js";
-import {lawOf, overTemperature, usualAbscissa} from "../../../src/report/page/temperature_axis.js";
-import {decadesOfShift, temperatureOfShift, temperaturesOfLaw} from "../../../src/report/page/viscoelasticity.js";
+import {parted} from "../../../src/page/scripts/end_labels.js";
+import {lawOf, overTemperature, usualAbscissa} from "../../../src/page/scripts/temperature_axis.js";
+import {decadesOfShift, temperatureOfShift, temperaturesOfLaw} from "../../../src/page/scripts/viscoelasticity.js";
 import {assertClose} from "./close.mjs";
 
 const law = {c1: 6.5, c2_K: 120, reference_K: 292.15, temperature_K: 293.15};

@@ -1,4 +1,4 @@
-#include "report/page.hpp"
+#include "page/page.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "results/sweep_report.hpp"
+#include "page/sweep_report.hpp"
 
 #include <cstddef>
 #include <map>
@@ -14,9 +14,9 @@
 
 #include "io/safe_name.hpp"
 #include "io/text_file.hpp"
-#include "report/page.hpp"
-#include "results/report_data.hpp"
-#include "results/report_tables.hpp"
+#include "page/page.hpp"
+#include "page/report_data.hpp"
+#include "page/report_tables.hpp"
 #include "tables/csv.hpp"
 
 namespace breccia {

@@ -1,4 +1,4 @@
-#include "results/study_report.hpp"
+#include "page/study_report.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -12,12 +12,12 @@
 #include "breccia/error.hpp"
 
 #include "io/text_file.hpp"
-#include "report/page.hpp"
+#include "page/page.hpp"
+#include "page/report_data.hpp"
+#include "page/report_tables.hpp"
+#include "page/space_views.hpp"
 #include "results/history_file.hpp"
-#include "results/report_data.hpp"
-#include "results/report_tables.hpp"
 #include "results/response_file.hpp"
-#include "results/space_views.hpp"
 #include "results/study_document.hpp"
 #include "study/result_names.hpp"
 

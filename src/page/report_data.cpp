@@ -1,4 +1,4 @@
-#include "results/report_data.hpp"
+#include "page/report_data.hpp"
 
 #include <cmath>
 #include <system_error>

@@ -1,4 +1,4 @@
-#include "report/page.hpp"
+#include "page/page.hpp"
 
 #include <utility>
 
@@ -6,8 +6,8 @@
 
 #include "breccia/error.hpp"
 
+#include "page/page_templates.hpp"
 #include "report/markup.hpp"
-#include "report/page_templates.hpp"
 
 namespace breccia {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "results/page_data.hpp"
+#include "page/page_data.hpp"
 
 namespace breccia {
 

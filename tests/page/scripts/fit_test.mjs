@@ -4,8 +4,8 @@ import assert from "node:assert/strict";
 import {test} from "node:test";
 
 import {blackDiagram, decadesToReference, deviationsOf, lawAt, reducedSweeps} from
-  "../../../src/report/page/fit_curves.js";
-import {decadesOfShift} from "../../../src/report/page/viscoelasticity.js";
+  "../../../src/page/scripts/fit_curves.js";
+import {decadesOfShift} from "../../../src/page/scripts/viscoelasticity.js";
 import {assertClose} from "./close.mjs";
 
 const law = {c1: 6.5, c2_K: 120, reference_K: 292.15};

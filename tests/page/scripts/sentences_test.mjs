@@ -3,12 +3,12 @@
 import assert from "node:assert/strict";
 import {test} from "node:test";
 
-import {resultSentences, threeTimes} from "../../../src/report/page/result_sentences.js";
-import {displayRange, percent, shortNumber, withMicroSign} from "../../../src/report/page/numbers.js";
-import {binderOf, stagesOfInterest} from "../../../src/report/page/stages.js";
-import {curvesOfSentences, sweepSentences} from "../../../src/report/page/sweep_sentences.js";
-import {sentencesOnReliability} from "../../../src/report/page/reliability_sentences.js";
-import {groupsOfWarnings, lineOnGroup} from "../../../src/report/page/warnings.js";
+import {resultSentences, threeTimes} from "../../../src/page/scripts/result_sentences.js";
+import {displayRange, percent, shortNumber, withMicroSign} from "../../../src/page/scripts/numbers.js";
+import {binderOf, stagesOfInterest} from "../../../src/page/scripts/stages.js";
+import {curvesOfSentences, sweepSentences} from "../../../src/page/scripts/sweep_sentences.js";
+import {sentencesOnReliability} from "../../../src/page/scripts/reliability_sentences.js";
+import {groupsOfWarnings, lineOnGroup} from "../../../src/page/scripts/warnings.js";
 
 /// A modulus that falls as t^-1/2 from a value at 1 ms, to 10 s.
 function falling(boundary, atBegin) {

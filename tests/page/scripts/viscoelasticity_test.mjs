@@ -2,10 +2,10 @@
 
 import {test} from "node:test";
 
-import {limitOfCells} from "../../../src/report/page/extrapolation.js";
-import {shareOfLoad} from "../../../src/report/page/strain_ramp.js";
+import {limitOfCells} from "../../../src/page/scripts/extrapolation.js";
+import {shareOfLoad} from "../../../src/page/scripts/strain_ramp.js";
 import {bulkModulus, carsonModulus, decadesOfShift, lossModulus, relaxationModulus, seriesOfCarsonModuli,
-  seriesOfRelaxationModuli, shiftedSeries, storageModulus} from "../../../src/report/page/viscoelasticity.js";
+  seriesOfRelaxationModuli, shiftedSeries, storageModulus} from "../../../src/page/scripts/viscoelasticity.js";
 import {cases} from "./cases.mjs";
 import {assertClose} from "./close.mjs";
 

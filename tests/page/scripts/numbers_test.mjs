@@ -3,9 +3,9 @@
 import assert from "node:assert/strict";
 import {test} from "node:test";
 
-import {display, duration, minus, percent, percentOfWhole, shortNumber} from "../../../src/report/page/numbers.js";
-import {decades, extent, logarithmic, valueAt} from "../../../src/report/page/sampling.js";
-import {evenTicks, logarithmicTicks, unitFor, withUnit} from "../../../src/report/page/ticks.js";
+import {display, duration, minus, percent, percentOfWhole, shortNumber} from "../../../src/page/scripts/numbers.js";
+import {decades, extent, logarithmic, valueAt} from "../../../src/page/scripts/sampling.js";
+import {evenTicks, logarithmicTicks, unitFor, withUnit} from "../../../src/page/scripts/ticks.js";
 import {cases} from "./cases.mjs";
 import {assertClose} from "./close.mjs";
 

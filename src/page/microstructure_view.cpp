@@ -1,4 +1,4 @@
-#include "results/microstructure_view.hpp"
+#include "page/microstructure_view.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,8 +11,8 @@
 
 #include "breccia/rasters/raster_reader.hpp"
 
-#include "results/page_bytes.hpp"
-#include "results/report_data.hpp"
+#include "page/page_bytes.hpp"
+#include "page/report_data.hpp"
 #include "tables/csv.hpp"
 
 namespace breccia {

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import {test} from "node:test";
 
-import {dot, nonNegativeLeastSquares, solveSymmetric} from "../../../src/report/page/linear_algebra.js";
+import {dot, nonNegativeLeastSquares, solveSymmetric} from "../../../src/page/scripts/linear_algebra.js";
 import {assertClose} from "./close.mjs";
 
 test("symmetric positive definite system", () => {

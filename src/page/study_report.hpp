@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "results/page_data.hpp"
+#include "page/page_data.hpp"
 
 namespace breccia {
 

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import {test} from "node:test";
 
-import {compositeModulus, errorEstimate, respond, sampledRange} from "../../../src/report/page/response.js";
+import {compositeModulus, errorEstimate, respond, sampledRange} from "../../../src/page/scripts/response.js";
 import {cases} from "./cases.mjs";
 import {assertClose} from "./close.mjs";
 

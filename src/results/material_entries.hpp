@@ -1,0 +1,70 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "breccia/viscoelasticity/prony_series.hpp"
+#include "breccia/viscoelasticity/temperature_shift.hpp"
+
+#include "results/json_fields.hpp"
+
+namespace breccia {
+
+// The materials of study.json (study_document.hpp).
+
+template <>
+inline constexpr auto fields<MaxwellTerm> = std::tuple(field("relaxation_time_s", &MaxwellTerm::relaxation_time),
+                                                       field("modulus_Pa", &MaxwellTerm::modulus));
+
+/// The parts of a Prony series.
+struct SeriesEntry {
+  double equilibrium = 0.0;  ///< [Pa]
+  std::vector<MaxwellTerm> terms = {};
+};
+template <>
+inline constexpr auto fields<SeriesEntry> = std::tuple(field("equilibrium_Pa", &SeriesEntry::equilibrium),
+                                                       field("terms", &SeriesEntry::terms));
+template <>
+struct JsonForm<PronySeries> {
+  static nlohmann::ordered_json write(const PronySeries& series) {
+    return json_from(SeriesEntry{series.equilibrium(), series.terms()});
+  }
+  /// That of a composite in plane strain may have negative moduli, which a difference alone can have.
+  static PronySeries read(const nlohmann::ordered_json& json);
+};
+
+/// A law of Williams, Landel and Ferry, or a table.
+struct ShiftEntry {
+  std::optional<double> c1 = {}, c2 = {};  ///< [-], [K]
+  std::optional<std::vector<double>> temperatures = {}, log10_factors = {};
+  double reference = 0.0, temperature = 0.0;  ///< [K]
+};
+template <>
+inline constexpr auto fields<ShiftEntry> = std::tuple(field_if_any("c1", &ShiftEntry::c1),
+                                                      field_if_any("c2_K", &ShiftEntry::c2),
+                                                      field_if_any("temperatures_K", &ShiftEntry::temperatures),
+                                                      field_if_any("log10_shift_factors", &ShiftEntry::log10_factors),
+                                                      field("reference_K", &ShiftEntry::reference),
+                                                      field("temperature_K", &ShiftEntry::temperature));
+template <>
+struct JsonForm<TemperatureShift> {
+  static nlohmann::ordered_json write(const TemperatureShift& shift);
+  static TemperatureShift read(const nlohmann::ordered_json& json);
+};
+
+struct MaterialEntry {
+  std::string name;
+  double density = 0.0;  ///< [kg/m^3]
+  PronySeries bulk = {}, shear = {};
+  std::optional<TemperatureShift> shift = {};
+};
+template <>
+inline constexpr auto fields<MaterialEntry> = std::tuple(field("name", &MaterialEntry::name),
+                                                         field("density_kg_per_m3", &MaterialEntry::density),
+                                                         field("bulk", &MaterialEntry::bulk),
+                                                         field("shear", &MaterialEntry::shear),
+                                                         field_if_any("temperature_shift", &MaterialEntry::shift));
+
+}  // namespace breccia

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "results/json_fields.hpp"
+
+namespace breccia {
+
+// The microstructures of study.json (study_document.hpp).
+
+struct CoatingEntry {
+  std::string material;
+  double thickness = 0.0;        ///< [m]
+  double thickness_cells = 0.0;  ///< [-]
+  double fraction = 0.0;         ///< [-]
+};
+template <>
+inline constexpr auto fields<CoatingEntry> = std::tuple(field("material", &CoatingEntry::material),
+                                                        field("thickness_m", &CoatingEntry::thickness),
+                                                        field("thickness_cells", &CoatingEntry::thickness_cells),
+                                                        field("fraction", &CoatingEntry::fraction));
+
+struct FillerEntry {
+  std::string material;
+  std::optional<std::size_t> particles = {};
+  double fraction = 0.0;  ///< [-]
+  std::optional<double> fraction_asked = {};
+  std::optional<double> smallest_diameter = {}, largest_diameter = {};  ///< [m]
+  std::optional<double> size_deviation = {};
+  std::optional<double> gap = {};  ///< [m]
+  std::optional<CoatingEntry> coating = {};
+  std::optional<std::string> shape = {};
+};
+template <>
+inline constexpr auto fields<FillerEntry> =
+    std::tuple(field("material", &FillerEntry::material), field("particles", &FillerEntry::particles),
+               field("fraction", &FillerEntry::fraction), field("fraction_asked", &FillerEntry::fraction_asked),
+               field("smallest_diameter_m", &FillerEntry::smallest_diameter),
+               field("largest_diameter_m", &FillerEntry::largest_diameter),
+               field("size_distribution_deviation", &FillerEntry::size_deviation), field("gap_m", &FillerEntry::gap),
+               field("coating", &FillerEntry::coating), field_if_any("shape", &FillerEntry::shape));
+
+struct MicrostructureEntry {
+  std::optional<std::size_t> particles = {};
+  double fraction = 0.0;                                                ///< [-]
+  std::optional<double> interface_per_volume = {};                      ///< in three dimensions [1/m]
+  std::optional<double> interface_per_area = {};                        ///< in two [1/m]
+  std::optional<double> gap = {}, gap_cells = {};                       ///< [m], [-]
+  std::optional<double> wall_gap = {};                                  ///< [m]
+  double seconds = 0.0;                                                 ///< wall time [s]
+  std::optional<double> film = {}, film_cells = {};                     ///< of grains [m], [-]
+  std::optional<double> smallest_diameter = {}, largest_diameter = {};  ///< [m]
+  std::optional<std::vector<int>> pixels = {};                          ///< of an image, along its sides
+  std::optional<double> pixel_side = {};                                ///< [m]
+  std::optional<double> size_deviation = {};
+  std::optional<std::uint64_t> seed = {};
+  std::optional<std::uint64_t> events = {};
+};
+template <>
+inline constexpr auto fields<MicrostructureEntry> = std::tuple(
+    field("particles", &MicrostructureEntry::particles), field("fraction", &MicrostructureEntry::fraction),
+    field_if_any("interface_per_volume_1_per_m", &MicrostructureEntry::interface_per_volume),
+    field_if_any("interface_per_area_1_per_m", &MicrostructureEntry::interface_per_area),
+    field("smallest_gap_m", &MicrostructureEntry::gap), field("smallest_gap_cells", &MicrostructureEntry::gap_cells),
+    field("smallest_wall_gap_m", &MicrostructureEntry::wall_gap), field("wall_time_s", &MicrostructureEntry::seconds),
+    field_if_any("film_m", &MicrostructureEntry::film), field_if_any("film_cells", &MicrostructureEntry::film_cells),
+    field_if_any("smallest_diameter_m", &MicrostructureEntry::smallest_diameter),
+    field_if_any("largest_diameter_m", &MicrostructureEntry::largest_diameter),
+    field_if_any("pixels", &MicrostructureEntry::pixels), field_if_any("pixel_m", &MicrostructureEntry::pixel_side),
+    field_if_any("size_distribution_deviation", &MicrostructureEntry::size_deviation),
+    field_if_any("seed", &MicrostructureEntry::seed), field_if_any("events", &MicrostructureEntry::events));
+
+}  // namespace breccia
