@@ -3,7 +3,7 @@
 #include <bit>
 #include <concepts>
 #include <cstdint>
-#include <map>
+#include <filesystem>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -68,17 +68,8 @@ class Content {
     add(value.index());
     std::visit([this](const auto& one) { this->add(one); }, value);
   }
-  /// All materials, then their shifts by name: the order of the versions that kept them apart.
-  void add(const std::vector<ShiftedMaterial>& materials) {
-    std::map<std::string, TemperatureShift> shifts;
-    add(materials.size());
-    for (const auto& [material, shift] : materials) {
-      add(material);
-      if (shift) shifts.emplace(material.name, *shift);
-    }
-    add(shifts.size());
-    for (const auto& [material, shift] : shifts) add_all(material, shift);
-  }
+  /// The file that values were read from: the values are in the study.
+  void add(const std::filesystem::path& file) { static_cast<void>(file); }
 
   void add(const PronySeries& series) { add_all(series.equilibrium(), series.terms()); }
   void add(const MaxwellTerm& term) {
@@ -89,11 +80,13 @@ class Content {
     const auto& [name, density, bulk, shear] = material;
     add_all(name, density, bulk, shear);
   }
+  void add(const ShiftedMaterial& shifted) {
+    const auto& [material, shift] = shifted;
+    add_all(material, shift);
+  }
   void add(const TemperatureShift& shift) {
     const auto& [law, temperature] = shift;
-    // Without the index of the variant, so that the hashes of studies are those of versions that knew one law.
-    std::visit([this](const auto& one) { this->add(one); }, law);
-    add(temperature);
+    add_all(law, temperature);
   }
   void add(const WilliamsLandelFerry& law) {
     const auto& [c1, c2, reference_temperature] = law;
@@ -121,16 +114,11 @@ class Content {
   }
   void add(const Stage& stage) {
     const auto& [name, matrix, side, cells, coarser_cells, fillers, packing] = stage;
-    add_all(name, matrix, side, cells, coarser_cells, fillers);
-    visit_nested([this](const auto& method) { this->add(method); }, packing);
-    // A study in two dimensions keeps the content that it had before there were three.
-    if (stage.dimensions() != 2) add_all(std::string("dimensions"), stage.dimensions());
+    add_all(name, matrix, side, cells, coarser_cells, fillers, packing);
   }
   void add(const Filler& filler) {
     const auto& [material, fraction, smallest, largest, sizes, gap, gap_source, coating, shape] = filler;
-    add_all(material, fraction, smallest, largest, sizes, gap, gap_source, coating);
-    // A study without shapes keeps the content that it had before there were any.
-    if (shape) add(*shape);
+    add_all(material, fraction, smallest, largest, sizes, gap, gap_source, coating, shape);
   }
   void add(const Coating& coating) {
     const auto& [material, thickness] = coating;
@@ -154,54 +142,36 @@ class Content {
   }
   void add(const TabulatedSizes& sizes) {
     const auto& [file, diameters, cumulative_volume_fractions] = sizes;
-    add_all(diameters, cumulative_volume_fractions);
-    static_cast<void>(file);
+    add_all(file, diameters, cumulative_volume_fractions);
   }
-  // Each packing begins with a number of its own, which is never given to another.
   template <int dim>
   void add(const LubachevskyStillingerPacking<dim>& packing) {
     const auto& [walls, seed] = packing;
-    add_all(0, walls, seed);
+    add_all(walls, seed);
   }
   void add(const RegularPacking& packing) {
     const auto& [columns, rows] = packing;
-    add_all(1, columns, rows);
+    add_all(columns, rows);
   }
   void add(const LatticePacking& packing) {
     const auto& [lattice, repeats] = packing;
-    add_all(6, lattice, repeats);
+    add_all(lattice, repeats);
   }
   template <int dim>
   void add(const ExplicitPacking<dim>& packing) {
     const auto& [file, particles, walls, fillers] = packing;
-    // Discs once stood before the rest, and all others after it.
-    std::vector<Disc> discs;
-    if constexpr (dim == 2) {
-      if (const auto* listed = std::get_if<std::vector<Disc>>(&particles)) discs = *listed;
-    }
-    add_all(2, discs, walls, fillers);
-    const bool are_others = discs.empty() && packing.count() > 0;
-    if (are_others) std::visit([this](const auto& listed) { this->add(listed); }, particles);
-    static_cast<void>(file);
+    add_all(file, particles, walls, fillers);
   }
   template <int dim>
   void add(const LaguerrePacking<dim>& packing) {
     const auto& [walls, wall_film, seed, film, file, sites, film_shares] = packing;
-    add_all(3, walls, seed, film);
-    // Sites of three dimensions stand after an empty list of those of two.
-    if (dim == 3) add(std::vector<Site<2>>());
-    if (dim == 2 || !sites.empty()) add(sites);
-    if (!film_shares.empty()) add_all(std::string("shares of the films"), film_shares);
-    if (wall_film == WallFilm::none) add(std::string("no film along the walls"));
-    static_cast<void>(file);
+    add_all(walls, wall_film, seed, film, file, sites, film_shares);
   }
   template <int dim>
   void add(const ImagePacking<dim>& packing) {
     const auto& [file, array, image] = packing;
-    add(4);
     if (image) add(*image);
-    static_cast<void>(file);
-    static_cast<void>(array);
+    static_cast<void>(array);  // where the image was read from, as its file
   }
   template <int dim>
   void add(const LabelImage<dim>& image) {
@@ -214,7 +184,7 @@ class Content {
   template <int dim>
   void add(const RandomSequentialPacking<dim>& packing) {
     const auto& [walls, seed] = packing;
-    add_all(5, walls, seed);
+    add_all(walls, seed);
   }
   void add(const FillerShape& shape) {
     const auto& [outline, angle] = shape;
@@ -226,8 +196,7 @@ class Content {
   }
   void add(const PolygonalOutline& outline) {
     const auto& [file, corners] = outline;
-    add(corners);
-    static_cast<void>(file);
+    add_all(file, corners);
   }
   void add(const Vector<2>& vector) {
     for (const double coordinate : vector) add(coordinate);
@@ -266,21 +235,15 @@ class Content {
     const auto& [loads, boundaries, methods, model, films, mixing, volumetric, first_time, last_time, by_frequency,
                  points_per_decade, field_times, lists_field_times, fit_tolerance, quasistatic, varied, dynamic] =
         tests;
-    add_all(loads, boundaries, methods, mixing, first_time, last_time, points_per_decade, field_times, fit_tolerance);
-    add(quasistatic, volumetric);
-    add(dynamic, volumetric);
+    add_all(loads, boundaries, methods, model, films, mixing, volumetric, first_time, last_time, points_per_decade,
+            field_times, fit_tolerance, quasistatic, varied, dynamic);
+    // How a deck words its times; the results are the same.
     static_cast<void>(by_frequency);
     static_cast<void>(lists_field_times);
-    // Nothing without such materials: a study from before there were any keeps its hash.
-    if (!varied.empty()) add_all(std::string("varied materials"), varied);
-    // Nor does one of cells change.
-    if (model == Model::films) add_all(std::string("films"), films);
   }
   void add(const FilmOptions& options) {
     const auto& [face_share, layers] = options;
-    add(face_share);
-    // Nothing for thin films, as before there were others.
-    if (layers) add_all(std::string("layers"), *layers);
+    add_all(face_share, layers);
   }
   void add(const VariedMaterial& material) {
     const auto& [name, shear, bulk] = material;
@@ -290,10 +253,9 @@ class Content {
     const auto& [least, most] = interval;
     add_all(least, most);
   }
-  // Both methods have the volumetric strains among their options, as in the versions that kept them there.
-  void add(const QuasistaticOptions& options, Volumetric volumetric) {
+  void add(const QuasistaticOptions& options) {
     const auto& [solver, range, sampling, steps_per_decade, linear] = options;
-    add_all(solver, range, volumetric, sampling, steps_per_decade, linear);
+    add_all(solver, range, sampling, steps_per_decade, linear);
   }
   void add(const SamplingOptions& options) {
     const auto& [tolerance, most_snapshots] = options;
@@ -302,21 +264,14 @@ class Content {
   void add(const LinearOptions& options) {
     const auto& [method, most_unknowns_direct, most_unknowns_direct_in_3d, tolerance, energy_tolerance, threads] =
         options;
-    // A limit for several processes that there once was stays in the content of all studies.
-    constexpr std::int64_t most_on_several = 3'000'000;
-    add_all(method, most_unknowns_direct, most_on_several, tolerance);
-    static_cast<void>(threads);
-    // A study with the defaults keeps the content that it had before there were three dimensions.
-    const LinearOptions defaults;
-    const bool has_defaults = most_unknowns_direct_in_3d == defaults.most_unknowns_direct_in_3d &&
-                              energy_tolerance == defaults.energy_tolerance;
-    if (!has_defaults) add_all(std::string("linear in 3D"), most_unknowns_direct_in_3d, energy_tolerance);
+    add_all(method, most_unknowns_direct, most_unknowns_direct_in_3d, tolerance, energy_tolerance);
+    static_cast<void>(threads);  // the results are the same for any number of them
   }
-  void add(const DynamicOptions& options, Volumetric volumetric) {
+  void add(const DynamicOptions& options) {
     const auto& [formulation, start, courant, ramp_transits, creep_ramp_transits, ramp_time, mass_scaling_factors,
                  overlap, reduction_tolerance] = options;
-    add_all(formulation, start, volumetric, courant, ramp_transits, creep_ramp_transits, ramp_time,
-            mass_scaling_factors, overlap, reduction_tolerance);
+    add_all(formulation, start, courant, ramp_transits, creep_ramp_transits, ramp_time, mass_scaling_factors, overlap,
+            reduction_tolerance);
   }
 
   std::string bytes_;

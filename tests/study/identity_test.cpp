@@ -105,6 +105,15 @@ TEST(ContentOf, LeavesAsideThreadsAndWarnings) {
   EXPECT_EQ(content_of(study), content_of(test::two_stages()));
 }
 
+TEST(ContentOf, LeavesAsideFromWhichFileValuesCome) {
+  auto study = test::two_stages(), moved = study;
+  study.stages[0].fillers[0].sizes = TabulatedSizes{"sizes.csv", {1e-3, 2e-3}, {0.0, 1.0}};
+  moved.stages[0].fillers[0].sizes = TabulatedSizes{"elsewhere/sizes.csv", {1e-3, 2e-3}, {0.0, 1.0}};
+  EXPECT_EQ(content_of(moved), content_of(study));
+  moved.stages[0].fillers[0].sizes = TabulatedSizes{"sizes.csv", {1e-3, 3e-3}, {0.0, 1.0}};
+  EXPECT_NE(content_of(moved), content_of(study));
+}
+
 TEST(ProvenanceOf, AStudyAsItsDeckGivesItHasThatOfTheDeck) {
   const auto provenance = provenance_of(study_of_a_deck());
   EXPECT_EQ(provenance.deck, "deck.toml");
