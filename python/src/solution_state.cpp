@@ -22,7 +22,7 @@ namespace {
 namespace py = pybind11;
 namespace fs = std::filesystem;
 
-constexpr int format = 3;
+constexpr int format = 4;
 
 /// A directory that exists as long as this object.
 class ScratchDirectory {
@@ -111,7 +111,8 @@ py::dict state_of_solution(const Solution& solution) {
   py::list stages, responses;
   for (const auto& stage : solution.stages) stages.append(state_of_stage(stage));
   for (const auto& stored : solution.responses) {
-    if (!stored.entries.empty()) responses.append(py::make_tuple(bytes_of_file(stored), stored.warnings));
+    if (stored.entries.empty()) continue;
+    responses.append(py::make_tuple(bytes_of_file(stored), stored.fillers, stored.warnings));
   }
   py::dict state;
   state["format"] = format;
@@ -133,7 +134,8 @@ std::shared_ptr<Solution> solution_from(const py::dict& state) {
   for (const auto& one : state["responses"]) {
     const auto parts = one.cast<py::tuple>();
     solution->responses.push_back(responses_from(bytes_in(parts[0])));
-    solution->responses.back().warnings = parts[1].cast<std::vector<std::string>>();
+    solution->responses.back().fillers = parts[1].cast<std::vector<std::string>>();
+    solution->responses.back().warnings = parts[2].cast<std::vector<std::string>>();
   }
   return solution;
 }

@@ -215,19 +215,22 @@ struct ExportedComposite {
   std::vector<std::string> warnings = {};
 };
 
-/// The composite at another temperature than that of the run, at the same times, by the reduced responses that the run
-/// has left. Throws InputError where there are none, or the law of a material does not reach that temperature.
-ExportedComposite composite_at(const AskedTemperature& temperature, const fs::path& results,
-                               const CompositeChoice& choice) {
+/// The composite at another temperature than that of the run, at the times of the run or at other ones, by the reduced
+/// responses that the run has left. Throws InputError where there are none, or the law of a material does not reach
+/// that temperature; NotCovered, with the times that are covered.
+ExportedComposite composite_at(const AskedTemperature& temperature, const std::optional<TimeWindow>& times,
+                               const fs::path& results, const CompositeChoice& choice) {
+  auto content = read_stored_content(results);
+  content.times = times.value_or(content.times);
   const auto all_stages = read_responder(results);
-  const auto responder = (choice.stage.empty() ? all_stages : all_stages.chain_of(choice.stage)).at(temperature.kelvin);
+  const auto asked = choice.stage.empty() ? all_stages : all_stages.chain_of(choice.stage);
+  const auto responder = asked.at(temperature.kelvin).within(content.times);
   std::vector<StageSeries> series;
   std::vector<std::string> warnings;
   for (const auto& stage : responder.respond()) {
     std::ranges::move(series_of(stage), std::back_inserter(series));
     std::ranges::copy(stage.warnings, std::back_inserter(warnings));
   }
-  auto content = read_stored_content(results);
   content.title += " at " + temperature.name;
   content.materials = responder.materials();
   return {composite_of(content, series, choice, results.string()), std::move(warnings)};
@@ -235,7 +238,7 @@ ExportedComposite composite_at(const AskedTemperature& temperature, const fs::pa
 
 ExportedComposite composite_for(const ExportRequest& request, const fs::path& results) {
   require_stored_study(results);
-  return request.temperature ? composite_at(*request.temperature, results, request.choice)
+  return request.temperature ? composite_at(*request.temperature, request.settings.times, results, request.choice)
                              : ExportedComposite{read_stored_composite(results, request.choice)};
 }
 

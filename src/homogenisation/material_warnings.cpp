@@ -41,21 +41,20 @@ std::optional<std::string> warning_of_poisson_ratio(const Material& material, co
   return std::nullopt;
 }
 
-std::vector<std::string> warnings_on_materials(const Study& study, const Stage& stage) {
-  const auto end = std::ranges::find(study.stages, stage.name, &Stage::name);
-  const TimeWindow times{study.tests.first_time, study.tests.last_time};
-  std::vector<std::string> warnings;
-  for (const auto& material : named_materials(stage)) {
-    const bool is_known = end != study.stages.end() && std::any_of(study.stages.begin(), end, [&](const Stage& one) {
-                            return has_material(one, material.name);
-                          });
-    if (is_known) continue;
-    if (auto warning = warning_of_poisson_ratio(material, times)) warnings.push_back(*std::move(warning));
-  }
-  return warnings;
+std::optional<std::string> warning_of_unknown_times(const Material& matrix, const TimeWindow& times) {
+  // A single term is taken for a deliberate model; several terms come from data of limited range.
+  if (matrix.shear.terms().size() < 2) return std::nullopt;
+  // A term affects the modulus for about a decade on either side of its time.
+  constexpr double decade = 10.0;
+  const double slowest = matrix.shear.terms().front().relaxation_time;
+  const double fastest = matrix.shear.terms().back().relaxation_time;
+  if (times.begin >= fastest / decade && times.end <= slowest * decade) return std::nullopt;
+  return fmt::format(
+      "times reach from {} to {}, but the relaxation times of the shear modulus of its matrix, {}, from {} to {} only; "
+      "beyond them the computed modulus is constant, unlike that of a real material",
+      readable(times.begin, Dimension::time), readable(times.end, Dimension::time), matrix.name,
+      readable(fastest, Dimension::time), readable(slowest, Dimension::time));
 }
-
-namespace {
 
 std::optional<std::string> warning_of_soft_filler(const Material& filler, const Material& binder, double time) {
   const auto softer = [&](const char* name, const PronySeries& of_filler,
@@ -71,7 +70,19 @@ std::optional<std::string> warning_of_soft_filler(const Material& filler, const 
   return softer("bulk", filler.bulk, binder.bulk);
 }
 
-}  // namespace
+std::vector<std::string> warnings_on_materials(const Study& study, const Stage& stage) {
+  const auto end = std::ranges::find(study.stages, stage.name, &Stage::name);
+  const TimeWindow times{study.tests.first_time, study.tests.last_time};
+  std::vector<std::string> warnings;
+  for (const auto& material : named_materials(stage)) {
+    const bool is_known = end != study.stages.end() && std::any_of(study.stages.begin(), end, [&](const Stage& one) {
+                            return has_material(one, material.name);
+                          });
+    if (is_known) continue;
+    if (auto warning = warning_of_poisson_ratio(material, times)) warnings.push_back(*std::move(warning));
+  }
+  return warnings;
+}
 
 std::vector<std::string> warnings_of_soft_fillers(const Study& study, const Stage& stage) {
   std::vector<std::string> warnings;

@@ -12,7 +12,13 @@ namespace breccia {
 /// any relaxation (the ratio of a soft binder approaches one half only later); otherwise nothing.
 std::optional<std::string> warning_of_poisson_ratio(const Material& material, const TimeWindow& times);
 
-/// These warnings for those materials of a stage that no earlier stage has.
+/// A warning if some of the times [s] are outside the relaxation spectrum of a matrix; otherwise nothing.
+std::optional<std::string> warning_of_unknown_times(const Material& matrix, const TimeWindow& times);
+
+/// A warning if the shear or bulk modulus of a filler is below that of the binder at a time [s]; otherwise nothing.
+std::optional<std::string> warning_of_soft_filler(const Material& filler, const Material& binder, double time);
+
+/// The warnings of Poisson's ratio for those materials of a stage that no earlier stage has.
 std::vector<std::string> warnings_on_materials(const Study& study, const Stage& stage);
 
 /// A warning for each filler of a stage that is softer than its binder (binder_of) at the first time.

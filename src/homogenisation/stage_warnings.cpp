@@ -280,21 +280,6 @@ std::optional<std::string> warning_of_other_times(const Measurement& measurement
 
 }  // namespace
 
-std::optional<std::string> warning_of_unknown_times(const Material& matrix, const TimeWindow& times) {
-  // A single term is taken for a deliberate model; several terms come from data of limited range.
-  if (matrix.shear.terms().size() < 2) return std::nullopt;
-  // A term affects the modulus for about a decade on either side of its time.
-  constexpr double decade = 10.0;
-  const double slowest = matrix.shear.terms().front().relaxation_time;
-  const double fastest = matrix.shear.terms().back().relaxation_time;
-  if (times.begin >= fastest / decade && times.end <= slowest * decade) return std::nullopt;
-  return fmt::format(
-      "times reach from {} to {}, but the relaxation times of the shear modulus of its matrix, {}, from {} to {} only; "
-      "beyond them the computed modulus is constant, unlike that of a real material",
-      readable(times.begin, Dimension::time), readable(times.end, Dimension::time), matrix.name,
-      readable(fastest, Dimension::time), readable(slowest, Dimension::time));
-}
-
 std::vector<std::string> warnings_on(const Study& study, const Stage& stage,
                                      const StageMicrostructure& microstructure) {
   std::vector<std::string> of_stage;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,8 +13,5 @@ namespace breccia {
 /// the films leave little, particles that a boundary cuts, times outside the spectrum of its matrix. Those that name a
 /// material are about materials that no earlier stage has, such as an unusual Poisson's ratio.
 std::vector<std::string> warnings_on(const Study& study, const Stage& stage, const StageMicrostructure& microstructure);
-
-/// A warning if some of the times [s] are outside the relaxation spectrum of a matrix; otherwise nothing.
-std::optional<std::string> warning_of_unknown_times(const Material& matrix, const TimeWindow& times);
 
 }  // namespace breccia

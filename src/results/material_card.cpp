@@ -54,6 +54,21 @@ std::string program_of(CardFormat format) {
   return "the table";
 }
 
+/// Whether the cards of a format have a place for the shift law of Williams, Landel and Ferry.
+bool has_shift(CardFormat format) {
+  switch (format) {
+    case CardFormat::ls_dyna:
+    case CardFormat::moose:
+      return false;
+    case CardFormat::abaqus:
+    case CardFormat::ansys:
+    case CardFormat::comsol:
+    case CardFormat::csv:
+      break;
+  }
+  return true;
+}
+
 /// The bulk modulus of a card, and where it is from.
 struct BulkOfCard {
   PronySeries series;
@@ -195,7 +210,7 @@ std::vector<std::string> origin_of(const Composite& composite, const CardSetting
   lines.push_back(fmt::format("At {} K; log10 a_T = -{} (T - {}) / ({} + T - {})", card.shift->reference_temperature,
                               card.shift->c1, card.shift->reference_temperature, card.shift->c2,
                               card.shift->reference_temperature));
-  if (settings.format == CardFormat::ls_dyna || settings.format == CardFormat::moose) {
+  if (!has_shift(settings.format)) {
     lines.push_back(fmt::format("The shift is not part of the card for {}", program_of(settings.format)));
   }
   return lines;

@@ -2,8 +2,9 @@
 
 #include <vector>
 
+#include "breccia/viscoelasticity/shifted_material.hpp"
+
 #include "results/composite.hpp"
-#include "results/stored_materials.hpp"
 #include "results/study_document.hpp"
 
 namespace breccia {

@@ -10,9 +10,9 @@
 #include "breccia/error.hpp"
 
 #include "results/best_tests.hpp"
-#include "results/response_file.hpp"
 #include "results/stored_composite.hpp"
 #include "results/stored_document.hpp"
+#include "results/stored_responses.hpp"
 #include "results/sweep_result.hpp"
 #include "tables/csv.hpp"
 
@@ -151,11 +151,10 @@ StoredStudy read_stored_study(const fs::path& directory) {
   add_half_bands(directory / "extrapolation.csv", stages);
   add_comparisons(directory / "comparison.csv", stages);
   add_series(directory, stages);
+  auto responses = read_stored_responses(directory, document);
   for (const auto& stage : stages) {
-    const auto responses = directory / stage.name / "response.h5";
-    if (!fs::exists(responses)) continue;
-    study.responses.push_back(read_responses(responses));
-    study.responses.back().warnings = stage.warnings;
+    const auto found = std::ranges::find(responses, stage.name, &StageResponses::stage);
+    if (found != responses.end()) study.responses.push_back(std::move(*found));
   }
   return study;
 }

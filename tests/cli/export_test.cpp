@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 
 #include "io/text_file.hpp"
 #include "results/card_parsers.hpp"
+#include "results/material_card.hpp"
 #include "study_directory.hpp"
 #include "tables/csv.hpp"
 
@@ -98,7 +100,8 @@ double deviation_from(const Curve& curve, const PronySeries& series) {
 TEST_F(Export, WritesEveryFormatWithinTheTolerance) {
   const auto shear = curve("coarse", "shear");
   ASSERT_FALSE(shear.empty());
-  for (const auto* format : {"abaqus", "ansys", "ls-dyna", "comsol", "moose", "csv"}) {
+  for (const auto& [word, value] : words<CardFormat>) {
+    const std::string format(word);
     const auto written = export_card(format, {"--boundary", "displacement", "--poisson", "0.3"});
     ASSERT_EQ(written.exit_code, 0) << format << written.errors;
     const auto card = parse_card(format, written.output);
@@ -313,6 +316,27 @@ TEST_F(Export, WarnsAtATemperatureAsRespondDoes) {
   const auto card = export_card("csv", {"--boundary", "traction", "--poisson", "0.3", "--temperature", "150 degC"});
   ASSERT_EQ(card.exit_code, 0) << card.errors;
   EXPECT_THAT(warnings_in(card.errors), IsSupersetOf(expected));
+}
+
+// The responses hold for the moduli of the times of the run alone, so that a warmer binder leaves them in the end. The
+// advice is the option with which the card can be written.
+TEST(ExportAtATemperature, NamesTheCoveredTimes) {
+  std::string deck(composite_deck);
+  deck.replace(deck.find("[[stages]]\nname    = \"coarse\""),
+               deck.find("[tests]") - deck.find("[[stages]]\nname    = \"coarse\""), "");
+  const StudyDirectory study(deck + "[tests.quasistatic]\nrange = \"times\"\n");
+  const auto run = study.breccia("run");
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  std::vector<std::string> asked = {"export",    "out", "--format",    "csv", "--boundary",    "traction",
+                                    "--poisson", "0.3", "--tolerance", "2 %", "--temperature", "60 degC"};
+  const auto refused = run_breccia(study.path(), asked);
+  EXPECT_EQ(refused.exit_code, 2);
+  static const std::regex advice("covered from .*: --times \"([^\"]*)\" \"([^\"]*)\"");
+  std::smatch times;
+  ASSERT_TRUE(std::regex_search(refused.errors, times, advice)) << refused.errors;
+  asked.insert(asked.end(), {"--times", times[1], times[2]});
+  const auto covered = run_breccia(study.path(), asked);
+  EXPECT_EQ(covered.exit_code, 0) << covered.errors;
 }
 
 TEST_F(Export, RefusesTemperaturesWithoutALaw) {

@@ -13,8 +13,10 @@
 namespace breccia {
 namespace {
 
+using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 using testing::SizeIs;
 
 const StageResult& last(const std::vector<StageResult>& stages) {
@@ -49,6 +51,28 @@ TEST(ResponsesOf, AStageAnswersAtAnotherTemperatureByAShiftOfTime) {
     const auto& series = preferred_test(warm.tests, Load::shear, Boundary::traction).series;
     EXPECT_NEAR(series.at(factor * time) / modulus, 1.0, 1e-9) << time;
   }
+}
+
+// The run warns of the filler beside the binder of the study; an answer warns of it beside the binder that it has.
+TEST(Respond, TheWarningOfASoftFillerIsThatOnTheNewBinder) {
+  auto study = small_study(6e-3);
+  auto soft = study.stages[0].fillers[0].material;
+  soft.name = "soft";
+  soft.bulk = PronySeries(1e3);
+  soft.shear = PronySeries(1e2);
+  study.stages[0].fillers[0].material = soft;
+  study.materials.push_back({soft});
+  const auto solved = solve(study);
+  const auto is_softer_than = [](const std::string& binder) {
+    return Contains(HasSubstr("the filler, soft, is softer than the binder, " + binder + ":"));
+  };
+  EXPECT_THAT(solved.stages[0].warnings, is_softer_than("binder"));
+  const auto responder = responder_of(study, solved);
+  EXPECT_THAT(responder.respond().front().warnings, is_softer_than("binder"));
+  const Material other = {"other", 1000.0, PronySeries(1e9), PronySeries(1e4, {{0.02, 0.5e6}})};
+  const auto warnings = responder.with({{"binder", other}}).respond().front().warnings;
+  EXPECT_THAT(warnings, is_softer_than("other"));
+  EXPECT_THAT(warnings, Not(is_softer_than("binder")));
 }
 
 TEST(ResponsesOf, TestsWithoutAReducedBasisLeaveNone) {

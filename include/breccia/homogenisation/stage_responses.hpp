@@ -34,7 +34,9 @@ struct StageResponses {
   int points_per_decade = 20;                 ///< of its curves
   SampledRange range = SampledRange::matrix;  ///< over which the responses were sampled
   Mixing mixing = Mixing::series;             ///< of the study: what is made of several grids
-  std::vector<std::string> warnings = {};     ///< of the stage in that study; a file does not have them
+  /// The materials of its fillers, by name, and its warnings in that study. A response file has neither; they are read
+  /// from `study.json`.
+  std::vector<std::string> fillers = {}, warnings = {};
   std::vector<Entry> entries;
 };
 

@@ -18,7 +18,7 @@
 
 namespace breccia {
 
-/// One solution of a reduced basis: the elastic composite for one choice of the moduli that vary.
+/// The moduli at which the elastic composite was solved for a vector of the reduced basis.
 struct Snapshot {
   std::vector<Moduli> moduli = {};  ///< [Pa] of the phases that vary, in the order of ReducedResponse::phases()
   /// Relative error of the reduced modulus at these moduli just before the snapshot was added [-]. It is measured for

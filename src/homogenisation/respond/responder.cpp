@@ -54,14 +54,31 @@ bool has_moduli(const Material& material) {
   return material.bulk.unrelaxed() > 0.0 && material.shear.unrelaxed() > 0.0;
 }
 
+void add_once(std::vector<std::string>& warnings, const std::string& warning) {
+  if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
+}
+
 /// "fine: times reach from ...", if that is to be warned of.
 std::optional<std::string> warning_of_times(const StageResponses& stage, const Material& matrix) {
   const auto warning = warning_of_unknown_times(matrix, stage.times);
   return warning ? std::optional(fmt::format("{}: {}", stage.stage, *warning)) : std::nullopt;
 }
 
-/// The warnings on a stage that depend on the materials that vary.
-std::vector<std::string> warnings_on_varying(StageResponses stage) {
+/// The binder of a stage: its matrix, or that of the earlier stages that it builds on; nullptr where that is not known.
+const Material* binder_of(const std::vector<StageResponses>& stages, const StageResponses& stage) {
+  const auto* matrix = &stage.matrix;
+  while (const auto* const earlier = std::get_if<EarlierStage>(matrix)) {
+    const auto below = std::ranges::find(stages, earlier->name, &StageResponses::stage);
+    if (below == stages.end()) return nullptr;
+    matrix = &below->matrix;
+  }
+  const auto& binder = std::get<Material>(*matrix);
+  return has_moduli(binder) ? &binder : nullptr;
+}
+
+/// The warnings on a stage that depend on the materials that vary: on these, and on fillers beside them.
+std::vector<std::string> warnings_on_varying(const std::vector<StageResponses>& stages, StageResponses stage,
+                                             const std::vector<ShiftedMaterial>& materials) {
   std::vector<std::string> warnings;
   for (const auto* const material : varying_materials(stage)) {
     if (!has_moduli(*material)) continue;
@@ -70,11 +87,15 @@ std::vector<std::string> warnings_on_varying(StageResponses stage) {
   if (const auto* const matrix = std::get_if<Material>(&stage.matrix)) {
     if (auto warning = warning_of_times(stage, *matrix)) warnings.push_back(*std::move(warning));
   }
+  if (const auto* const binder = binder_of(stages, stage)) {
+    for (const auto& name : stage.fillers) {
+      const auto* const filler = find_material(materials, name);
+      if (filler == nullptr) continue;
+      const auto warning = warning_of_soft_filler(filler->material, *binder, stage.times.begin);
+      if (warning) add_once(warnings, fmt::format("{}: {}", stage.stage, *warning));
+    }
+  }
   return warnings;
-}
-
-void add_once(std::vector<std::string>& warnings, const std::string& warning) {
-  if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
 }
 
 /// "40 degC", rounded to a millionth of a degree.
@@ -98,8 +119,10 @@ Responder::Responder(std::vector<StageResponses> stages, const std::vector<Shift
         *material = known->material;
       }
     }
-    // They are made anew for the materials and the times of each response.
-    for (const auto& warning : warnings_on_varying(stage)) std::erase(stage.warnings, warning);
+  }
+  // They are made anew for the materials and the times of each response.
+  for (auto& stage : stages_) {
+    for (const auto& warning : warnings_on_varying(stages_, stage, materials_)) std::erase(stage.warnings, warning);
   }
 }
 
@@ -237,7 +260,8 @@ void Responder::add_warnings(std::vector<StageResult>& results) const {
                         matrix->name));
       }
     }
-    for (const auto& warning : warnings_on_varying(*std::ranges::find(stages, result.name, &StageResponses::stage))) {
+    const auto shown = std::ranges::find(stages, result.name, &StageResponses::stage);
+    for (const auto& warning : warnings_on_varying(stages, *shown, materials_)) {
       add_once(result.warnings, warning);
     }
   }

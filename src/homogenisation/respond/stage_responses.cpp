@@ -33,8 +33,10 @@ StageResponses responses_of(const Study& study, const Stage& stage, const StageR
                               .points_per_decade = tests.points_per_decade,
                               .range = tests.quasistatic.range,
                               .mixing = tests.mixing,
+                              .fillers = {},
                               .warnings = result.warnings,
                               .entries = {}};
+  for (const auto& filler : stage.fillers) responses.fillers.push_back(filler.material.name);
   for (const auto& test : result.tests) {
     const auto* record = std::get_if<QuasistaticRecord>(&test.record);
     if (record == nullptr || !record->reduced) continue;

@@ -26,6 +26,10 @@ namespace breccia::quasistatic {
 /// the uniform strain is one of the vectors, the mean stress of the reduced solution is exactly the one that follows
 /// from its energy.
 ///
+/// GreedySampling fills it: the first snapshot gives the reference moduli, each further one a vector. Its response is
+/// copied out at the end and is all that relaxation moduli, response.h5 and a Responder use (creep_compliance in
+/// reduced_response.hpp); the vectors serve the fields alone (theory, section 10).
+///
 /// The forces of the vectors are not stored: computing them again is cheap.
 template <AffineComposite Composite>
 class ReducedBasis {
@@ -105,7 +109,8 @@ ReducedBasis<Composite>::ReducedBasis(const Composite& composite, Load load, std
   extend(composite.uniform_strain(load), {});
 }
 
-/// The forces e of the load, with the square root of the area: e' K^-1 e is a compliance [1/Pa].
+/// The forces e of the load, scaled by the volume V so that e' K^-1 e is a compliance [1/Pa]: the forces of the unit
+/// traction over the root of V, or, where the strain is prescribed, the root of V as the macroscopic stress.
 template <AffineComposite Composite>
 typename ReducedBasis<Composite>::Vector ReducedBasis<Composite>::load_forces() const {
   auto forces = composite_->load_forces(load_);
@@ -230,7 +235,7 @@ typename ReducedBasis<Composite>::Vector ReducedBasis<Composite>::approximation(
   const Eigen::VectorXd weights = response_.stiffness(response_.parameters(moduli)).ldlt().solve(response_.load_forces);
   auto sum = combination(weights);
   // Scaled like a solution: macroscopic amplitude 1 where the strain is prescribed, unit traction otherwise. The forces
-  // of the projection are those of the unit traction over the square root of the area.
+  // of the projection are those of load_forces().
   const bool is_strained = composite_->boundary() != Boundary::traction;
   sum.scale(is_strained ? 1.0 / sum.macroscopic() : std::sqrt(composite_->volume()));
   return sum;
@@ -240,7 +245,7 @@ template <AffineComposite Composite>
 CompositeState<typename Composite::Vector> ReducedBasis<Composite>::state(std::span<const Material> of_phases,
                                                                           double time) const {
   const auto weights = network_state(response_, of_phases, time);
-  // The load forces e of the basis are those of the unit load over the square root of the area.
+  // The forces of the basis are those of load_forces(), a unit load over the root of the volume.
   const double unit = std::sqrt(composite_->volume());
   CompositeState<Vector> state{combination(unit * weights.displacement), {}};
   for (const auto& applied : weights.applied) state.applied.push_back(combination(unit * applied));
