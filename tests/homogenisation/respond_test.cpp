@@ -53,6 +53,20 @@ TEST(ResponsesOf, AStageAnswersAtAnotherTemperatureByAShiftOfTime) {
   }
 }
 
+TEST(ResponsesOf, TestsWithoutAReducedBasisLeaveNone) {
+  auto study = test::two_stages();
+  study.tests.quasistatic.solver = Solver::stepping;
+  EXPECT_THAT(responses_of(study, solve(study)), IsEmpty());
+}
+
+/// A single stage under one load and boundary, in a box of some size [m].
+Study small_study(double side) {
+  auto study = test::two_stages();
+  study.stages = {test::four_discs("fine", test::binder, side, 8)};
+  study.tests.boundaries = {Boundary::displacement};
+  return study;
+}
+
 // The run warns of the filler beside the binder of the study; an answer warns of it beside the binder that it has.
 TEST(Respond, TheWarningOfASoftFillerIsThatOnTheNewBinder) {
   auto study = small_study(6e-3);
@@ -73,20 +87,6 @@ TEST(Respond, TheWarningOfASoftFillerIsThatOnTheNewBinder) {
   const auto warnings = responder.with({{"binder", other}}).respond().front().warnings;
   EXPECT_THAT(warnings, is_softer_than("other"));
   EXPECT_THAT(warnings, Not(is_softer_than("binder")));
-}
-
-TEST(ResponsesOf, TestsWithoutAReducedBasisLeaveNone) {
-  auto study = test::two_stages();
-  study.tests.quasistatic.solver = Solver::stepping;
-  EXPECT_THAT(responses_of(study, solve(study)), IsEmpty());
-}
-
-/// A single stage under one load and boundary, in a box of some size [m].
-Study small_study(double side) {
-  auto study = test::two_stages();
-  study.stages = {test::four_discs("fine", test::binder, side, 8)};
-  study.tests.boundaries = {Boundary::displacement};
-  return study;
 }
 
 // The stages of both have one name and one grid.
