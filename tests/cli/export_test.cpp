@@ -322,8 +322,9 @@ TEST_F(Export, WarnsAtATemperatureAsRespondDoes) {
 // advice is the option with which the card can be written.
 TEST(ExportAtATemperature, NamesTheCoveredTimes) {
   std::string deck(composite_deck);
-  deck.replace(deck.find("[[stages]]\nname    = \"coarse\""),
-               deck.find("[tests]") - deck.find("[[stages]]\nname    = \"coarse\""), "");
+  const auto coarse = deck.find("[[stages]]\nname    = \"coarse\"");
+  deck.erase(coarse, deck.find("[tests]") - coarse);
+  deck.replace(deck.find("\"10 s\"]"), 6, "\"1 ms\"");
   const StudyDirectory study(deck + "[tests.quasistatic]\nrange = \"times\"\n");
   const auto run = study.breccia("run");
   ASSERT_EQ(run.exit_code, 0) << run.errors;
