@@ -192,7 +192,8 @@ int MPI_Allgather(const void* sent, int count, MPI_Datatype type, void* received
   return PMPI_Allgather(sent, count, type, received, received_count, received_type, group);
 }
 
-// What MUMPS waits in, by the names of Fortran.
+// The calls in which MUMPS waits, by the names of Fortran.
+// NOLINTBEGIN(readability-identifier-naming)
 
 using Integer = MPI_Fint;
 
@@ -239,6 +240,7 @@ void mpi_allreduce_(void* given, void* reduced, Integer* count, Integer* type, I
   const InMpi inside;
   pmpi_allreduce_(given, reduced, count, type, operation, group, error);
 }
+// NOLINTEND(readability-identifier-naming)
 
 int MPI_Finalize() {
   int rank = 0;

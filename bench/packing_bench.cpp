@@ -45,7 +45,7 @@ Case sized(std::string name, const SizeDistribution& sizes, double fraction, dou
 template <int dim>
 Case counted(std::string name, const SizeDistribution& sizes, double fraction, std::size_t count, Walls walls) {
   constexpr double trial_side = dim == 2 ? 1e-3 : 3e-4;
-  const double trial_count = static_cast<double>(draw_diameters<dim>(sizes, fraction, trial_side).size());
+  const auto trial_count = static_cast<double>(draw_diameters<dim>(sizes, fraction, trial_side).size());
   const double side = trial_side * std::pow(static_cast<double>(count) / trial_count, 1.0 / dim);
   return sized<dim>(std::move(name), sizes, fraction, side, 0.0, walls);
 }

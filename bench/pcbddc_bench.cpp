@@ -183,7 +183,8 @@ Subdomain subdomain_of(const ElasticOperator<2>& elastic_operator) {
   const auto& layout = elastic_operator.nodes();
   const auto& [begin, end] = layout.seen_nodes();
   Subdomain subdomain;
-  subdomain.number_of_seen.assign(static_cast<std::size_t>((end[0] - begin[0]) * (end[1] - begin[1])), -1);
+  subdomain.number_of_seen.assign(
+      static_cast<std::size_t>(end[0] - begin[0]) * static_cast<std::size_t>(end[1] - begin[1]), -1);
   layout.for_cells([&](const Index<2>& cell) {
     const auto places = layout.indices_of(cell);
     for (int corner = 0; corner < CellShape<2>::nodes; ++corner) {

@@ -137,9 +137,9 @@ Box box_of(const Stage& stage, const StageMicrostructure& packed) {
 }
 
 void bind_box(py::module_& module) {
-  py::class_<Box>(module, "Microstructure", "What is in the box of a stage. Arrays are views without a copy.")
-      .def_readonly("kind", &Box::kind,
-                    "\"discs\", \"particles\", \"spheres\", \"ellipsoids\", \"grains\" or \"image\".")
+  py::class_<Box>(module, "Microstructure",
+                  "The particles, grains or pixels in the box of a stage. Arrays are views without a copy.")
+      .def_readonly("kind", &Box::kind, R"("discs", "particles", "spheres", "ellipsoids", "grains" or "image".)")
       .def_readonly("dimensions", &Box::dimensions, "2 or 3.")
       .def_readonly("side", &Box::side, "Side of the box [m].")
       .def_readonly("is_periodic", &Box::is_periodic, "Whether the box goes on beyond its sides.")

@@ -83,7 +83,8 @@ const char* name_of(const Error& error) {
 }  // namespace
 
 void translate_errors() {
-  py::register_exception_translator([](std::exception_ptr thrown) {
+  // By value, as pybind11 calls it.
+  py::register_exception_translator([](std::exception_ptr thrown) {  // NOLINT(performance-unnecessary-value-param)
     try {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const Error& error) {

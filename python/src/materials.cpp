@@ -254,6 +254,7 @@ Material material_from(const py::tuple& state) {
 
 std::vector<Material> without_shifts(const std::vector<ShiftedMaterial>& materials) {
   std::vector<Material> solids;
+  solids.reserve(materials.size());
   for (const auto& one : materials) solids.push_back(one.material);
   return solids;
 }

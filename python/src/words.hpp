@@ -16,6 +16,7 @@ template <HasWords Enum>
 Enum value_of(const std::string& argument, const std::string& word) {
   if (const auto value = value_named<Enum>(word)) return *value;
   std::vector<std::string> known;
+  known.reserve(words<Enum>.size());
   for (const auto& [name, value] : words<Enum>) known.push_back(fmt::format("\"{}\"", name));
   throw InputError(fmt::format("{}: expected {}, got \"{}\"", argument, fmt::join(known, " or "), word));
 }

@@ -38,8 +38,8 @@ Discretisation<dim>::Discretisation(const Grid<dim>& grid, PhaseIndex phase, con
 }
 
 template <int dim>
-Discretisation<dim>::Discretisation(const Grid<dim>& grid, std::shared_ptr<const CellPhases<dim>[]> cells,
-                                    std::vector<Mixture> mixtures, PhaseIndex first_mixture)
+Discretisation<dim>::Discretisation(const Grid<dim>& grid, SharedCells<dim> cells, std::vector<Mixture> mixtures,
+                                    PhaseIndex first_mixture)
     : grid_(require_cells(grid)),
       range_(grid.all_cells()),
       count_(grid.cell_count()),

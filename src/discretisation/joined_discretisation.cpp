@@ -56,8 +56,7 @@ std::vector<Mixture> mixtures_of(const std::vector<double>& numbers) {
 
 /// The cells of all processes of the machine in order, where they have no memory in common: each has a copy of its own.
 template <int dim>
-std::shared_ptr<const CellPhases<dim>[]> gathered_cells(const Grid<dim>& grid,
-                                                        const std::vector<CellPhases<dim>>& own) {
+SharedCells<dim> gathered_cells(const Grid<dim>& grid, const std::vector<CellPhases<dim>>& own) {
   const int parts = parallel::ranks_on_machine();
   // MPI counts in 32 bits, so cells are passed in whole layers.
   const auto of_layer = grid.cell_count() / static_cast<std::size_t>(grid.cells.back());
@@ -80,8 +79,8 @@ std::shared_ptr<const CellPhases<dim>[]> gathered_cells(const Grid<dim>& grid,
 /// The cells of all processes of the machine in memory that they have in common; those of this one follow `first`
 /// others.
 template <int dim>
-std::shared_ptr<const CellPhases<dim>[]> common_cells(const std::shared_ptr<std::byte>& memory, std::size_t first,
-                                                      const std::vector<CellPhases<dim>>& own) {
+SharedCells<dim> common_cells(const std::shared_ptr<std::byte>& memory, std::size_t first,
+                              const std::vector<CellPhases<dim>>& own) {
   const std::shared_ptr<CellPhases<dim>[]> cells(memory, reinterpret_cast<CellPhases<dim>*>(memory.get()));
   std::ranges::copy(own, cells.get() + first);
   MPI_Barrier(parallel::machine_communicator());

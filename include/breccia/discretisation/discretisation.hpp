@@ -20,6 +20,10 @@ namespace breccia {
 template <int dim>
 using CellPhases = std::array<PhaseIndex, std::size_t{1} << dim>;
 
+/// The phases of the points of many cells, in memory that may be shared.
+template <int dim>
+using SharedCells = std::shared_ptr<const CellPhases<dim>[]>;  // NOLINT(modernize-avoid-c-arrays): of any number
+
 /// A microstructure on a grid: the phase of every material point. The points of a mixed cell all have the number of its
 /// mixture in place of a phase. Copies share the phases of their points until one of them is changed. It may have some
 /// layers of cells only, which are joined with those of other processes (joined_discretisation.hpp).
@@ -33,7 +37,7 @@ class Discretisation {
 
   /// Takes the cells of the whole grid, in its order, in memory that may be shared; the first of the mixtures has the
   /// number `first_mixture`. Throws InputError when the grid has no cells or no size.
-  Discretisation(const Grid<dim>& grid, std::shared_ptr<const CellPhases<dim>[]> cells, std::vector<Mixture> mixtures,
+  Discretisation(const Grid<dim>& grid, SharedCells<dim> cells, std::vector<Mixture> mixtures,
                  PhaseIndex first_mixture);
 
   [[nodiscard]] const Grid<dim>& grid() const noexcept { return grid_; }
@@ -121,7 +125,7 @@ class Discretisation {
   IndexRange<dim> range_;
   std::size_t first_ = 0;  ///< index of the first of its cells among all cells of the grid
   std::size_t count_ = 0;
-  std::shared_ptr<const CellPhases<dim>[]> cells_;
+  SharedCells<dim> cells_;
   CellPhases<dim>* own_ = nullptr;  ///< the same, if it is memory that may be changed
   std::vector<Mixture> mixtures_;
   PhaseIndex first_mixture_ = no_phase;  ///< the number of the first mixture

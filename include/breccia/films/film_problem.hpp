@@ -14,8 +14,8 @@ namespace breccia {
 /// grains and films like a window in a larger body; no film runs along them.
 struct FilmProblem {
   Tessellation<2> tessellation;
-  double thickness;  ///< of the films, of those of a mean share of one [m]
-  Moduli grain;      ///< [Pa]
+  double thickness = 0.0;  ///< of the films, of those of a mean share of one [m]
+  Moduli grain = {};       ///< [Pa]
   Boundary boundary = Boundary::periodic;
   /// Ratio of the longest element along a face to the square root of the area of the smaller grain beside it [-]. With
   /// 0.3 most faces have two elements.

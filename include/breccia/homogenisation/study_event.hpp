@@ -28,7 +28,7 @@ struct StagePacked {
 struct DomainFinished {
   const Stage& stage;
   TestId test;
-  std::size_t number;  ///< from 1
+  std::size_t number = 1;  ///< from 1
   const TimeDomain& domain;
 };
 

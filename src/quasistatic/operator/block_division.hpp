@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace breccia::quasistatic {
@@ -44,8 +45,8 @@ class BlockDivision {
   /// The division into blocks of about this side.
   static std::optional<BlockDivision> with_blocks(int side, int processes, const std::array<int, 2>& cells, bool wraps);
 
-  BlockDivision(const std::array<int, 2>& processes, const std::array<std::vector<int>, 2>& cuts, bool wraps)
-      : processes_(processes), cuts_(cuts), wraps_(wraps) {}
+  BlockDivision(const std::array<int, 2>& processes, std::array<std::vector<int>, 2> cuts, bool wraps)
+      : processes_(processes), cuts_(std::move(cuts)), wraps_(wraps) {}
 
   /// Number of the first block of a position along an axis.
   [[nodiscard]] std::size_t first_block(std::size_t axis, int position) const noexcept;
