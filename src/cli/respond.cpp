@@ -247,7 +247,7 @@ void add_respond(CLI::App& application) {
       ->type_name("[NAME=]FILE.toml");
   command
       ->add_option("--temperature", arguments->temperatures,
-                   R"(another temperature of the matrix, such as "40 degC"; may be repeated)")
+                   R"(another temperature of the materials that relax, such as "40 degC"; may be repeated)")
       ->expected(1)
       ->take_all()
       ->type_name("TEMPERATURE");

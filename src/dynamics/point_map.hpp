@@ -92,6 +92,8 @@ class PointMap<3> {
       : sign_{(point & 1) != 0 ? 1.0 : -1.0, (point & 2) != 0 ? 1.0 : -1.0, (point & 4) != 0 ? 1.0 : -1.0},
         pair_{sign_[1] * sign_[2], sign_[2] * sign_[0], sign_[0] * sign_[1]} {}
 
+  /// The strain of the point. Averaged volumetric strains change its volumetric part alone, which is not used: that
+  /// part is volume().
   template <bool averaged, class Number>
   BRECCIA_INLINE void find_strain(const Number* modes, Number* strain) const {
     Number gradient[axes][axes];

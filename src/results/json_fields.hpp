@@ -114,13 +114,10 @@ struct JsonForm<std::vector<Value>> {
   }
 };
 
-/// A text of JSON has no number that is not finite: it is null there.
 template <>
 struct JsonForm<double> {
   static nlohmann::ordered_json write(double value) { return value; }
-  static double read(const nlohmann::ordered_json& json) {
-    return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
-  }
+  static double read(const nlohmann::ordered_json& json) { return json.get<double>(); }
 };
 
 template <std::integral Integer>

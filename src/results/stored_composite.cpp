@@ -12,11 +12,8 @@
 #include "tables/csv.hpp"
 
 namespace breccia {
-namespace {
 
 namespace fs = std::filesystem;
-
-}  // namespace
 
 std::vector<StageSeries> read_stored_series(const fs::path& directory) {
   const auto table = read_csv(directory / "prony.csv", {"stage", "load", "boundary"});

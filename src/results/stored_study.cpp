@@ -1,6 +1,7 @@
 #include "results/stored_study.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <utility>
 #include <variant>
@@ -110,7 +111,7 @@ struct TakeRecord {
   void operator()(std::monostate /*unknown*/) const {}
   void operator()(const ExtrapolationRecord& /*record*/) const {}
   void operator()(const QuasistaticEntry& record) const {
-    test.error_estimate = record.error_estimate;
+    test.error_estimate = record.error_estimate.value_or(std::numeric_limits<double>::quiet_NaN());
     test.seconds = record.seconds;
   }
   void operator()(const DynamicEntry& record) const {
@@ -151,11 +152,7 @@ StoredStudy read_stored_study(const fs::path& directory) {
   add_half_bands(directory / "extrapolation.csv", stages);
   add_comparisons(directory / "comparison.csv", stages);
   add_series(directory, stages);
-  auto responses = read_stored_responses(directory, document);
-  for (const auto& stage : stages) {
-    const auto found = std::ranges::find(responses, stage.name, &StageResponses::stage);
-    if (found != responses.end()) study.responses.push_back(std::move(*found));
-  }
+  study.responses = read_stored_responses(directory, document);
   return study;
 }
 

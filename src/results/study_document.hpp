@@ -86,7 +86,7 @@ struct QuasistaticEntry {
   std::optional<int> layers = {};
   std::optional<Volumetric> volumetric = {};
   std::optional<Mixing> mixing = {};
-  double error_estimate = 0.0;
+  std::optional<double> error_estimate = {};  ///< nothing where it is not known
   LinearEffort linear = {};
   std::optional<double> seconds = {};
   std::optional<double> fit_error = {};

@@ -318,6 +318,23 @@ TEST_F(Export, WarnsAtATemperatureAsRespondDoes) {
   EXPECT_THAT(warnings_in(card.errors), IsSupersetOf(expected));
 }
 
+// By default the last stage of the deck is taken, at any temperature; the order of the names of stages is another one.
+TEST(ExportAtATemperature, TakesTheLastStageOfTheDeck) {
+  const auto deck =
+      std::regex_replace(std::string(composite_deck), std::regex("name    = \"coarse\"\nmatrix  = \"fine\""),
+                         "name    = \"acid\"\nmatrix  = \"binder\"");
+  const StudyDirectory study(deck);
+  const auto run = study.breccia("run");
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  const std::vector<std::string> asked = {"export", "out", "--format", "csv", "--boundary", "traction"};
+  auto warm = asked;
+  warm.insert(warm.end(), {"--temperature", "40 degC"});
+  for (const auto& arguments : {asked, warm}) {
+    const auto card = run_breccia(study.path(), arguments);
+    EXPECT_THAT(card.output, HasSubstr("stage acid:")) << card.errors;
+  }
+}
+
 // The responses hold for the moduli of the times of the run alone, so that a warmer binder leaves them in the end. The
 // advice is the option with which the card can be written.
 TEST(ExportAtATemperature, NamesTheCoveredTimes) {

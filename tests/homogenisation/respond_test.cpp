@@ -14,6 +14,7 @@ namespace breccia {
 namespace {
 
 using testing::Contains;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -120,6 +121,32 @@ TEST(Respond, ResponsesOfTwoStudiesInTheMemoryAreNotMixed) {
   responses.push_back(responses_of(other, solve(other)).front());
   EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(Responder(responses)); }),
               HasSubstr("of different studies"));
+}
+
+TEST(Respond, StagesThatBuildOnThemselvesAreRefused) {
+  StageResponses one, other;
+  one.stage = "one";
+  one.matrix = EarlierStage{"other"};
+  other.stage = "other";
+  other.matrix = EarlierStage{"one"};
+  EXPECT_THAT(test::message_of<InputError>([&] {
+                static_cast<void>(Responder({one, other}));
+              }),
+              HasSubstr("the responses of stage one build on themselves"));
+  one.matrix = EarlierStage{"one"};
+  EXPECT_THROW(static_cast<void>(Responder({one})), InputError);
+}
+
+TEST(Respond, AMaterialIsShownByItsOwnNameAndTemperature) {
+  StageResponses stage;
+  stage.stage = "A";
+  stage.matrix = test::binder;
+  const auto other = Responder({stage}).with({{"binder",
+                                               {"other", 1e3, PronySeries(1e9), PronySeries(1e5, {{1.0, 1e6}})},
+                                               {{WilliamsLandelFerry{8.0, 100.0, 293.15}, 293.15}}}});
+  EXPECT_THAT(other.shown_names(), ElementsAre("other"));
+  EXPECT_THAT(other.at(313.15).shown_names(), ElementsAre("other at 40 degC"));
+  EXPECT_THAT(other.at(313.15).at(323.15).shown_names(), ElementsAre("other at 50 degC"));
 }
 
 TEST(Respond, AStageWithoutResponsesIsRefused) {

@@ -24,7 +24,7 @@ const std::string binder = R"({"name": "binder", "density_kg_per_m3": 1000.0,
 const std::string law =
     R"(, "temperature_shift": {"c1": 10.0, "c2_K": 100.0, "reference_K": 300.0, "temperature_K": 320.0})";
 
-class StoredMaterials : public testing::Test {
+class StoredDocument : public testing::Test {
  protected:
   [[nodiscard]] std::vector<ShiftedMaterial> read(const std::string& materials) const {
     auto document = test::document_with("A");
@@ -37,7 +37,7 @@ class StoredMaterials : public testing::Test {
   test::TemporaryDirectory directory;
 };
 
-TEST_F(StoredMaterials, AreShiftedFromTheTemperatureOfTheStudy) {
+TEST_F(StoredDocument, HasMaterialsThatAreShiftedFromTheTemperatureOfTheStudy) {
   const auto stored = read(binder + law + "}");
   ASSERT_EQ(stored.size(), 1U);
   // log10 a_T is -10 x 20 / 120 at 320 K and 10 x 20 / 80 at 280 K.
@@ -48,7 +48,7 @@ TEST_F(StoredMaterials, AreShiftedFromTheTemperatureOfTheStudy) {
   EXPECT_EQ(at_temperature(stored.front(), 320.0).material, stored.front().material);
 }
 
-TEST_F(StoredMaterials, AreShiftedByATable) {
+TEST_F(StoredDocument, HasMaterialsThatAreShiftedByATable) {
   const auto stored = read(binder + R"(, "temperature_shift": {"temperatures_K": [280.0, 300.0, 340.0],
     "log10_shift_factors": [2.0, 0.0, -1.0], "reference_K": 300.0, "temperature_K": 320.0}})");
   const auto cold = at_temperature(stored.front(), 290.0).material;
@@ -57,7 +57,7 @@ TEST_F(StoredMaterials, AreShiftedByATable) {
               HasSubstr("the table of shift factors reaches from 280 K"));
 }
 
-TEST_F(StoredMaterials, NeedAShiftLawIfTheyRelaxAndATemperatureInItsRange) {
+TEST_F(StoredDocument, HasMaterialsThatNeedAShiftLawIfTheyRelaxAndATemperatureInItsRange) {
   const auto without = read(binder + "}").front();
   EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(at_temperature(without, 280.0)); }),
               HasSubstr("binder has no temperature_shift in the deck"));
@@ -69,7 +69,7 @@ TEST_F(StoredMaterials, NeedAShiftLawIfTheyRelaxAndATemperatureInItsRange) {
   EXPECT_EQ(at_temperature(elastic, 280.0).material, elastic.material);
 }
 
-TEST_F(StoredMaterials, RefuseFilesThatTheProgramHasNotWritten) {
+TEST_F(StoredDocument, IsRefusedInFilesThatTheProgramHasNotWritten) {
   for (const auto* materials :
        {"1", R"({"name": 1})",
         R"({"name": "a", "density_kg_per_m3": 1, "bulk": {"equilibrium_Pa": -1, "terms": []}})"}) {

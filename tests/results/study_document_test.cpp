@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <random>
+#include <set>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -22,7 +23,9 @@
 namespace breccia {
 namespace {
 
+using testing::Gt;
 using testing::HasSubstr;
+using testing::SizeIs;
 
 /// Random values of all types of the document, from their descriptions.
 class RandomValues {
@@ -201,7 +204,42 @@ TEST_F(StudyDocumentFile, HasNullForNumbersThatAreNotFinite) {
   document.stages.back().tests.push_back(test);
   const auto found = read_back(document);
   EXPECT_THAT(read_text(directory.path() / "study.json"), HasSubstr("\"error_estimate\": null"));
-  EXPECT_TRUE(std::isnan(std::get<QuasistaticEntry>(found.stages.at(0).tests.at(0).record).error_estimate));
+  EXPECT_FALSE(std::get<QuasistaticEntry>(found.stages.at(0).tests.at(0).record).error_estimate);
+}
+
+TEST_F(StudyDocumentFile, IsRefusedWithANullForANumberThatIsAlwaysKnown) {
+  StudyDocument document;
+  document.materials.push_back({"binder", 1e3, PronySeries(1.0), PronySeries(1.0)});
+  auto record = json_from(document);
+  record["materials"][0]["density_kg_per_m3"] = nullptr;
+  EXPECT_THAT(refusal_of(record.dump()), HasSubstr("not as `breccia run` writes it"));
+}
+
+/// The keys of a struct and of all structs in its fields.
+template <class Value>
+void add_keys(std::set<std::string>& keys) {
+  if constexpr (HasFields<Value>) {
+    const auto add = [&]<class Struct, class Member>(const Field<Struct, Member>& field) {
+      keys.insert(field.key);
+      add_keys<Member>(keys);
+    };
+    std::apply([&](const auto&... field) { (add(field), ...); }, fields<Value>);
+  } else if constexpr (requires { typename Value::value_type; }) {
+    if constexpr (!std::is_same_v<Value, std::string>) add_keys<typename Value::value_type>(keys);
+  }
+}
+
+TEST(StudyDocumentKeys, AreExplainedInTheReference) {
+  std::set<std::string> keys;
+  add_keys<StudyDocument>(keys);
+  add_keys<TestId>(keys);
+  for (const auto& add : {add_keys<QuasistaticEntry>, add_keys<DynamicEntry>, add_keys<ExtrapolationRecord>,
+                          add_keys<SeriesEntry>, add_keys<ShiftEntry>, add_keys<FieldRecord>}) {
+    add(keys);
+  }
+  ASSERT_THAT(keys, SizeIs(Gt(100)));
+  const auto reference = read_text(BRECCIA_DOCUMENTATION "/results.md");
+  for (const auto& key : keys) EXPECT_THAT(reference, HasSubstr("`" + key + "`"));
 }
 
 TEST_F(StudyDocumentFile, IsRefusedWhereAKeyIsMissingOrOfAnotherType) {

@@ -74,7 +74,7 @@ struct StudyPlan {
   [[nodiscard]] double bytes() const;
 };
 
-/// The plans of all tasks of a sweep. Tasks that differ by seeds alone share the plan of the first of them.
+/// The plans of all tasks of a sweep. Tasks that differ by seeds alone share the plan of the first of them that packs.
 struct SweepPlan {
   /// A plan, or why there is none: a box that cannot be packed.
   struct Part {
@@ -86,12 +86,12 @@ struct SweepPlan {
 
   /// Time of all tasks, one after the other [s].
   [[nodiscard]] double seconds() const;
-  /// The part that takes most memory.
+  /// The part that takes most memory, of at least one part.
   [[nodiscard]] const Part& largest() const;
 };
 
 /// Plans a study: packs the boxes of its stages, and runs a trial of a fraction of a second for dynamic tests. No
-/// quasi-static test is computed. Throws what make_microstructure() and plan_dynamic_test() throw.
+/// quasi-static test is computed. Throws the errors of require_sound(), make_microstructure() and plan_dynamic_test().
 StudyPlan plan_of(const Study& study);
 SweepPlan plan_of(const Sweep& sweep);
 

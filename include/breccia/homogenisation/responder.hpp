@@ -25,7 +25,8 @@ struct ModulusAndGradient {
 class Responder {
  public:
   /// The stages with the materials of their study. `materials` are all of the study, as far as they are known, with
-  /// the laws of their temperature shifts. Throws InputError where stages are of several studies or given twice.
+  /// the laws of their temperature shifts. Throws InputError where stages are of several studies, given twice,
+  /// or build on each other in a circle.
   explicit Responder(std::vector<StageResponses> stages, const std::vector<ShiftedMaterial>& materials = {});
 
   /// The materials that vary at another temperature [K]. An elastic matrix stays what it is, with a warning in the
@@ -44,9 +45,9 @@ class Responder {
   [[nodiscard]] Responder alone(const std::string& stage) const;
 
   /// The results of the stages, in the order in which they build on each other: the matrix of a later stage is the new
-  /// result of the one before it. Each has the warnings of its study that do not depend on the materials that vary, and
-  /// those on the materials that it has now. Throws NotCovered if a material leaves the sampled range, with the times
-  /// that are covered; InputError if a stage lacks its matrix.
+  /// result of the one before it. Each has the warnings of its run but those on the materials that vary, and anew those
+  /// on the materials and bounds that it has now. Throws NotCovered if a material leaves the sampled range, with the
+  /// times that are covered; InputError if a stage lacks its matrix.
   [[nodiscard]] std::vector<StageResult> respond() const;
 
   /// The modulus of a stage at a real Laplace variable s [1/s], by its correspondence with an elastic composite, on the
@@ -66,15 +67,22 @@ class Responder {
   [[nodiscard]] std::vector<std::string> shown_names() const;
 
  private:
-  void replace(const std::string& name, ShiftedMaterial material, const std::string& shown);
+  /// The name under which results show a material: its own, and the temperature to which it was moved.
+  struct ShownName {
+    std::string material, temperature = {};
+
+    [[nodiscard]] std::string text() const { return material + temperature; }
+  };
+
+  void replace(const std::string& name, ShiftedMaterial material, ShownName shown);
   [[nodiscard]] const StageResponses& stage_named(const std::string& stage) const;
   [[nodiscard]] std::vector<StageResponses> stages_with_shown_names() const;
   void add_warnings(std::vector<StageResult>& results) const;
 
   std::vector<StageResponses> stages_;
   std::vector<ShiftedMaterial> materials_;
-  std::map<std::string, std::string> shown_ = {};  ///< names of replaced materials by those in the study
-  std::set<std::string> unshifted_ = {};           ///< elastic materials that were asked for at another temperature
+  std::map<std::string, ShownName> shown_ = {};  ///< names of replaced materials by those in the study
+  std::set<std::string> unshifted_ = {};         ///< elastic materials that were asked for at another temperature
 };
 
 /// The responder of a study from its result. Throws InputError where the result is that of another study.

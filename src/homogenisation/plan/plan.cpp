@@ -4,12 +4,15 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "breccia/homogenisation/stage_microstructure.hpp"
+#include "breccia/study/soundness.hpp"
 
 #include "homogenisation/plan/cell_memory.hpp"
 #include "homogenisation/plan/cell_time.hpp"
@@ -43,6 +46,30 @@ class Planner {
     StudyPlan plan;
     for (const auto& stage : study.stages) plan.stages.push_back(plan_of_stage(study, stage));
     return plan;
+  }
+
+  /// Adds the plan of tasks that differ by seeds alone. As in a run of the sweep, a task that cannot be computed does
+  /// not stop the others: where the first box cannot be packed, that of the next seed may be; after two that cannot,
+  /// none is taken to pack.
+  void add(const Sweep& sweep, SweepPlan::Part part, SweepPlan& plan) {
+    constexpr int most_attempts = 2;
+    for (int attempt = 1;; ++attempt) {
+      try {
+        part.plan = this->plan(sweep.tasks[part.tasks.front()].study);
+        part.failure.clear();
+      } catch (const NumericalError& error) {
+        part.failure = error.what();
+        if (attempt < most_attempts && part.tasks.size() > 1) {
+          plan.parts.push_back({{part.tasks.front()}, {}, part.failure});
+          part.tasks.erase(part.tasks.begin());
+          continue;
+        }
+      } catch (const InputError& error) {
+        part.failure = error.what();
+      }
+      break;
+    }
+    plan.parts.push_back(std::move(part));
   }
 
  private:
@@ -202,22 +229,15 @@ const SweepPlan::Part& SweepPlan::largest() const {
 }
 
 StudyPlan plan_of(const Study& study) {
+  require_sound(study);
   return Planner().plan(study);
 }
 
 SweepPlan plan_of(const Sweep& sweep) {
   Planner planner;
-  SweepPlan plan = {parts_of(sweep, all_tasks(sweep))};
-  for (auto& part : plan.parts) {
-    // As in a run of the sweep, a task that cannot be computed does not stop the others.
-    try {
-      part.plan = planner.plan(sweep.tasks[part.tasks.front()].study);
-    } catch (const NumericalError& error) {
-      part.failure = error.what();
-    } catch (const InputError& error) {
-      part.failure = error.what();
-    }
-  }
+  SweepPlan plan;
+  for (auto& part : parts_of(sweep, all_tasks(sweep))) planner.add(sweep, std::move(part), plan);
+  std::ranges::sort(plan.parts, {}, [](const SweepPlan::Part& part) { return part.tasks.front(); });
   return plan;
 }
 
@@ -230,10 +250,12 @@ void require_memory(const Study& study, double available) {
 }
 
 void require_memory(const Sweep& sweep, const std::vector<std::size_t>& tasks, double available) {
-  std::map<std::string, std::vector<std::size_t>> tasks_of;
+  std::vector<std::pair<std::string, std::vector<std::size_t>>> tasks_of;  // in the order of tasks and stages
   for (const auto& part : parts_of(sweep, tasks)) {
     for (const auto& line : lacking_memory(sweep.tasks[part.tasks.front()].study, available)) {
-      tasks_of[line].insert(tasks_of[line].end(), part.tasks.begin(), part.tasks.end());
+      auto found = std::ranges::find(tasks_of, line, [](const auto& one) { return one.first; });
+      if (found == tasks_of.end()) found = tasks_of.insert(found, {line, {}});
+      found->second.insert(found->second.end(), part.tasks.begin(), part.tasks.end());
     }
   }
   std::vector<std::string> lines;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -12,11 +13,11 @@
 #include "breccia/error.hpp"
 
 #include "homogenisation/material_warnings.hpp"
+#include "homogenisation/quality.hpp"
 #include "homogenisation/respond/coverage_refusal.hpp"
 #include "homogenisation/respond/elastic_chain.hpp"
 #include "homogenisation/respond/replaced_materials.hpp"
 #include "homogenisation/respond/responded_stages.hpp"
-#include "homogenisation/stage_warnings.hpp"
 #include "io/nearest_name.hpp"
 #include "quasistatic/reduced/carson_path.hpp"
 
@@ -27,8 +28,8 @@ void require_one_study(const std::vector<StageResponses>& stages) {
   for (const auto& one : stages) {
     if (one.deck_hash == stages.front().deck_hash) continue;
     throw InputError(fmt::format(
-        "the responses of stages {} and {} are of different studies (deck hashes {} and {}); name a stage, or run the "
-        "study anew in a directory of its own",
+        "the responses of stages {} and {} are of different studies (deck hashes {} and {}); run the study anew in a "
+        "directory of its own",
         stages.front().stage, one.stage, stages.front().deck_hash, one.deck_hash));
   }
 }
@@ -41,9 +42,31 @@ void require_different_stages(const std::vector<StageResponses>& stages) {
   }
 }
 
-/// The materials of a stage that vary: its matrix, unless that is an earlier stage, and those of other phases.
-std::vector<Material*> varying_materials(StageResponses& stage) {
-  std::vector<Material*> materials;
+/// The stage whose result is the matrix of a stage; nullptr if its matrix is a material, or that stage is not there.
+const StageResponses* stage_of_matrix(const std::vector<StageResponses>& stages, const StageResponses& stage) {
+  const auto* const earlier = std::get_if<EarlierStage>(&stage.matrix);
+  if (earlier == nullptr) return nullptr;
+  const auto found = std::ranges::find(stages, earlier->name, &StageResponses::stage);
+  return found == stages.end() ? nullptr : &*found;
+}
+
+/// Refuses stages that build on each other in a circle, which files from elsewhere may say.
+void require_an_end(const std::vector<StageResponses>& stages) {
+  for (const auto& one : stages) {
+    std::size_t links = 0;
+    for (const auto* stage = &one; stage != nullptr; stage = stage_of_matrix(stages, *stage)) {
+      if (links++ < stages.size()) continue;
+      throw InputError(fmt::format("the responses of stage {} build on themselves", one.stage));
+    }
+  }
+}
+
+/// The materials of a stage that vary: its matrix, unless that is an earlier stage, and those of other phases. `Stage`
+/// is StageResponses, constant or not.
+template <class Stage>
+auto varying_materials(Stage& stage) {
+  using Solid = std::conditional_t<std::is_const_v<Stage>, const Material, Material>;
+  std::vector<Solid*> materials;
   if (auto* const matrix = std::get_if<Material>(&stage.matrix)) materials.push_back(matrix);
   for (auto& [phase, material] : stage.other_phases) materials.push_back(&material);
   return materials;
@@ -66,18 +89,14 @@ std::optional<std::string> warning_of_times(const StageResponses& stage, const M
 
 /// The binder of a stage: its matrix, or that of the earlier stages that it builds on; nullptr where that is not known.
 const Material* binder_of(const std::vector<StageResponses>& stages, const StageResponses& stage) {
-  const auto* matrix = &stage.matrix;
-  while (const auto* const earlier = std::get_if<EarlierStage>(matrix)) {
-    const auto below = std::ranges::find(stages, earlier->name, &StageResponses::stage);
-    if (below == stages.end()) return nullptr;
-    matrix = &below->matrix;
-  }
-  const auto& binder = std::get<Material>(*matrix);
-  return has_moduli(binder) ? &binder : nullptr;
+  const auto* lowest = &stage;
+  while (const auto* const below = stage_of_matrix(stages, *lowest)) lowest = below;
+  const auto* const binder = std::get_if<Material>(&lowest->matrix);
+  return binder != nullptr && has_moduli(*binder) ? binder : nullptr;
 }
 
 /// The warnings on a stage that depend on the materials that vary: on these, and on fillers beside them.
-std::vector<std::string> warnings_on_varying(const std::vector<StageResponses>& stages, StageResponses stage,
+std::vector<std::string> warnings_on_varying(const std::vector<StageResponses>& stages, const StageResponses& stage,
                                              const std::vector<ShiftedMaterial>& materials) {
   std::vector<std::string> warnings;
   for (const auto* const material : varying_materials(stage)) {
@@ -110,6 +129,7 @@ Responder::Responder(std::vector<StageResponses> stages, const std::vector<Shift
     : stages_(std::move(stages)), materials_(materials) {
   require_different_stages(stages_);
   require_one_study(stages_);
+  require_an_end(stages_);
   for (auto& stage : stages_) {
     for (auto* const material : varying_materials(stage)) {
       const auto* const known = find_material(materials_, material->name);
@@ -133,7 +153,9 @@ Responder Responder::at(double temperature) const {
     if (known == nullptr) throw InputError(fmt::format("the study has no material \"{}\"", name));
     auto material = at_temperature(*known, temperature);
     const bool is_unshifted = is_elastic(material.material);
-    moved.replace(name, std::move(material), fmt::format("{} at {}", name, in_celsius(temperature)));
+    const auto shown = shown_.find(name);
+    const auto& own_name = shown == shown_.end() ? name : shown->second.material;
+    moved.replace(name, std::move(material), {own_name, fmt::format(" at {}", in_celsius(temperature))});
     if (is_unshifted) moved.unshifted_.insert(name);
   }
   return moved;
@@ -144,7 +166,7 @@ Responder Responder::with(const std::vector<NewMaterial>& materials) const {
   auto changed = *this;
   for (std::size_t i = 0; i < materials.size(); ++i) {
     const auto& [name, material, shift] = materials[i];
-    changed.replace(replaced[i], {material, shift}, material.name);
+    changed.replace(replaced[i], {material, shift}, {material.name});
   }
   return changed;
 }
@@ -158,11 +180,7 @@ Responder Responder::within(const TimeWindow& times) const {
 Responder Responder::chain_of(const std::string& stage) const {
   auto chain = *this;
   chain.stages_ = {stage_named(stage)};
-  while (const auto* const earlier = std::get_if<EarlierStage>(&chain.stages_.back().matrix)) {
-    const auto below = std::ranges::find(stages_, earlier->name, &StageResponses::stage);
-    if (below == stages_.end()) break;
-    chain.stages_.push_back(*below);
-  }
+  while (const auto* const below = stage_of_matrix(stages_, chain.stages_.back())) chain.stages_.push_back(*below);
   return chain;
 }
 
@@ -206,12 +224,12 @@ std::vector<std::string> Responder::shown_names() const {
   std::vector<std::string> names;
   for (const auto& name : std::set<std::string>(varying.begin(), varying.end())) {
     const auto shown = shown_.find(name);
-    names.push_back(shown == shown_.end() ? name : shown->second);
+    names.push_back(shown == shown_.end() ? name : shown->second.text());
   }
   return names;
 }
 
-void Responder::replace(const std::string& name, ShiftedMaterial material, const std::string& shown) {
+void Responder::replace(const std::string& name, ShiftedMaterial material, ShownName shown) {
   material.material.name = name;
   for (auto& stage : stages_) {
     for (auto* const one : varying_materials(stage)) {
@@ -224,7 +242,7 @@ void Responder::replace(const std::string& name, ShiftedMaterial material, const
   } else {
     *known = std::move(material);
   }
-  shown_[name] = shown;
+  shown_[name] = std::move(shown);
   unshifted_.erase(name);
 }
 
@@ -241,14 +259,14 @@ std::vector<StageResponses> Responder::stages_with_shown_names() const {
   for (auto& stage : stages) {
     for (auto* const material : varying_materials(stage)) {
       const auto shown = shown_.find(material->name);
-      if (shown != shown_.end()) material->name = shown->second;
+      if (shown != shown_.end()) material->name = shown->second.text();
     }
   }
   return stages;
 }
 
 void Responder::add_warnings(std::vector<StageResult>& results) const {
-  std::set<std::string> named;  // materials, of which one warning is enough
+  std::set<std::string> named, said;  // a material, and a warning on it, are named once, with the first stage
   const auto stages = stages_with_shown_names();
   for (auto& result : results) {
     const auto& of_study = stage_named(result.name);
@@ -262,7 +280,12 @@ void Responder::add_warnings(std::vector<StageResult>& results) const {
     }
     const auto shown = std::ranges::find(stages, result.name, &StageResponses::stage);
     for (const auto& warning : warnings_on_varying(stages, *shown, materials_)) {
-      add_once(result.warnings, warning);
+      if (said.insert(warning).second) add_once(result.warnings, warning);
+    }
+    StageQuality quality;
+    quality.loads = bounds_of_tests(result);
+    for (const auto& warning : warnings_on_bounds(quality)) {
+      result.warnings.push_back(fmt::format("{}: {}", result.name, warning));
     }
   }
 }

@@ -9,10 +9,10 @@ namespace breccia::quasistatic {
 namespace {
 
 template <int dim>
-void require_no_crystals(const Mixture* mixture, const Crystals<dim>& crystals) {
-  if (mixture == nullptr) return;
+void require_no_crystals(const std::vector<Mixture>& mixtures, const Crystals<dim>& crystals) {
   const auto is_crystal = [&](const MixedPart& part) { return crystals.contains(part.phase); };
-  if (std::ranges::none_of(*mixture, is_crystal)) return;
+  const auto holds_crystal = [&](const Mixture& mixture) { return std::ranges::any_of(mixture, is_crystal); };
+  if (std::ranges::none_of(mixtures, holds_crystal)) return;
   throw InputError("quasi-static solver: a mixed cell holds a crystal; expected isotropic phases, or cells of points");
 }
 
@@ -25,6 +25,7 @@ CellKinds<dim>::CellKinds(const Discretisation<dim>& discretisation, Volumetric 
   for (const auto& [phase, stiffness] : crystals) {
     crystals_.emplace(phase, Crystal{stiffness, softer_moduli<dim>(stiffness).shear});
   }
+  require_no_crystals<dim>(discretisation.mixtures(), crystals);
   std::map<CellPhases<dim>, std::uint32_t> known;
   PetscInt strains = 0;  // of the cells before
   discretisation.grid().for_each_cell([&](const Index<dim>& cell) {
@@ -37,7 +38,6 @@ CellKinds<dim>::CellKinds(const Discretisation<dim>& discretisation, Volumetric 
       if (cell.front() == own_cells.begin.front()) strains_before_rows_.push_back(strains);
       const auto [kind, is_new] = known.emplace(phases, static_cast<std::uint32_t>(known.size()));
       if (is_new) {
-        require_no_crystals<dim>(mixture, crystals);
         phases_.push_back(phases);
         mixed_.push_back(mixture != nullptr ? std::optional<MixedCell<dim>>(*mixture) : std::nullopt);
       }
