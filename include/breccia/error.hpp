@@ -18,25 +18,25 @@ class Error : public std::runtime_error {
   ExitCode code_;
 };
 
-/// Bad usage, a bad deck, a bad data file or a bad argument of a public function.
+/// Error in the input: bad usage, a bad deck, a bad data file or a bad argument of a public function.
 class InputError : public Error {
  public:
   explicit InputError(const std::string& message) : Error(ExitCode::bad_input, message) {}
 };
 
-/// The computation cannot continue: instability, no convergence, an impossible packing.
+/// Error in the computation, which cannot continue: instability, no convergence, an impossible packing.
 class NumericalError : public Error {
  public:
   explicit NumericalError(const std::string& message) : Error(ExitCode::numerical_failure, message) {}
 };
 
-/// A file cannot be read or written.
+/// Error of a file that cannot be read or written.
 class FileError : public Error {
  public:
   explicit FileError(const std::string& message) : Error(ExitCode::file_failure, message) {}
 };
 
-/// The computation was stopped by its user or by a limit of time.
+/// Reports that the computation was stopped by its user or by a time limit.
 class Interrupted : public Error {
  public:
   explicit Interrupted(const std::string& message) : Error(ExitCode::interrupted, message) {}

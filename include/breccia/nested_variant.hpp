@@ -5,14 +5,14 @@
 
 namespace breccia {
 
-/// Calls the visitor with what a variant of variants holds, such as a choice of two dimensions whose alternatives are
-/// choices of a content.
+/// Calls the visitor with the value inside a variant of variants. An example is the box of a stage: it has two or three
+/// dimensions, and for each of them one of several contents.
 template <class Visitor, class Nested>
 decltype(auto) visit_nested(const Visitor& visitor, Nested& nested) {
   return std::visit([&visitor](auto& inner) -> decltype(auto) { return std::visit(visitor, inner); }, nested);
 }
 
-/// What a variant of variants holds, if it is of this type; nullptr otherwise.
+/// A pointer to the value inside a variant of variants, if it is of this type; nullptr otherwise.
 template <class Alternative, class Nested>
 auto find_alternative(Nested& nested) {
   using Found = std::conditional_t<std::is_const_v<Nested>, const Alternative, Alternative>;

@@ -5,14 +5,15 @@
 
 namespace breccia {
 
-/// How far a calculation has come.
+/// The progress of a calculation.
 struct Progress {
-  std::string what = {};     ///< the calculation: "fine: packing"; empty below solve(), which names its parts
+  /// Name of the calculation: "fine: packing"; empty in functions that solve() calls, which adds the name.
+  std::string what = {};
   double share = 0.0;        ///< finished share, 0 to 1
   std::string details = {};  ///< the present work: "snapshot 5, error 1e-03"
 };
 
-/// Is called with the progress of a calculation. An exception that it throws ends the calculation.
+/// A function that is called with the progress of a calculation. An exception that it throws ends the calculation.
 using ProgressObserver = std::function<void(const Progress&)>;
 
 }  // namespace breccia

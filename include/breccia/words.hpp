@@ -15,12 +15,12 @@ template <class Enum>
 using Word = std::pair<std::string_view, Enum>;
 
 /// The words of an enumeration, in the order in which they are offered to users. Each enumeration that users write or
-/// read defines its own, `template <> inline constexpr auto words<Load> = std::to_array<Word<Load>>({...})`, beside
-/// itself.
+/// read defines its own words, `template <> inline constexpr auto words<Load> = std::to_array<Word<Load>>({...})`,
+/// beside itself.
 template <class Enum>
 inline constexpr std::nullptr_t words = nullptr;
 
-/// An enumeration that has words.
+/// An enumeration for which `words` is defined.
 template <class Enum>
 concept HasWords = std::is_enum_v<Enum> && !std::is_same_v<decltype(words<Enum>), const std::nullptr_t>;
 

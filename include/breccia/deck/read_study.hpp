@@ -10,7 +10,7 @@
 namespace breccia {
 
 /// Reads a deck (docs/decks.md) with overrides `key.path=value`, and the data files that it names; ignores its sweep
-/// (see read_sweep). `origins`: what the overrides are called in messages. Throws InputError with one line for every
+/// (see read_sweep). `origins` names the source of the overrides in messages. Throws InputError with one line for every
 /// mistake, and FileError when a file cannot be read.
 Study read_study(const std::filesystem::path& deck, const std::vector<std::string>& overrides = {},
                  const ValueOrigins& origins = {});

@@ -11,7 +11,7 @@ namespace breccia {
 
 /// A key of a deck that takes several values.
 struct SweptKey {
-  std::string path;      ///< as in `--set`: `stages.*.packing.seed`
+  std::string path;      ///< path of the key, as in `--set`: `stages.*.packing.seed`
   std::string label;     ///< the last steps of the path, as many as are needed to distinguish the keys
   bool is_seed = false;  ///< true for seeds, whose values give samples of the same microstructure
 };
@@ -19,8 +19,8 @@ struct SweptKey {
 /// A deck with one value for each swept key.
 struct SweepTask {
   std::string name;                 ///< name of the task and of its directory: `volumetric-averaged_seed-2`
-  std::vector<std::string> labels;  ///< parts of the name, one for each key with its value
-  std::vector<Scalar> values;       ///< one for each key
+  std::vector<std::string> labels;  ///< parts of the name, one for each key, which contain its value
+  std::vector<Scalar> values;       ///< values of the swept keys, one for each key
   Study study;
 
   /// The directory of the task's results within that of the sweep; the same directory for a task without a name.
@@ -34,12 +34,12 @@ struct SweepTask {
 struct Sweep {
   std::vector<SweptKey> keys;
   std::vector<SweepTask> tasks;
-  std::vector<std::string> overrides = {};  ///< of all tasks, `key.path=value`, without the swept values
+  std::vector<std::string> overrides = {};  ///< overrides of all tasks, `key.path=value`, without the swept values
 };
 
-/// Reads a deck with overrides as read_study() does, with its `[sweep]` and with further swept keys
-/// `key.path=[value, ...]`. `origins`: what overrides and further keys are called in messages. Throws InputError with
-/// one line for every mistake in any task, and FileError.
+/// Reads a deck with overrides as read_study() does, with its `[sweep]` and with further swept keys `key.path=[value,
+/// ...]`. `origins` names the sources of overrides and further keys in messages. Throws InputError with one line for
+/// every mistake in any task, and FileError.
 Sweep read_sweep(const std::filesystem::path& deck, const std::vector<std::string>& overrides,
                  const std::vector<std::string>& further_keys, const ValueOrigins& origins = {});
 

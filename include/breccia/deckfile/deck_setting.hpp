@@ -12,12 +12,13 @@ namespace breccia {
 
 /// A location in a deck, by line and column, or on the command line.
 struct Location {
-  std::string option;  ///< such as `--set key.path=value` (ValueOrigins); empty for a location in the deck
+  std::string option;  ///< option on the command line, such as `--set key.path=value` (ValueOrigins); empty for a
+                       ///< location in the deck
   std::uint32_t line = 0;
   std::uint32_t column = 0;
 };
 
-/// The names, in messages, of the sources of values that do not come from the deck, as the front end calls them.
+/// The names, in messages, of the sources of values that do not come from the deck. Each front end has its own.
 struct ValueOrigins {
   std::string overrides = "--set";     ///< name of an override `key.path=value`
   std::string sweep_keys = "--sweep";  ///< name of a swept key `key.path=[value, ...]`
@@ -36,10 +37,10 @@ void refuse_mistakes(const std::filesystem::path& deck, std::vector<Mistake> mis
 /// A value of a deck that is neither an array nor a table.
 using Scalar = std::variant<bool, std::int64_t, double, std::string>;
 
-/// The value as a deck has it: `"3.6 GPa"`, `1.0`, `true`.
+/// The text of a value as it is written in a deck: `"3.6 GPa"`, `1.0`, `true`.
 std::string toml_text(const Scalar& value);
 
-/// The value as a CSV file has it: `3.6 GPa`, `1`, `true`.
+/// The text of a value as it is written in a CSV file: `3.6 GPa`, `1`, `true`.
 std::string plain_text(const Scalar& value);
 
 /// A value with its location.
@@ -50,7 +51,7 @@ struct LocatedScalar {
 
 /// A value for a key of a deck, and the locations of both.
 struct Setting {
-  std::string path;  ///< as in `--set`
+  std::string path;  ///< path of the key, as in `--set`
   Location path_location;
   LocatedScalar value;
 };

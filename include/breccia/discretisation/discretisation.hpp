@@ -25,8 +25,8 @@ template <int dim>
 using SharedCells = std::shared_ptr<const CellPhases<dim>[]>;  // NOLINT(modernize-avoid-c-arrays): of any number
 
 /// A microstructure on a grid: the phase of every material point. The points of a mixed cell all have the number of its
-/// mixture in place of a phase. Copies share the phases of their points until one of them is changed. It may have some
-/// layers of cells only, which are joined with those of other processes (joined_discretisation.hpp).
+/// mixture in place of a phase. Copies share the phases of their points until one of them is changed. An object may
+/// hold only some layers of the cells; other processes then hold the other layers (joined_discretisation.hpp).
 template <int dim>
 class Discretisation {
  public:
@@ -35,21 +35,21 @@ class Discretisation {
   /// Gives all points one phase. Throws InputError when the grid has no cells or no size.
   explicit Discretisation(const Grid<dim>& grid, PhaseIndex phase = 0, const CellLayers& layers = {});
 
-  /// Takes the cells of the whole grid, in its order, in memory that may be shared; the first of the mixtures has the
-  /// number `first_mixture`. Throws InputError when the grid has no cells or no size.
+  /// Takes the phases of the cells of the whole grid, in the order of the grid, in memory that may be shared. The first
+  /// mixture has the number `first_mixture`. Throws InputError when the grid has no cells or no size.
   Discretisation(const Grid<dim>& grid, SharedCells<dim> cells, std::vector<Mixture> mixtures,
                  PhaseIndex first_mixture);
 
   [[nodiscard]] const Grid<dim>& grid() const noexcept { return grid_; }
-  /// The cells that it has.
+  /// The cells that this object holds: all cells of the grid or some layers of them.
   [[nodiscard]] const IndexRange<dim>& range() const noexcept { return range_; }
   [[nodiscard]] std::size_t points() const noexcept { return cells().size() * points_per_cell; }
 
-  /// Phases of the points of a cell that it has.
+  /// Phases of the points of one of the cells held.
   [[nodiscard]] const CellPhases<dim>& cell(const Index<dim>& cell) const noexcept {
     return cells_.get()[index_of(cell)];
   }
-  /// Phases of the points of all cells that it has, in the order of the grid.
+  /// Phases of the points of all cells held, in the order of the grid.
   [[nodiscard]] std::span<const CellPhases<dim>> cells() const noexcept { return {cells_.get(), count_}; }
 
   /// Position of a point of a cell [m].
@@ -74,26 +74,28 @@ class Discretisation {
   /// Gives a phase to all points in a ball.
   void paint(const Ball<dim>& ball, PhaseIndex phase);
 
-  /// Gives a phase, or a mixture, to all points of a cell that it has.
+  /// Gives a phase, or a mixture, to all points of one of the cells held.
   void fill(const Index<dim>& cell, PhaseIndex phase) { own_cells()[index_of(cell)].fill(phase); }
 
-  /// Adds a mixture, and returns its number, which points have instead of the number of a phase; the numbers of the
-  /// mixtures follow those of the `phases` phases. Throws InputError when there is no number left.
+  /// Adds a mixture and returns its number, which the points of a mixed cell have in place of the number of a phase.
+  /// The numbers of the mixtures follow those of the phases, of which there are `phases`. Throws InputError when no
+  /// number is left.
   PhaseIndex add_mixture(Mixture mixture, std::size_t phases);
   [[nodiscard]] const std::vector<Mixture>& mixtures() const noexcept { return mixtures_; }
-  /// The number of the first mixture; no_phase without any.
+  /// The number of the first mixture; no_phase if there is no mixture.
   [[nodiscard]] PhaseIndex first_mixture() const noexcept { return first_mixture_; }
-  /// The mixture of this number; null for the number of a phase and for no_phase.
+  /// The mixture with this number; nullptr for the number of a phase and for no_phase.
   [[nodiscard]] const Mixture* mixture(PhaseIndex number) const noexcept {
     if (number < first_mixture_ || number >= first_mixture_ + mixtures_.size()) return nullptr;
     return &mixtures_[static_cast<std::size_t>(number - first_mixture_)];
   }
 
-  /// Points of each of the phases 0 .. count - 1, those of mixed cells by the fractions of the mixture: exact where
-  /// these are multiples of 1 / mixture_steps. A mixture whose number is among them has points of its own. Throws
-  /// std::out_of_range for another phase; see require_phases().
+  /// Number of points of each of the phases 0 .. count - 1. The points of a mixed cell count for its phases by the
+  /// fractions of the mixture; the sums are exact where these fractions are multiples of 1 / mixture_steps. A mixture
+  /// whose number is below `count` is counted as a phase of its own. Throws std::out_of_range for another phase; see
+  /// require_phases().
   [[nodiscard]] std::vector<double> points_by_phase(std::size_t count) const;
-  /// The numbers of points_by_phase() over the number of points that it has [-].
+  /// Fractions of the phases: points_by_phase() over the number of all points held [-].
   [[nodiscard]] std::vector<double> fractions(std::size_t count) const;
 
  private:
@@ -108,13 +110,14 @@ class Discretisation {
     });
   }
 
-  /// The index of a cell in the list of its cells: layers of the grid follow one another in the list of the grid.
+  /// Index of a cell in the list of the cells held. Layers follow one another in the list of the grid, so that one
+  /// offset is enough.
   [[nodiscard]] std::size_t index_of(const Index<dim>& cell) const noexcept {
     assert(range_.contains(cell));
     return grid_.cell_index(cell) - first_;
   }
 
-  /// The phases of the points, to be changed: those of this object alone.
+  /// The phases of the points, to be changed: in memory that belongs to this object alone.
   [[nodiscard]] CellPhases<dim>* own_cells() {
     if (own_ == nullptr || cells_.use_count() > 1) take_own_cells();
     return own_;
@@ -123,20 +126,20 @@ class Discretisation {
 
   Grid<dim> grid_;
   IndexRange<dim> range_;
-  std::size_t first_ = 0;  ///< index of the first of its cells among all cells of the grid
+  std::size_t first_ = 0;  ///< index of the first cell held among all cells of the grid
   std::size_t count_ = 0;
   SharedCells<dim> cells_;
-  CellPhases<dim>* own_ = nullptr;  ///< the same, if it is memory that may be changed
+  CellPhases<dim>* own_ = nullptr;  ///< the phases in `cells_`, if their memory may be changed
   std::vector<Mixture> mixtures_;
   PhaseIndex first_mixture_ = no_phase;  ///< the number of the first mixture
 };
 
 /// Throws InputError, with the name of the calculation, when a point has none of the phases 0 .. count - 1, so that it
-/// has no material. Points of no phase need none. Instantiated for 2 and 3 dimensions.
+/// has no material. Points with no_phase need no material. Instantiated for 2 and 3 dimensions.
 template <int dim>
 void require_phases(std::string_view calculation, const Discretisation<dim>& discretisation, std::size_t count);
 /// Throws InputError, with the name of the calculation, when a point has neither one of the phases 0 .. count - 1 nor a
-/// mixture of them. For a calculation that takes the moduli of mixed cells from those of their phases.
+/// mixture of them. It serves calculations that derive the moduli of mixed cells from those of their phases.
 template <int dim>
 void require_phases_in_cells(std::string_view calculation, const Discretisation<dim>& discretisation,
                              std::size_t count);
@@ -148,25 +151,26 @@ extern template class Discretisation<3>;
 struct ParticlePhases {
   PhaseIndex phase{};
   PhaseIndex coating = no_phase;
-  double coating_thickness = 0.0;  ///< outside the diameter of the particle [m]; 0 without a coating
+  double coating_thickness = 0.0;  ///< thickness, outside the diameter of the particle [m]; 0 without a coating
 };
 
+/// The phases of particles that have no coatings.
 [[nodiscard]] std::vector<ParticlePhases> without_coatings(std::span<const PhaseIndex> particles);
 
-/// The points of a microstructure on `cells` cells along each axis: points in a particle, or in its image in a periodic
-/// box, have the phase of that particle, those in its coating that of the coating, all others that of the matrix.
-/// Coatings must not overlap. `particles` holds the phases of each particle. Throws InputError when it does not.
+/// Discretises a microstructure on `cells` cells along each axis. Points in a particle, or in its image in a periodic
+/// box, have the phase of the particle; points in its coating have the phase of the coating, and all other points that
+/// of the matrix. Coatings must not overlap. Throws InputError unless `particles` holds the phases of every particle.
 /// Instantiated for 2 and 3 dimensions.
 template <int dim>
 [[nodiscard]] Discretisation<dim> discretise(const Microstructure<dim>& microstructure, int cells, PhaseIndex matrix,
                                              std::span<const ParticlePhases> particles, const CellLayers& layers = {});
 
-/// The points of a microstructure of particles without coatings.
+/// Discretises a microstructure of particles without coatings; `particles` holds the phase of each particle.
 template <int dim>
 [[nodiscard]] Discretisation<dim> discretise(const Microstructure<dim>& microstructure, int cells, PhaseIndex matrix,
                                              std::span<const PhaseIndex> particles);
 
-/// The points of a microstructure of particles that all have one phase.
+/// Discretises a microstructure of particles that all have one phase.
 template <int dim>
 [[nodiscard]] Discretisation<dim> discretise(const Microstructure<dim>& microstructure, int cells, PhaseIndex matrix,
                                              PhaseIndex particles);

@@ -19,12 +19,12 @@ struct CellLayers {
 /// cells, nodes and points begin at the corner with the lowest coordinates; the first axis runs fastest.
 template <int dim>
 struct Grid {
-  Index<dim> cells{};      ///< along each axis
+  Index<dim> cells{};      ///< number of cells along each axis
   double cell_side = 0.0;  ///< h [m]
 
   [[nodiscard]] std::size_t cell_count() const noexcept { return count(cells, 0); }
   [[nodiscard]] std::size_t node_count() const noexcept { return count(cells, 1); }
-  /// Nodes along each axis.
+  /// Number of nodes along each axis.
   [[nodiscard]] Index<dim> nodes() const noexcept {
     auto nodes = cells;
     for (int& along : nodes) ++along;
@@ -36,7 +36,7 @@ struct Grid {
   }
 
   [[nodiscard]] IndexRange<dim> all_cells() const noexcept { return {{}, cells}; }
-  /// The cells of those layers that the grid has.
+  /// The cells in these layers, without layers outside the grid.
   [[nodiscard]] IndexRange<dim> cells_of(const CellLayers& layers) const noexcept {
     auto range = all_cells();
     range.begin.back() = std::clamp(layers.begin, 0, cells.back());
@@ -44,7 +44,7 @@ struct Grid {
     return range;
   }
 
-  /// Indices in lists of cells or nodes.
+  /// Index of a cell, or of a node, in a list of all of them.
   [[nodiscard]] std::size_t cell_index(const Index<dim>& cell) const noexcept { return index_in(cell, cells, 0); }
   [[nodiscard]] std::size_t node_index(const Index<dim>& node) const noexcept { return index_in(node, cells, 1); }
   /// The cell with an index in a list of cells.
@@ -58,8 +58,8 @@ struct Grid {
     cell.back() = static_cast<int>(index);
     return cell;
   }
-  /// Index in a list of points that follows their lattice, which has two points to a cell along each axis. `point` is
-  /// the number of the point in its cell: bit 0 is its index (0 or 1) along the first axis, and so on.
+  /// Index of a material point in a list that follows the lattice of points, which has two points to a cell along each
+  /// axis. `point` is the number of the point in its cell: bit 0 is its index (0 or 1) along the first axis, and so on.
   [[nodiscard]] std::size_t point_index(const Index<dim>& cell, int point) const noexcept {
     auto lattice_index = cell, lattice = cells;
     for (std::size_t axis = 0; axis < cells.size(); ++axis) {

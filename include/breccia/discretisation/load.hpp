@@ -9,7 +9,7 @@
 
 namespace breccia {
 
-/// The load of a virtual test. Under each, the modulus is stress : unit_strain(load). The last three exist in 3
+/// The load of a virtual test. The modulus under a load is stress : unit_strain(load). The last three exist in 3
 /// dimensions only; together the six span all strains.
 enum class Load {
   shear,             ///< pure shear of the axes, xy; the modulus is G
@@ -38,8 +38,8 @@ template <int dim>
 /// of dimensions.
 void require_loads(std::string_view calculation, int dimensions, std::span<const Load> loads);
 
-/// Strain with engineering shear or dilatation 1. A body of modulus M stores M/2 per volume under it. Zero for a load
-/// that does not exist in this number of dimensions.
+/// The unit strain of a load: its engineering shear, or its dilatation, is 1. A body of modulus M stores the energy M/2
+/// per volume under it. It is zero for a load that does not exist in this number of dimensions.
 template <int dim>
 [[nodiscard]] constexpr Strain<dim> unit_strain(Load load) noexcept {
   Strain<dim> strain;
@@ -73,8 +73,8 @@ template <int dim>
   return strain;
 }
 
-/// Stress [1 Pa] with the shape of the unit strain, whose work on it is 1 per volume. It deforms a body of modulus M by
-/// unit_strain(load) times 1/M.
+/// The unit stress of a load [1 Pa]: proportional to the unit strain, with a work of 1 per volume on it. It deforms a
+/// body of modulus M by unit_strain(load) times 1/M.
 template <int dim>
 [[nodiscard]] constexpr Stress<dim> unit_stress(Load load) noexcept {
   const auto strain = unit_strain<dim>(load);

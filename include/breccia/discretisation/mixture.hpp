@@ -21,10 +21,10 @@ template <>
 inline constexpr auto words<Mixing> = std::to_array<Word<Mixing>>({{"series", Mixing::series},
                                                                    {"points", Mixing::points}});
 
-/// A share of a mixed cell.
+/// A phase in a mixed cell, with its share of the cell.
 struct MixedPart {
   PhaseIndex phase;
-  double fraction;  ///< of the area or volume of the cell [-]
+  double fraction;  ///< share of the area or volume of the cell [-]
 
   friend bool operator==(const MixedPart&, const MixedPart&) = default;
 };
@@ -33,14 +33,14 @@ struct MixedPart {
 using Mixture = std::vector<MixedPart>;
 
 /// Moduli of a mixture in series: its shear modulus and its dilatational modulus are the harmonic means of those of its
-/// phases, 1 / G = sum of f_k / G_k (theory, Eq. 40). A modulus of 0 of one phase makes that of the mixture 0.
+/// phases, 1 / G = sum of f_k / G_k (theory, Eq. 40). If a modulus of one phase is 0, that of the mixture is 0.
 template <int dim>
 [[nodiscard]] Moduli series_moduli(const Mixture& mixture, std::span<const Moduli> by_phase);
 
-/// The mixture as a material: its compliances are the means of those of its phases, by exact interconversion, and its
-/// density is the mean density. In plane strain its bulk modulus K, the difference of the dilatational modulus K + G/3
-/// and of G/3, may have negative terms. Throws InputError where a dilatational or a shear modulus of a phase has
-/// negative terms. Instantiated for 2 and 3 dimensions.
+/// The mixture as a material. Its compliances are the means of the compliances of its phases, converted to moduli
+/// exactly, and its density is the mean density. In plane strain its bulk modulus K, the difference of the dilatational
+/// modulus K + G/3 and of G/3, may have negative terms. Throws InputError where a dilatational or a shear modulus of a
+/// phase has negative terms. Instantiated for 2 and 3 dimensions.
 template <int dim>
 [[nodiscard]] Material series_material(const Mixture& mixture, std::span<const Material> by_phase);
 

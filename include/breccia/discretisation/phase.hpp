@@ -8,7 +8,7 @@ namespace breccia {
 /// list that goes with a discretisation. A box of several fillers has thousands of mixtures.
 using PhaseIndex = std::uint16_t;
 
-/// The value instead of a phase where there is no material.
+/// The value in place of a phase where there is no material.
 constexpr PhaseIndex no_phase = 65535;
 
 }  // namespace breccia

@@ -24,7 +24,7 @@ class Phases {
   /// The names, by PhaseIndex.
   [[nodiscard]] const std::vector<std::string>& names() const noexcept { return names_; }
 
-  /// Throws InputError when there is no phase of this name.
+  /// The PhaseIndex of the phase with this name. Throws InputError when there is none.
   [[nodiscard]] PhaseIndex index_of(std::string_view name) const;
 
   /// Materials given by the names of their phases, as a list by PhaseIndex. Throws InputError when a phase has no

@@ -16,11 +16,12 @@ struct LatticeFields {
   static constexpr std::size_t shears = dim * (dim - 1) / 2;
 
   IndexRange<dim> cells;                  ///< cells of the fields: those of the whole box, or of one process
-  std::vector<PhaseIndex> phase;          ///< in a mixture the phase with the largest fraction
+  std::vector<PhaseIndex> phase;          ///< phase of each value; in a mixture the phase with the largest fraction
   std::vector<Vector<dim>> displacement;  ///< [m]
-  /// Normal components, then tensor shears in Voigt's order (2D: xx, yy, xy), as the stress depends on them [-].
+  /// The strain on which the stress depends: normal components, then tensor shears in Voigt's order (2D: xx, yy, xy)
+  /// [-].
   std::vector<std::array<double, dim + shears>> strain;
-  /// The three normal components, also in plane strain, then the shears (2D: xx, yy, zz, xy) [Pa].
+  /// The stress: three normal components, also in plane strain, then the shears (2D: xx, yy, zz, xy) [Pa].
   std::vector<std::array<double, 3 + shears>> stress;
 };
 
@@ -34,28 +35,30 @@ using PointFields = LatticeFields<dim>;
 template <int dim>
 using CellFields = LatticeFields<dim>;
 
-/// Fields at a time after the load was applied: of the points of a square, of the cells of a cube.
+/// Fields at a time after the load was applied: at the points of square cells (2D), or means over cubic cells (3D).
 template <int dim>
 struct TimedFields {
   double time = 0.0;  ///< [s]
   LatticeFields<dim> fields;
 };
 
-/// Zero fields of the points of a discretisation, with their phases. Instantiated for 2 and 3 dimensions.
+/// Fields of zeros at the points of a discretisation, with the phases of the points. Instantiated for 2 and 3
+/// dimensions.
 template <int dim>
 [[nodiscard]] PointFields<dim> zero_fields(const Discretisation<dim>& discretisation);
 
-/// Zero fields of the cells of a discretisation, with their phases. Where the points of a cell differ its phase is the
-/// most frequent one, the first of equals. Instantiated for 2 and 3 dimensions.
+/// Fields of zeros in the cells of a discretisation, with the phases of the cells. Where the points of a cell have
+/// different phases, the cell has the most frequent one, or the first of equally frequent ones. Instantiated for 2 and
+/// 3 dimensions.
 template <int dim>
 [[nodiscard]] CellFields<dim> zero_cell_fields(const Discretisation<dim>& discretisation);
 
-/// Zero TimedFields::fields of some cells: those of their points in 2D, those of the cells in 3D.
+/// Fields of zeros as in TimedFields::fields, for some cells: at their points in 2D, one value a cell in 3D.
 template <int dim>
 [[nodiscard]] LatticeFields<dim> zero_timed_fields(const Discretisation<dim>& discretisation,
                                                    const IndexRange<dim>& cells);
 
-/// Index of the values of a point of a cell in TimedFields::fields of some cells.
+/// Index of the values of a point of a cell in the TimedFields::fields of a range of cells.
 template <int dim>
 [[nodiscard]] std::size_t place_in_timed_fields(const IndexRange<dim>& cells, Index<dim> cell, int point) noexcept {
   if constexpr (dim == 3) return cells.place_of(cell);
@@ -63,11 +66,11 @@ template <int dim>
   return Grid<dim>{.cells = cells.size()}.point_index(cell, point);
 }
 
-/// Indices of the values of TimedFields::fields of some cells among those of the whole grid.
+/// Indices of the values in the TimedFields::fields of a range of cells among those of the whole grid.
 template <int dim>
 [[nodiscard]] parallel::OrderedPlaces places_of_timed_fields(const Grid<dim>& grid, const IndexRange<dim>& cells);
 
-/// Number of the values of TimedFields::fields of the whole grid.
+/// Number of the values in the TimedFields::fields of the whole grid.
 template <int dim>
 [[nodiscard]] std::size_t size_of_timed_fields(const Grid<dim>& grid) noexcept {
   return grid.cell_count() * (dim == 2 ? Discretisation<dim>::points_per_cell : 1);

@@ -7,7 +7,7 @@
 
 namespace breccia {
 
-/// Components of a symmetric tensor: the normal ones, then the shears.
+/// Number of the components of a symmetric tensor. The normal components come first, then the shears.
 template <int dim>
 constexpr int tensor_components = dim*(dim + 1) / 2;
 
@@ -37,8 +37,8 @@ struct SymmetricTensor<3, Quantity> {
   friend bool operator==(const SymmetricTensor&, const SymmetricTensor&) = default;
 };
 
-/// Small strain [-]. Shears are tensor components, half of the engineering shears. In 2D plane strain: the out-of-plane
-/// strain is zero.
+/// Small strain [-]. Shears are tensor components, half of the engineering shears. In 2D the strain is plane: the
+/// out-of-plane strain is zero.
 template <int dim>
 using Strain = SymmetricTensor<dim, struct StrainQuantity>;
 
@@ -53,7 +53,7 @@ template <int dim>
   return i == j ? i : tensor_components<dim> - i - j;
 }
 
-/// Component by its index in Voigt's order.
+/// The component with an index in Voigt's order.
 template <class Quantity>
 [[nodiscard]] constexpr double& component(SymmetricTensor<2, Quantity>& t, int index) noexcept {
   return index == 0 ? t.xx : index == 1 ? t.yy : t.xy;
@@ -81,7 +81,7 @@ template <int dim, class Quantity>
   return component(copy, index);
 }
 
-/// Component (i, j).
+/// The component (i, j).
 template <int dim, class Quantity>
 [[nodiscard]] constexpr double component(const SymmetricTensor<dim, Quantity>& t, int i, int j) noexcept {
   return component(t, component_index<dim>(i, j));

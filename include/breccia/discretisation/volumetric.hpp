@@ -9,7 +9,8 @@ namespace breccia {
 /// The volumetric strain on which the stress of a material point depends.
 enum class Volumetric {
   averaged,  ///< the mean over the cell (B-bar, mean dilatation): does not lock
-  standard   ///< the point's own (full integration), as in the paper: locks where the matrix is nearly incompressible
+  standard   ///< the strain of the point itself (full integration), as in the paper: locks where the matrix is nearly
+             ///< incompressible
 };
 
 template <>

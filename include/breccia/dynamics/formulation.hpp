@@ -6,10 +6,10 @@
 
 namespace breccia {
 
-/// How the equations of the dynamic method are arranged. Both have the same solution.
+/// The formulation of the equations of the dynamic method. Both formulations have the same solution.
 enum class Formulation {
-  total_lagrangian,  ///< fixed connectivity, velocities on the nodes: the fast one
-  classical          ///< moving points, momenta extrapolated every step: the paper's, the reference
+  total_lagrangian,  ///< fixed connectivity, velocities on the nodes: the faster formulation
+  classical          ///< moving points, momenta extrapolated in every step: the paper's formulation, for reference
 };
 
 template <>
@@ -17,10 +17,10 @@ inline constexpr auto words<Formulation> = std::to_array<Word<Formulation>>(
     {{"total-lagrangian", Formulation::total_lagrangian}, {"classical", Formulation::classical}});
 
 /// The nodes that move while a displacement boundary is ramped. A periodic box always starts affine: it has no boundary
-/// that could move first. Under a traction boundary nothing is made to move.
+/// that could move first. Under a traction boundary no node has a prescribed motion.
 enum class Start {
-  boundary,  ///< the boundary alone; waves carry the strain inwards (the paper's)
-  affine     ///< the whole field
+  boundary,  ///< the nodes on the boundary alone; waves carry the strain inwards (as in the paper)
+  affine     ///< all nodes
 };
 
 template <>

@@ -23,18 +23,19 @@ struct FilmCell {
   /// Stress times strain, including the shear of the flow in a film [Pa]. Its mean over the box is the modulus, or the
   /// compliance under a traction boundary; where all phases are elastic it is twice the energy density.
   double work = 0.0;
-  /// In a film: the displacement of its second side relative to the first along the film (slip) and across it
-  /// (opening), and the mean displacement by the parabolic flow relative to the mean of the sides [m]. Zero elsewhere.
+  /// Displacements in a film [m], zero elsewhere: that of its second side relative to the first, along the film (slip)
+  /// and across it (opening), and the mean displacement of the parabolic flow relative to the mean of the sides.
   double slip = 0.0, opening = 0.0, flow = 0.0;
 };
 
 /// Fields of grains and films, per unit of the load. Periodic grains are whole, so that they may reach beyond the sides
 /// of the box.
 struct FilmFields {
-  std::vector<Vector<2>> points;        ///< their positions [m]
+  std::vector<Vector<2>> points;        ///< positions of the corner points [m]
   std::vector<Vector<2>> displacement;  ///< displacements of the points [m]
   std::vector<FilmCell> cells;
-  std::vector<std::size_t> corners;  ///< points of the cells, one cell after the other, counter-clockwise
+  std::vector<std::size_t>
+      corners;  ///< indices of the corner points of the cells, one cell after the other, counter-clockwise
 };
 
 /// Fields at a time after the load was applied.

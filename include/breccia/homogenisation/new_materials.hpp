@@ -9,7 +9,7 @@
 
 namespace breccia {
 
-/// Error: a new material is to replace an elastic one, no moduli of which but its own were sampled.
+/// Error: a new material is to replace an elastic material for which the study has sampled no moduli but its own.
 class NotVaried : public InputError {
  public:
   using InputError::InputError;

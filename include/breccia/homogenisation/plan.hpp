@@ -14,57 +14,61 @@
 
 namespace breccia {
 
-/// What a virtual test is expected to take: a quasi-static test of all loads, or a dynamic test of one load.
+/// The expected size, time and memory of a virtual test: of a quasi-static test under all loads, or of a dynamic test
+/// under one load.
 struct TestPlan {
   Method method = Method::quasistatic;
   Boundary boundary = Boundary::displacement;
-  std::optional<Load> load = {};  ///< of a dynamic test
-  std::string size = {};          ///< what it is computed with: "100 x 100 cells", "25 grains and films"
-  double unknowns = 0.0;          ///< of a quasi-static test; of a dynamic one its material points
-  double seconds = 0.0;           ///< on one core as that of the measured costs; of a dynamic test on this machine
-  double bytes = 0.0;             ///< memory of the program in this test [B]
-  std::vector<TimeDomain> domains = {};  ///< of a dynamic test
-  double speed = 0.0;                    ///< of a dynamic test, measured on this machine [points x steps/s]
+  std::optional<Load> load = {};  ///< load of a dynamic test
+  std::string size = {};          ///< size of the model: "100 x 100 cells", "25 grains and films"
+  double unknowns = 0.0;          ///< number of unknowns; of a dynamic test, of material points
+  double seconds = 0.0;  ///< time on one core like that of the measured costs; of a dynamic test, on this machine [s]
+  double bytes = 0.0;    ///< memory of the program in this test [B]
+  std::vector<TimeDomain> domains = {};  ///< time domains of a dynamic test
+  double speed = 0.0;                    ///< speed of a dynamic test, measured on this machine [points x steps/s]
 };
 
-/// An empirical rule for the error of a grid: with c cells along some length it is at most error_of_one c^-order.
+/// An empirical rule for the error of a grid: with c cells along a characteristic length, the error is at most
+/// error_of_one c^-order.
 struct ErrorRule {
   double error_of_one;  ///< [-]
   double order;         ///< [-]
-  double least_cells;   ///< below them the error may be of any size
+  double least_cells;   ///< number of cells below which the error may be of any size
 
   /// The largest relative error [-] to be expected of the moduli; nothing where it may be of any size.
   [[nodiscard]] std::optional<double> error_with(double cells) const;
-  /// The cells from which on no larger error than this is to be expected [-].
+  /// The number of cells [-] from which on the expected error is no larger than this.
   [[nodiscard]] double cells_for(double error) const;
 };
 
-/// What is expected of the finest grid of a stage.
+/// The finest grid of a stage and the error to be expected of it.
 struct GridPlan {
   double cell_size = 0.0;              ///< [m]
-  double side = 0.0;                   ///< of the box [m]
-  double length = 0.0;                 ///< on whose cells the error depends [m]
-  std::string_view place = {};         ///< of these cells: "in the narrowest gap"
-  std::optional<ErrorRule> rule = {};  ///< nothing where none is known
-  std::string_view without_rule = {};  ///< what has no rule: "ellipsoids"
+  double side = 0.0;                   ///< side of the box [m]
+  double length = 0.0;                 ///< characteristic length, on whose number of cells the error depends [m]
+  std::string_view place = {};         ///< location of this length: "in the narrowest gap"
+  std::optional<ErrorRule> rule = {};  ///< rule for the error; nothing where none is known
+  std::string_view without_rule = {};  ///< name of the content for which there is no rule: "ellipsoids"
 
-  /// Cells along that length [-].
+  /// Number of cells along the characteristic length [-].
   [[nodiscard]] double cells() const { return length / cell_size; }
   /// The largest relative error [-] to be expected; nothing where it is not known, or may be of any size.
   [[nodiscard]] std::optional<double> error() const;
-  /// Cells per side of a grid of which no larger error than this [-] is to be expected; nothing without a rule.
+  /// Cells per side of a grid whose expected error is no larger than this [-]; nothing without a rule.
   [[nodiscard]] std::optional<double> cells_for(double error) const;
 };
 
-/// The plan of a stage, whose box is packed for it.
+/// The plan of a stage. Its box is packed in order to make the plan.
 struct StagePlan {
   std::string stage = {};
   std::vector<TestPlan> tests = {};
-  std::optional<GridPlan> grid = {};  ///< nothing for films, and where nothing determines the error of the grid
-  std::vector<FillerStatistics> fillers = {};  ///< of the packed box
-  std::vector<std::string> warnings = {};      ///< on the stage as it is packed (warnings_on)
+  /// Plan of the grid; nothing for films, and where the error of the grid cannot be estimated.
+  std::optional<GridPlan> grid = {};
+  std::vector<FillerStatistics> fillers = {};  ///< statistics of the fillers in the packed box
+  std::vector<std::string> warnings = {};      ///< warnings about the stage as it is packed (warnings_on)
 };
 
+/// The plan of a study: the plans of its stages.
 struct StudyPlan {
   std::vector<StagePlan> stages = {};
 
@@ -76,9 +80,9 @@ struct StudyPlan {
 
 /// The plans of all tasks of a sweep. Tasks that differ by seeds alone share the plan of the first of them that packs.
 struct SweepPlan {
-  /// A plan, or why there is none: a box that cannot be packed.
+  /// The plan of one or several tasks, or the reason why there is none, such as a box that cannot be packed.
   struct Part {
-    std::vector<std::size_t> tasks = {};  ///< the tasks that share it, rising
+    std::vector<std::size_t> tasks = {};  ///< numbers of the tasks that share the plan, rising
     StudyPlan plan = {};
     std::string failure = {};
   };
@@ -86,7 +90,7 @@ struct SweepPlan {
 
   /// Time of all tasks, one after the other [s].
   [[nodiscard]] double seconds() const;
-  /// The part that takes most memory, of at least one part.
+  /// The part that takes the most memory, if there is at least one part.
   [[nodiscard]] const Part& largest() const;
 };
 
@@ -95,11 +99,11 @@ struct SweepPlan {
 StudyPlan plan_of(const Study& study);
 SweepPlan plan_of(const Sweep& sweep);
 
-/// The least memory [B] of each of several processes that have a test which takes so much on one: its part, and the
-/// program.
+/// The least memory [B] that each of several processes needs for a test that takes `bytes` on a single process: its
+/// part of the data, and the program.
 double memory_of_process(double bytes, int processes);
 
-/// A study will take more memory than there is.
+/// Error: a study will take more memory than there is.
 class LackingMemory : public InputError {
  public:
   using InputError::InputError;
@@ -108,9 +112,10 @@ class LackingMemory : public InputError {
 /// Throws LackingMemory where a stage needs more than the available memory [B], with a line for every stage and method
 /// and the number of cells, or of grains with films, that would fit. It assumes a single process. Nothing is packed.
 void require_memory(const Study& study, double available);
-/// Throws the same for these tasks of a sweep; for equal lines it names the first task and counts the others.
+/// Overload for these tasks of a sweep. Where several tasks have equal lines, the message names the first of these
+/// tasks and counts the others.
 void require_memory(const Sweep& sweep, const std::vector<std::size_t>& tasks, double available);
-/// Throws the same for all tasks of a sweep.
+/// Overload for all tasks of a sweep.
 void require_memory(const Sweep& sweep, double available);
 
 }  // namespace breccia

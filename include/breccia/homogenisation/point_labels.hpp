@@ -9,17 +9,17 @@
 
 namespace breccia {
 
-/// What is at the material points of a stage, in the order of Grid::point_index: x runs fastest, then y upwards, then
-/// z.
+/// The phases and particles at the material points of a stage, in the order of Grid::point_index: x runs fastest, then
+/// y upwards, then z.
 struct PointLabels {
-  std::vector<PhaseIndex> phases;  ///< by the numbers of phases_of(stage)
-  /// The particle with its coating, or the grain, counted from 0; -1 in the matrix. Empty for an image, whose pixels do
-  /// not tell one particle from another.
+  std::vector<PhaseIndex> phases;  ///< phase of each point, by the numbers of phases_of(stage)
+  /// Number of the particle (with its coating) or of the grain at each point, from 0; -1 in the matrix. Empty for an
+  /// image, whose pixels do not distinguish particles.
   std::vector<std::int32_t> particles;
 };
 
-/// The points on `cells` cells along each side of the box. Each has the phase at its place (Mixing::points), whatever
-/// mixing the tests have.
+/// The labels of the points of a grid of `cells` cells along each side of the box. Each point has the phase at its
+/// position (Mixing::points), whatever mixing the tests use.
 PointLabels point_labels(const Stage& stage, const StageMicrostructure& packed, int cells);
 
 }  // namespace breccia

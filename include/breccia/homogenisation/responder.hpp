@@ -12,58 +12,61 @@
 
 namespace breccia {
 
-/// A modulus of a stage at one Laplace variable [Pa], and its derivatives [-] by the Carson moduli of those materials
-/// of the study that vary, by their names.
+/// A modulus of a stage at one Laplace variable [Pa], and its derivatives [-] with respect to the Carson moduli of the
+/// materials that vary, by the names of these materials.
 struct ModulusAndGradient {
   double modulus = 0.0;
   std::map<std::string, Moduli> gradient = {};
 };
 
 /// Computes the stages of a solved study with other materials, at another temperature or at other times, in
-/// milliseconds, from their reduced responses. A responder does not change: at(), with() and the like return another
-/// one.
+/// milliseconds, from their reduced responses. A responder is immutable: at(), with(), within(), chain_of() and alone()
+/// return a new one.
 class Responder {
  public:
-  /// The stages with the materials of their study. `materials` are all of the study, as far as they are known, with
-  /// the laws of their temperature shifts. Throws InputError where stages are of several studies, given twice,
-  /// or build on each other in a circle.
+  /// Takes stages with the materials of their study. `materials` lists all materials of the study, as far as they are
+  /// known, with the laws of their temperature shifts. Throws InputError where the stages belong to several studies,
+  /// one is given twice, or stages build on each other in a circle.
   explicit Responder(std::vector<StageResponses> stages, const std::vector<ShiftedMaterial>& materials = {});
 
-  /// The materials that vary at another temperature [K]. An elastic matrix stays what it is, with a warning in the
-  /// results. Throws InputError where a material that relaxes has no law, or not at that temperature.
+  /// A responder whose varying materials are at another temperature [K]. An elastic matrix does not change; the results
+  /// then have a warning. Throws InputError where a material that relaxes has no shift law, or that law does not reach
+  /// the temperature.
   [[nodiscard]] Responder at(double temperature) const;
-  /// Other materials in place of those that they name. Throws InputError, with one line for each mistake: a name that
-  /// is none of a material or a phase that varies, a phase that is of several materials, a material that is replaced
-  /// twice, a stage without the one that it builds on; NotVaried where a material is elastic and was not sampled.
+  /// A responder with new materials in place of those that they name. Throws InputError, with one line for each
+  /// mistake: a name that no varying material or phase has, a phase made up of several materials, a material that is
+  /// replaced twice, a stage without the stage that it builds on; NotVaried where a material is elastic and was not
+  /// sampled.
   [[nodiscard]] Responder with(const std::vector<NewMaterial>& materials) const;
-  /// Other first and last times of the curves than those of the study [s].
+  /// A responder with other first and last times of the curves [s].
   [[nodiscard]] Responder within(const TimeWindow& times) const;
-  /// One stage and those that it builds on. Throws InputError if there is no such stage.
+  /// A responder with one stage and the stages that it builds on. Throws InputError if there is no such stage.
   [[nodiscard]] Responder chain_of(const std::string& stage) const;
-  /// One stage without those that it builds on; its matrix has to be given by with(). Throws InputError if there is no
-  /// such stage.
+  /// A responder with one stage, without the stages that it builds on; its matrix has to be given by with(). Throws
+  /// InputError if there is no such stage.
   [[nodiscard]] Responder alone(const std::string& stage) const;
 
-  /// The results of the stages, in the order in which they build on each other: the matrix of a later stage is the new
-  /// result of the one before it. Each has the warnings of its run but those on the materials that vary, and anew those
-  /// on the materials and bounds that it has now. Throws NotCovered if a material leaves the sampled range, with the
-  /// times that are covered; InputError if a stage lacks its matrix.
+  /// Computes the results of the stages, in the order in which they build on each other: the matrix of a later stage is
+  /// the new result of the stage before it. Each result has those warnings of its study that do not depend on the
+  /// varying materials, and new warnings about its present materials and bounds. Throws NotCovered, with the times that
+  /// are covered, if a material leaves the sampled range; InputError if a stage lacks its matrix.
   [[nodiscard]] std::vector<StageResult> respond() const;
 
-  /// The modulus of a stage at a real Laplace variable s [1/s], by its correspondence with an elastic composite, on the
-  /// finest grid: the test under bulk has K, in plane strain K + G/3. Throws InputError if there is no such test.
+  /// The modulus of a stage at a real Laplace variable s [1/s], by the correspondence principle, on the finest grid.
+  /// Under the load `bulk` it is K, in plane strain K + G/3. Throws InputError if there is no such test.
   [[nodiscard]] ModulusAndGradient modulus_and_gradient(const std::string& stage, Load load, Boundary boundary,
                                                         double laplace_variable) const;
-  /// The modulus at these moduli [Pa] of the materials that vary, by the names of the materials.
+  /// The modulus of a stage whose varying materials have these moduli [Pa], which are given by the names of the
+  /// materials.
   [[nodiscard]] ModulusAndGradient modulus_and_gradient(const std::string& stage, Load load, Boundary boundary,
                                                         const std::map<std::string, Moduli>& moduli) const;
 
-  /// The stages with the materials and times that they have now, under the names of the materials in the study.
+  /// The stages with their present materials and times. Materials have the names that they have in the study.
   [[nodiscard]] const std::vector<StageResponses>& stages() const noexcept { return stages_; }
-  /// The materials of the study, with those that are replaced, under the names in the study.
+  /// The materials of the study, with new materials under the names of those that they replace.
   [[nodiscard]] const std::vector<ShiftedMaterial>& materials() const noexcept { return materials_; }
-  /// The names of the materials that vary as results show them, such as "binder at 40 degC", each once, by their names
-  /// in the study.
+  /// The names under which results show the varying materials, such as "binder at 40 degC", each once, in the
+  /// alphabetical order of the names in the study.
   [[nodiscard]] std::vector<std::string> shown_names() const;
 
  private:
@@ -81,7 +84,7 @@ class Responder {
 
   std::vector<StageResponses> stages_;
   std::vector<ShiftedMaterial> materials_;
-  std::map<std::string, ShownName> shown_ = {};  ///< names of replaced materials by those in the study
+  std::map<std::string, ShownName> shown_ = {};  ///< shown names of replaced materials, by their names in the study
   std::set<std::string> unshifted_ = {};         ///< elastic materials that were asked for at another temperature
 };
 

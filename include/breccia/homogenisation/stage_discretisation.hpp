@@ -21,37 +21,35 @@ Phases phases_of(const Stage& stage);
 /// earlier stage.
 std::vector<Material> materials_of(const Stage& stage, const Material& matrix);
 
-/// The material points of a stage, in the dimensions of its box.
+/// The material points of a stage, in two or in three dimensions.
 using StageDiscretisation = std::variant<Discretisation<2>, Discretisation<3>>;
 
-/// The material points of a stage with these particles, on `cells` cells along each side of its box, or those in some
-/// layers of the cells. The points have the phases of the stage (phases_of), and those of cells that an interface
-/// crosses are as `mixing` says. Throws InputError when a particle belongs to no filler of the stage. Instantiated for
-/// 2 and 3 dimensions.
+/// Discretises a stage with these particles on `cells` cells along each side of its box, or on some layers of these
+/// cells. The points have the phases of the stage (phases_of); in cells that an interface crosses they are as `mixing`
+/// says. Throws InputError when a particle belongs to no filler of the stage. Instantiated for 2 and 3 dimensions.
 template <int dim>
 Discretisation<dim> discretise(const Stage& stage, const Microstructure<dim>& microstructure, int cells, Mixing mixing,
                                const CellLayers& layers = {});
 
-/// The material points of a stage whose box is filled by particles, grains or pixels. Instantiated for 2 and 3
-/// dimensions.
+/// Discretises a stage whose box is filled by particles, grains or pixels. Instantiated for 2 and 3 dimensions.
 template <int dim>
 Discretisation<dim> discretise(const Stage& stage, const Box<dim>& box, int cells, Mixing mixing,
                                const CellLayers& layers = {});
 StageDiscretisation discretise(const Stage& stage, const StageMicrostructure& packed, int cells, Mixing mixing,
                                const CellLayers& layers = {});
 
-/// The same, made by all processes of each machine together, which has it in its memory once. Every process of the
-/// group must call it.
+/// As discretise() above, but all processes of a machine make the discretisation together and share one copy in memory.
+/// Every process of the group must call the function.
 StageDiscretisation discretise_together(const Stage& stage, const StageMicrostructure& packed, int cells,
                                         Mixing mixing);
 
-/// Share of each of so many phases [-].
+/// Fractions of the phases 0 .. phases - 1 [-].
 std::vector<double> fractions(const StageDiscretisation& discretisation, std::size_t phases);
 
-/// Cells along each side.
+/// Number of cells along each side.
 int cells_along(const StageDiscretisation& discretisation);
 
-/// Material points of a stage on `cells` cells along each side of its box.
+/// Number of material points of a stage on `cells` cells along each side of its box.
 std::size_t point_count(const Stage& stage, int cells);
 
 }  // namespace breccia

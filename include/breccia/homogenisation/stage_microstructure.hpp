@@ -17,7 +17,7 @@ namespace breccia {
 
 class Checkpoint;
 
-/// The box of a stage and what fills it, with its statistics.
+/// The box of a stage with its content, and statistics of the content.
 struct StageMicrostructure {
   std::variant<Box<2>, Box<3>> box = {};
   double fraction = 0.0;            ///< area of the particles per area of the box, or volume per volume [-]
@@ -25,11 +25,11 @@ struct StageMicrostructure {
   double wall_gap = 0.0;            ///< smallest gap of a coated particle to a hard wall [m]; infinite without either
   double gap = 0.0;                 ///< smallest gap between two coated particles, or film between grains [m]; infinite
                                     ///< without two particles
-  std::vector<FillerStatistics> fillers = {};  ///< in the order of the stage
+  std::vector<FillerStatistics> fillers = {};  ///< statistics of the fillers, in the order of the stage
   std::uint64_t events = 0;                    ///< number of events of the packing
   double seconds = 0.0;                        ///< wall time of the packing [s]
 
-  /// What fills the box, if it is of this kind, such as Microstructure<2>; nullptr otherwise.
+  /// The content of the box, if it is of this type, such as Microstructure<2>; nullptr otherwise.
   template <class Content>
   [[nodiscard]] const Content* content() const {
     return find_alternative<Content>(box);
@@ -38,18 +38,19 @@ struct StageMicrostructure {
   [[nodiscard]] const GrainStatistics* grains() const;
   /// Number of particles, or of grains that the films leave; 0 for an image.
   [[nodiscard]] std::size_t particles() const;
-  /// Diameter [m] of equal balls with the same volume and the same interface per volume of the box; infinite without
-  /// an interface. Of a box of three dimensions.
+  /// Diameter [m] of equal balls with the same volume and the same interface per volume of the box; infinite without an
+  /// interface. It is defined for boxes of three dimensions.
   [[nodiscard]] double mean_diameter() const;
-  /// Largest difference of the drawn and the wanted size distribution of a filler [-]; nothing where none was drawn.
+  /// Largest difference between the drawn and the wanted size distribution of a filler [-]; nothing where no sizes were
+  /// drawn.
   [[nodiscard]] std::optional<double> size_deviation() const;
 };
 
 /// Makes the microstructure of a stage: packs the particles of all its fillers together, arranges them regularly, or
 /// takes them from its list or its image. With a checkpoint, an earlier state is resumed, and the state and finally the
-/// result are saved; a random sequential packing, which takes seconds, begins anew and comes to the same bits. Throws
-/// InputError when the sizes are invalid, or when particles of a list or a regular array overlap or leave the box;
-/// NumericalError when the packing is impossible; Interrupted when the run shall end (CheckpointSchedule::stop).
+/// result are saved; a random sequential packing, which takes seconds, begins anew, with bitwise identical results.
+/// Throws InputError when the sizes are invalid, or when particles of a list or a regular array overlap or leave the
+/// box; NumericalError when the packing is impossible; Interrupted when the run shall end (CheckpointSchedule::stop).
 StageMicrostructure make_microstructure(const Stage& stage, const ProgressObserver& follow = {},
                                         Checkpoint* checkpoint = nullptr);
 

@@ -15,6 +15,7 @@ namespace breccia {
 /// its moduli with other materials. They come from a result in memory (responses_of) or from a file `response.h5`
 /// (results/response_file.hpp).
 struct StageResponses {
+  /// The reduced response of one test, and the grid of the test.
   struct Entry {
     TestGrid grid;
     ReducedResponse response;
@@ -24,18 +25,18 @@ struct StageResponses {
   StageMatrix matrix;  ///< an earlier stage or a material; a file keeps only the name
   /// Materials of the other phases whose moduli vary, by the names of the phases.
   std::map<std::string, Material> other_phases = {};
-  double filler_density = 0.0;                ///< mean of fillers and coatings by volume [kg/m^3]; unused (0) without
-  double filler_fraction = 0.0;               ///< of fillers and coatings [-]
-  double side = 0.0;                          ///< side of the box [m]
-  int dimensions = 2;                         ///< of the box
-  std::string deck_hash;                      ///< of the study that left it (provenance_of)
-  double fit_tolerance = 0.0;                 ///< of the study [-]
-  TimeWindow times;                           ///< of the study [s]
-  int points_per_decade = 20;                 ///< of its curves
-  SampledRange range = SampledRange::matrix;  ///< over which the responses were sampled
-  Mixing mixing = Mixing::series;             ///< of the study: what is made of several grids
-  /// The materials of its fillers, by name, and its warnings in that study. A response file has neither; they are read
-  /// from `study.json`.
+  double filler_density = 0.0;   ///< mean density of fillers and coatings by volume [kg/m^3]; unused (0) without them
+  double filler_fraction = 0.0;  ///< share of fillers and coatings in the box [-]
+  double side = 0.0;             ///< side of the box [m]
+  int dimensions = 2;            ///< dimensions of the box
+  std::string deck_hash;         ///< hash of the study that computed the responses (provenance_of)
+  double fit_tolerance = 0.0;    ///< tolerance of fits in the study [-]
+  TimeWindow times;              ///< first and last time of the study's curves [s]
+  int points_per_decade = 20;    ///< samples per decade of the study's curves
+  SampledRange range = SampledRange::matrix;  ///< range of moduli over which the responses were sampled
+  Mixing mixing = Mixing::series;  ///< mixing of the study, which determines how results on several grids are combined
+  /// Names of the materials of the stage's fillers, and the warnings about the stage in the study. A response file holds
+  /// neither; they are read from `study.json`.
   std::vector<std::string> fillers = {}, warnings = {};
   std::vector<Entry> entries;
 };
@@ -44,11 +45,12 @@ struct StageResponses {
 /// quasi-static method with the reduced solver. Throws InputError where the result has another name or grid.
 StageResponses responses_of(const Study& study, const Stage& stage, const StageResult& result);
 
-/// The reduced responses of all stages of a study that have such tests, in their order. Throws InputError where the
-/// result is that of another study, or of this one before it was changed.
+/// The reduced responses of all stages of a study that have such tests, in the order of the stages. Throws InputError
+/// where the result is that of another study, or of this one before it was changed.
 std::vector<StageResponses> responses_of(const Study& study, const StudyResult& result);
 
-/// The names of the materials that the stages have as matrix, and of those of their other phases whose moduli vary.
+/// The names of the varying materials of the stages: of the matrices that are materials, and of the other phases whose
+/// moduli vary.
 std::vector<std::string> varying_materials(const std::vector<StageResponses>& stages);
 
 }  // namespace breccia

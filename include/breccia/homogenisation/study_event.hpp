@@ -10,54 +10,56 @@
 
 namespace breccia {
 
-// What happens while a study is solved. `result` is all that has been found; its last stage is the one that is meant.
+// Events of the solution of a study. `result` holds all results so far; an event concerns the last stage in it.
 
-/// A stage that was known before was added to the result and compared with the measurements of this study.
+/// Event: a stage that was known before was added to the result and compared with the measurements of this study.
 struct StageAdopted {
   const Stage& stage;
   const StudyResult& result;
 };
 
-/// A stage has its microstructure.
+/// Event: the microstructure of a stage has been made.
 struct StagePacked {
   const Stage& stage;
   const StudyResult& result;
 };
 
-/// A time domain of a dynamic test is finished.
+/// Event: a time domain of a dynamic test is finished.
 struct DomainFinished {
   const Stage& stage;
   TestId test;
-  std::size_t number = 1;  ///< from 1
+  std::size_t number = 1;  ///< number of the time domain, from 1
   const TimeDomain& domain;
 };
 
-/// An earlier run has finished a test, as its saved state shows, and has stored its fields at these times [s].
+/// Event: a test was finished by an earlier run, as its saved state shows, which has stored the fields at these times
+/// [s].
 struct FieldsStoredBefore {
   const Stage& stage;
   TestId test;
   std::vector<double> times;
 };
 
-/// A test, or the extrapolation of several, was added to the last stage: it is the last of its tests.
+/// Event: a test, or the extrapolation of several tests, was added to the last stage. It is the last test of that
+/// stage.
 struct TestFinished {
   const Stage& stage;
   const StudyResult& result;
 };
 
-/// All loads of a quasi-static test were added to the last stage.
+/// Event: the results of a quasi-static test under all loads were added to the last stage.
 struct AllLoadsFinished {
   const Stage& stage;
   const StudyResult& result;
 };
 
-/// All tests of the last stage are finished and compared with the measurements.
+/// Event: all tests of the last stage are finished and compared with the measurements.
 struct StageFinished {
   const Stage& stage;
   const StudyResult& result;
 };
 
-/// All stages are finished; the result has its wall time.
+/// Event: all stages are finished; the result has its wall time.
 struct StudyFinished {
   const StudyResult& result;
 };

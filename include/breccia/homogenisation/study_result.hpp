@@ -17,26 +17,29 @@
 
 namespace breccia {
 
-/// How a quasi-static result was computed.
+/// Record of the computation of a quasi-static result.
 struct QuasistaticRecord {
-  std::optional<ReducedResponse> reduced = {};  ///< of the reduced solver alone
-  std::optional<double> fit_error = {};  ///< largest relative deviation of the series from the steps [-], of stepping
-  LinearEffort effort = {};              ///< of all loads together
+  std::optional<ReducedResponse> reduced = {};  ///< reduced response; the reduced solver alone has one
+  /// Largest relative deviation of the series from the time steps [-]; of the stepping solver alone.
+  std::optional<double> fit_error = {};
+  LinearEffort effort = {};  ///< cost of the linear systems of all loads together
 };
 
-/// How a dynamic result was computed.
+/// Record of the computation of a dynamic result.
 struct DynamicRecord {
   std::vector<TimeDomain> domains = {};
-  std::vector<Overlap> overlaps = {};    ///< of neighbouring domains, in their order
-  std::optional<double> fit_error = {};  ///< of the fit by which a compliance is converted (DynamicTestResult)
+  std::vector<Overlap> overlaps = {};  ///< overlaps of neighbouring domains, in the order of the domains
+  /// Error of the fit by which a compliance is converted [-] (DynamicTestResult).
+  std::optional<double> fit_error = {};
 };
 
-/// How a curve was extrapolated.
+/// Record of the extrapolation of a curve to vanishing cells.
 struct ExtrapolationRecord {
   std::vector<int> cells = {};  ///< cells per side of the grids, rising
 };
 
-/// The result of one virtual test of one stage under one load: what its readers need, and how it was computed.
+/// The result of one virtual test of one stage under one load: its curves and their errors, and a record of the
+/// computation.
 struct TestResult {
   TestId id;
   Curve modulus = {};       ///< relaxation modulus; for a creep test by interconversion
@@ -46,16 +49,17 @@ struct TestResult {
   /// it is unknown.
   double error_estimate = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> half_bands = {};  ///< half width of the error band of an extrapolated modulus at each time [Pa]
-  std::optional<double> seconds = {};   ///< wall time, of all loads of a quasi-static test together; else none
-  TestFields fields = {};               ///< without times where a sink has stored them
-  /// Nothing where it is not known: in results that were read from their files.
+  /// Wall time [s], of a quasi-static test that of all loads together; nothing for extrapolated curves.
+  std::optional<double> seconds = {};
+  TestFields fields = {};  ///< fields; without times where a sink has stored them
+  /// Record of the computation; std::monostate where it is not known, as in results that were read from files.
   std::variant<std::monostate, QuasistaticRecord, DynamicRecord, ExtrapolationRecord> record = {};
 };
 
 /// The test under a load and a boundary on the preferred grid (is_preferred); nullptr if there is no such test.
 const TestResult* find_preferred_test(const std::vector<TestResult>& tests, Load load, Boundary boundary,
                                       Method method = Method::quasistatic);
-/// The same; throws InputError if there is no such test.
+/// As find_preferred_test(), but throws InputError if there is no such test.
 const TestResult& preferred_test(const std::vector<TestResult>& tests, Load load, Boundary boundary,
                                  Method method = Method::quasistatic);
 
@@ -79,7 +83,7 @@ struct ComparedSample {
 struct Comparison {
   std::string measurement;              ///< label of the measurement
   TestId test;                          ///< the preferred test of its boundary and method
-  std::vector<ComparedSample> samples;  ///< at the times of the curve, at least one
+  std::vector<ComparedSample> samples;  ///< samples at the times of the curve, at least one
 
   /// The sample whose ratio is nearest to one.
   [[nodiscard]] const ComparedSample& best() const;
@@ -87,16 +91,16 @@ struct Comparison {
   [[nodiscard]] const ComparedSample& worst() const;
 };
 
-/// What the tests of one stage have found so far.
+/// The results of the tests of one stage so far.
 struct StageFindings {
   std::string name;
   int cells = 0;
-  int dimensions = 2;           ///< of the box
-  std::size_t points = 0;       ///< material points of the finest grid; none where films are computed without cells
+  int dimensions = 2;      ///< dimensions of the box
+  std::size_t points = 0;  ///< number of material points of the finest grid; 0 where films are computed without cells
   double point_fraction = 0.0;  ///< share of the material points, or of the box, that is filler [-]
   std::vector<TestResult> tests;
   std::vector<StageMaterial> materials;  ///< the stage as a material, for later stages
-  std::vector<Comparison> comparisons;   ///< with all measurements of the stage
+  std::vector<Comparison> comparisons;   ///< comparisons with all measurements of the stage
   std::vector<std::string> warnings;     ///< reasons to doubt the results
 };
 
@@ -109,7 +113,7 @@ struct StageResult : StageFindings {
 struct StudyResult {
   std::vector<StageResult> stages;
   std::optional<double> seconds = {};  ///< wall time, once all stages are done
-  std::string study_hash = {};         ///< of the study that was solved (provenance_of)
+  std::string study_hash = {};         ///< hash of the study that was solved (provenance_of)
 };
 
 }  // namespace breccia

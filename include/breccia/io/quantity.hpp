@@ -19,20 +19,20 @@ enum class Quantity {
   x,                           ///< [m]
   y,                           ///< [m]
   z,                           ///< [m]
-  cumulative_volume_fraction,  ///< from 0 to 1
-  weight,                      ///< of a site of a tessellation [m^2]
-  film_share,                  ///< of the films around the grain of a site [-]
-  filler,                      ///< number of the filler of a particle; known beside sizes or corners alone
-  axis_1,                      ///< whole first axis of an ellipse [m]
-  axis_2,                      ///< whole second axis of an ellipse [m]
-  angle,                       ///< from the x axis to the first axis of an ellipse [rad]
-  particle,                    ///< number of the particle that a corner belongs to
-  axis_3,                      ///< whole third axis of an ellipsoid [m]
-  azimuth,                     ///< from the x axis to the first axis of an ellipsoid, in the xy plane [rad]
-  elevation,                   ///< of the first axis of an ellipsoid above the xy plane [rad]
-  roll,                        ///< of an ellipsoid about its first axis [rad]
-  shift_factor,                ///< a_T of time-temperature superposition [-]
-  log10_shift_factor,          ///< its logarithm [-]
+  cumulative_volume_fraction,  ///< volume of the particles up to a diameter over that of all, from 0 to 1 [-]
+  weight,                      ///< weight of a site of a tessellation [m^2]
+  film_share,                  ///< share of the films around the grain of a site [-]
+  filler,              ///< number of the filler of a particle; recognised only beside columns of sizes or corners
+  axis_1,              ///< whole first axis of an ellipse [m]
+  axis_2,              ///< whole second axis of an ellipse [m]
+  angle,               ///< angle from the x axis to the first axis of an ellipse [rad]
+  particle,            ///< number of the particle that a corner belongs to
+  axis_3,              ///< whole third axis of an ellipsoid [m]
+  azimuth,             ///< angle from the x axis to the first axis of an ellipsoid, in the xy plane [rad]
+  elevation,           ///< angle of the first axis of an ellipsoid above the xy plane [rad]
+  roll,                ///< angle by which an ellipsoid is turned about its first axis [rad]
+  shift_factor,        ///< factor a_T of time-temperature superposition [-]
+  log10_shift_factor,  ///< decadic logarithm of the shift factor [-]
 };
 
 }  // namespace breccia

@@ -13,7 +13,7 @@ struct Ball {
   Vector<dim> centre;  ///< [m]
   double diameter;     ///< [m]
 
-  /// True for points inside and on the surface.
+  /// Whether a point is inside the ball or on its surface.
   [[nodiscard]] bool contains(const Vector<dim>& point) const noexcept {
     double squared_distance = 0.0;
     for (std::size_t d = 0; d < centre.size(); ++d) squared_distance += (point[d] - centre[d]) * (point[d] - centre[d]);

@@ -16,9 +16,9 @@ namespace breccia {
 /// The points x with normal . x <= offset.
 template <int dim>
 struct HalfSpace {
-  Vector<dim> normal;    ///< of the plane that bounds it, outward, of length 1 [-]
-  double offset;         ///< of this plane from the origin, along the normal [m]
-  std::uint32_t behind;  ///< the caller's number of the neighbour or wall behind this plane
+  Vector<dim> normal;    ///< outward normal of the plane that bounds the half-space, of length 1 [-]
+  double offset;         ///< distance of this plane from the origin, along the normal [m]
+  std::uint32_t behind;  ///< number that the caller gives to the neighbour or wall behind this plane
 
   /// Height of a point above the plane [m]; negative inside.
   [[nodiscard]] double height(const Vector<dim>& point) const noexcept {
@@ -49,11 +49,12 @@ class ConvexCell {
 
   [[nodiscard]] bool is_empty() const noexcept { return corners_.empty(); }
   [[nodiscard]] std::span<const Corner> corners() const noexcept { return corners_; }
-  /// The half-spaces; until trim() also those whose face has been cut off.
+  /// The half-spaces that bound the cell. Before trim() they include those whose face has been cut off.
   [[nodiscard]] std::span<const HalfSpace<dim>> half_spaces() const noexcept { return half_spaces_; }
   /// Largest distance of a corner from the origin [m].
   [[nodiscard]] double reach() const noexcept;
-  /// Number of the corner at the other end of the edge of a corner that leaves its plane `slot`.
+  /// Number of the corner at the other end of an edge: of the edge that leads from a corner away from the corner's
+  /// plane `slot`.
   [[nodiscard]] std::size_t corner_across(std::size_t corner, std::size_t slot) const noexcept;
 
   /// Cuts off the part outside the half-space. Returns false if there is none.
@@ -71,7 +72,7 @@ class ConvexCell {
   double tolerance_ = 0.0;  // height of a corner above a plane that is roundoff [m]
 };
 
-/// [m^dim]
+/// Volume of a cell [m^dim].
 template <int dim>
 [[nodiscard]] double volume(const ConvexCell<dim>& cell);
 
@@ -80,13 +81,15 @@ template <int dim>
 [[nodiscard]] std::vector<double> face_measures(const ConvexCell<dim>& cell);
 
 template <int dim>
+/// Volume, centroid and covariance of a cell.
 struct Moments {
-  double volume = 0.0;                                                  ///< [m^dim]
-  Vector<dim> centroid{};                                               ///< [m]
-  std::array<Vector<dim>, static_cast<std::size_t>(dim)> covariance{};  ///< of the points in the cell [m^2]
+  double volume = 0.0;     ///< volume [m^dim]
+  Vector<dim> centroid{};  ///< centroid [m]
+  std::array<Vector<dim>, static_cast<std::size_t>(dim)>
+      covariance{};  ///< covariance of the positions of the points in the cell [m^2]
 };
 
-/// Volume, centroid and mean square distances from it. Zeros for an empty cell.
+/// Volume and centroid of a cell, and the covariance of its points about the centroid. Zeros for an empty cell.
 template <int dim>
 [[nodiscard]] Moments<dim> moments(const ConvexCell<dim>& cell);
 
@@ -95,7 +98,7 @@ template <int dim>
 template <int dim>
 [[nodiscard]] double aspect_ratio(const Moments<dim>& moments);
 
-/// The corners counter-clockwise [m].
+/// The corners of a cell in two dimensions, counter-clockwise [m].
 [[nodiscard]] std::vector<Vector<2>> polygon(const ConvexCell<2>& cell);
 
 }  // namespace breccia

@@ -10,31 +10,31 @@
 
 namespace breccia {
 
-/// A mistake of one corner of a polygon.
+/// A mistake in one corner of a polygon.
 struct CornerMistake {
-  std::size_t corner;  ///< its number, from 0
+  std::size_t corner;  ///< number of the corner, from 0
   std::string text;
 };
 
-/// The mistakes that keep corners, in their order around the polygon either way, from making a convex polygon: fewer
-/// than three corners, one that is not finite, two at one point, one that points inwards, sides that cross. Empty if
-/// there are none.
+/// The reasons why these corners, in their order around the polygon in either direction, do not make a convex polygon:
+/// fewer than three corners, a corner that is not finite, two corners at one point, a corner that points inwards, sides
+/// that cross. Empty if the polygon is convex.
 [[nodiscard]] std::vector<CornerMistake> corner_mistakes(std::span<const Vector<2>> corners);
 
 /// A convex polygon with its centroid in the origin. Copies share their corners.
 class ConvexPolygon {
  public:
-  /// Corners [m] in their order around the polygon, either way; they are moved so that the centroid is the origin.
-  /// Throws InputError that lists corner_mistakes().
+  /// Takes the corners [m] in their order around the polygon, in either direction, and moves them so that the centroid
+  /// is the origin. Throws InputError with the list of corner_mistakes().
   explicit ConvexPolygon(std::vector<Vector<2>> corners);
 
   [[nodiscard]] std::span<const Vector<2>> corners() const noexcept { return *corners_; }  ///< counter-clockwise [m]
   /// The polygon with all lengths multiplied by a factor.
   [[nodiscard]] ConvexPolygon scaled(double factor) const;
 
-  /// The point farthest along a direction of length 1.
+  /// The point of the polygon that lies farthest along a direction, which has length 1.
   [[nodiscard]] SupportPoint support(const Vector<2>& direction) const noexcept;
-  /// True for points inside and on the outline.
+  /// Whether a point is inside the polygon or on its outline.
   [[nodiscard]] bool contains(const Vector<2>& point) const noexcept;
   /// Distance from a point inside to the outline [m]; 0 on it.
   [[nodiscard]] double depth(const Vector<2>& point) const noexcept;
@@ -44,7 +44,7 @@ class ConvexPolygon {
   }
 
  private:
-  /// Smallest distance of a point from the lines of the sides [m], counted inwards: negative outside.
+  /// Smallest distance of a point from the lines of the sides [m]; positive inside the polygon, negative outside.
   [[nodiscard]] double height(const Vector<2>& point) const noexcept;
 
   std::shared_ptr<const std::vector<Vector<2>>> corners_;

@@ -7,11 +7,11 @@
 
 namespace breccia {
 
-/// Positions of equal spheres in a cubic cell, beside the one in its centre.
+/// A cubic lattice of equal spheres: the positions of spheres in a cubic cell in addition to the one in its centre.
 enum class Lattice {
-  simple,        ///< nowhere else: one sphere a cell, with six nearest neighbours
-  body_centred,  ///< in its corners: two spheres a cell, with eight nearest neighbours
-  face_centred   ///< in the middle of its edges: four spheres a cell, with twelve nearest neighbours
+  simple,        ///< no other position: one sphere a cell, with six nearest neighbours
+  body_centred,  ///< the corners of the cell: two spheres a cell, with eight nearest neighbours
+  face_centred   ///< the middle of its edges: four spheres a cell, with twelve nearest neighbours
 };
 
 template <>
@@ -24,11 +24,11 @@ inline constexpr auto words<Lattice> = std::to_array<Word<Lattice>>({{"sc", Latt
 /// spheres touch.
 [[nodiscard]] Microstructure<3> cubic_array(Lattice lattice, double side, int repeats, double diameter);
 
-/// Diameter of the spheres of such an array that fill this fraction of the box [m]. Throws InputError if a number is
-/// not positive or the spheres touch.
+/// Diameter [m] with which the spheres of a cubic_array() fill this fraction of the box. Throws InputError if a number
+/// is not positive or the spheres touch.
 [[nodiscard]] double cubic_array_diameter(Lattice lattice, double side, int repeats, double fraction);
 
-/// Distance of the nearest centres of such an array, per side of a cell [-].
+/// Distance between the centres of nearest neighbours in a cubic_array(), in units of the side of a cell [-].
 [[nodiscard]] double nearest_distance(Lattice lattice);
 
 }  // namespace breccia

@@ -6,11 +6,11 @@ namespace breccia {
 
 /// An ellipse with its axes along x and y, around the origin.
 struct Ellipse {
-  Vector<2> axes;  ///< whole lengths [m]
+  Vector<2> axes;  ///< whole lengths of the axes [m]
 
-  /// The point farthest along a direction of length 1.
+  /// The point of the ellipse that lies farthest along a direction, which has length 1.
   [[nodiscard]] SupportPoint support(const Vector<2>& direction) const noexcept;
-  /// True for points inside and on the outline.
+  /// Whether a point is inside the ellipse or on its outline.
   [[nodiscard]] bool contains(const Vector<2>& point) const noexcept;
   /// A lower bound of the distance from a point inside to the outline [m]; 0 on it.
   [[nodiscard]] double depth(const Vector<2>& point) const noexcept;

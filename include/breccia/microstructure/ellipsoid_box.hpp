@@ -25,7 +25,7 @@ struct EllipsoidBox {
   [[nodiscard]] double coating_of(std::size_t particle) const { return coatings.empty() ? 0.0 : coatings.at(particle); }
 };
 
-/// The particles as balls, if all of them are balls.
+/// The box with its particles as balls, if all of them are balls; nothing otherwise.
 [[nodiscard]] std::optional<Microstructure<3>> as_balls(const EllipsoidBox& box);
 
 /// Volume of the particles per volume of the box, without coatings.

@@ -5,11 +5,11 @@
 
 namespace breccia {
 
-/// The indices of a cell or point of a lattice, or their number along each axis.
+/// The indices of a cell or point of a lattice along each axis, or the numbers of cells or points along each axis.
 template <int dim>
 using Index = std::array<int, static_cast<std::size_t>(dim)>;
 
-/// Indices from `begin` to before `end` along every axis.
+/// A range of indices: from `begin` up to, but not including, `end` along every axis.
 template <int dim>
 struct IndexRange {
   Index<dim> begin{}, end{};
@@ -26,7 +26,7 @@ struct IndexRange {
     }
     return true;
   }
-  /// Number of an index among them, the first axis fastest.
+  /// Position of an index in the list of all indices in the range, where the first axis runs fastest.
   [[nodiscard]] std::size_t place_of(const Index<dim>& index) const noexcept {
     std::size_t number = 0;
     for (std::size_t axis = index.size(); axis-- > 0;) {

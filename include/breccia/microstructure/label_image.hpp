@@ -23,7 +23,7 @@ struct LabelImage {
   Walls walls = Walls::hard;  ///< whether the image continues periodically
   std::vector<Label> labels;  ///< x runs fastest, then y, then z
 
-  /// The label of the pixel at a point [m]; a point on the border of two pixels belongs to that of the greater
+  /// The label of the pixel at a point [m]; a point on the border of two pixels belongs to the pixel with the greater
   /// coordinate. Outside of the box the image is continued: periodically, or with the nearest pixel. The image must be
   /// valid.
   [[nodiscard]] Label label_at(const Vector<dim>& point) const noexcept;
@@ -31,7 +31,7 @@ struct LabelImage {
   friend bool operator==(const LabelImage&, const LabelImage&) = default;
 };
 
-/// An image that its holders share, since it is large.
+/// An image that several objects share, since it is large.
 template <int dim>
 using SharedImage = std::shared_ptr<const LabelImage<dim>>;
 

@@ -8,7 +8,7 @@
 
 namespace breccia {
 
-/// The kind of the sides of the box.
+/// The kind of walls at the sides of a box.
 enum class Walls {
   hard,     ///< particles stay inside the box
   periodic  ///< particles leave on one side and enter on the other
@@ -27,7 +27,7 @@ struct Microstructure {
   [[nodiscard]] std::size_t filler_of(std::size_t particle) const { return fillers.empty() ? 0 : fillers.at(particle); }
 };
 
-/// Calls action(number, ball) for every particle and, in a periodic box, for its images in the boxes around.
+/// Calls action(number, ball) for every particle and, in a periodic box, for its images in the neighbouring boxes.
 template <int dim, class Action>
 void for_each_image(const Microstructure<dim>& microstructure, Action&& action) {
   const int images = microstructure.walls == Walls::periodic ? 1 : 0;

@@ -11,29 +11,29 @@
 
 namespace breccia {
 
-/// The particles to pack, the box, and how to pack them.
+/// A packing to be made: the particles, the box and the settings of the method.
 struct PackingRequest {
-  double side = 0.0;  ///< of the box [0, side]^dim [m]
+  double side = 0.0;  ///< side of the box [0, side]^dim [m]
   Walls walls = Walls::hard;
   std::vector<double> diameters;  ///< [m]
-  double minimum_gap = 0.0;       ///< between surfaces [m]; half of it to a hard wall
+  double minimum_gap = 0.0;       ///< smallest gap between surfaces [m]; half of it to a hard wall
   /// Thickness of a shell around each particle in addition to half the minimum gap [m]: its coating, or the part of its
-  /// own gap beyond the smallest one. No two shells overlap. Empty: none.
+  /// own gap beyond the smallest one. No two shells overlap. Empty if no particle has a shell.
   std::vector<double> shells = {};
   std::uint64_t seed = 1;  ///< the same seed gives the same packing
-  /// Growth rate of the mean diameter, in units of the speed at which particles move; at most 1. A packing that jams
-  /// too early is repeated with slower growth. Slow growth packs denser and takes longer.
+  /// Growth rate of the mean diameter, in units of the speed of the particles; at most 1. A packing that jams too early
+  /// is repeated with slower growth. Slower growth gives a denser packing and takes longer.
   double growth_rate = 0.1;
 };
 
-/// Why particles cannot be packed.
+/// The reason why particles cannot be packed.
 enum class PackingObstacle {
   size,     ///< the largest particle, with the gap, is wider than the box
   density,  ///< no arrangement of particles of such sizes is so dense
   jam       ///< the particles jammed at every growth rate
 };
 
-/// A packing that is impossible.
+/// Error: a packing is impossible.
 class PackingError : public NumericalError {
  public:
   PackingError(PackingObstacle obstacle, double attainable_fraction, const std::string& message)
@@ -62,28 +62,30 @@ struct PackingProgress {
   double fraction_to_reach;  ///< volume fraction at their final size
 };
 
-/// State of an unfinished packing. Together with the request it is sufficient to continue to the same bits. The unit of
-/// length is the mean final diameter with the gap; the unit of time makes the mean speed of order one.
+/// State of an unfinished packing. Together with the request it is sufficient to continue the packing with bitwise
+/// identical results. The unit of length is the mean final diameter with the gap; the unit of time makes the mean speed
+/// of order one.
 template <int dim>
 struct PackingState {
   std::size_t jams = 0;                 ///< number of jams that were loosened
   double largest_scale = 0.0;           ///< largest scale at which it has jammed [-]
   double scale = 0.0;                   ///< present size of the particles over their final size [-]
-  std::uint64_t events = 0;             ///< so far
-  std::vector<Vector<dim>> positions;   ///< of the particles
-  std::vector<Vector<dim>> velocities;  ///< of the particles
-  /// The particles in the order of the heap of events. It determines which of two particles that meet is moved first,
-  /// and so the last digits.
+  std::uint64_t events = 0;             ///< number of events so far
+  std::vector<Vector<dim>> positions;   ///< positions of the particles
+  std::vector<Vector<dim>> velocities;  ///< velocities of the particles
+  /// The particles in the order of the heap (priority queue) of events. The order determines which of two colliding
+  /// particles is moved first, and so the last digits of the positions.
   std::vector<std::uint32_t> queue;
-  std::vector<double> queue_times;  ///< of the event of each particle of `queue`
+  std::vector<double> queue_times;  ///< times of the next events of the particles in `queue`
 };
 
 template <int dim>
+/// The result of a packing.
 struct Packing {
-  std::vector<Ball<dim>> balls;  ///< with the diameters of the request, in the same order
+  std::vector<Ball<dim>> balls;  ///< balls with the diameters of the request, in the same order
   double fraction = 0.0;         ///< volume fraction
-  double gap = 0.0;              ///< smallest between two surfaces [m]; infinite if there are no two
-  std::uint64_t events = 0;      ///< that led there
+  double gap = 0.0;              ///< smallest gap between two surfaces [m]; infinite if there are no two particles
+  std::uint64_t events = 0;      ///< number of events of the packing
 };
 
 template <int dim>
@@ -95,7 +97,7 @@ class GrowingBalls;
 template <int dim>
 class PackingRun {
  public:
-  /// Throws InputError on arguments without meaning, PackingError if the packing is impossible.
+  /// Starts a packing. Throws InputError on meaningless arguments, PackingError if the packing is impossible.
   explicit PackingRun(PackingRequest request);
   /// Continues a run with this request from its state. Also throws InputError if the state belongs to another request.
   PackingRun(PackingRequest request, const PackingState<dim>& state);
@@ -111,7 +113,8 @@ class PackingRun {
   void advance();
   [[nodiscard]] PackingProgress progress() const noexcept;
   [[nodiscard]] PackingState<dim> state() const;
-  /// Throws InputError if it is not done, NumericalError if roundoff has spoilt the gap.
+  /// The result of the packing. Throws InputError if the run is not done, NumericalError if a gap is too small because
+  /// of roundoff.
   [[nodiscard]] Packing<dim> packing() const;
 
  private:
@@ -124,7 +127,7 @@ class PackingRun {
 extern template class PackingRun<2>;
 extern template class PackingRun<3>;
 
-/// A whole packing in one call. Throws as the members of PackingRun do.
+/// Makes a whole packing in one call. Throws the errors of the members of PackingRun.
 template <int dim>
 [[nodiscard]] Packing<dim> pack(const PackingRequest& request);
 

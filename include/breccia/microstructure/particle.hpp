@@ -24,11 +24,11 @@ class Pose {
   /// The pose with this orientation and another centre [m].
   [[nodiscard]] Pose at(const Vector<2>& centre) const noexcept;
 
-  /// A direction as the shape sees it.
+  /// A direction of the box in the coordinates of the shape.
   [[nodiscard]] Vector<2> to_shape(const Vector<2>& direction) const noexcept {
     return {cosine_ * direction[0] + sine_ * direction[1], cosine_ * direction[1] - sine_ * direction[0]};
   }
-  /// A direction of the shape as the box sees it.
+  /// A direction of the shape in the coordinates of the box.
   [[nodiscard]] Vector<2> from_shape(const Vector<2>& direction) const noexcept {
     return {cosine_ * direction[0] - sine_ * direction[1], cosine_ * direction[1] + sine_ * direction[0]};
   }
@@ -60,20 +60,21 @@ struct Particle {
 /// above}}, all positive [m].
 [[nodiscard]] std::array<Vector<2>, 2> extent(const Shape& shape, const Pose& pose);
 
-/// Distance of a point from the outline of a particle [m], exact to rounding outside. Inside it is negative, and the
-/// outline is at least as far away as it says.
+/// Distance of a point from the outline of a particle [m], exact to rounding outside. Inside it is negative, and its
+/// magnitude is a lower bound of the distance.
 [[nodiscard]] double signed_distance(const Particle& particle, const Vector<2>& point);
 
-/// A gap between two shapes, and the direction along which it is.
+/// The gap between two shapes, and its direction.
 struct ParticleGap {
-  double width;         ///< [m]
+  double width;         ///< width of the gap [m]
   Vector<2> direction;  ///< from the first shape to the second, of length 1
 };
 
-/// Distance between the outlines of two particles (theory, Eq. 52): never above the true one, and no more than 1e-13 of
-/// the distance of their centres below it. A gap of `enough` [m] or more is not looked at any closer: its width is a
-/// lower bound then. Negative where the particles overlap: moved by as much along the direction, the second one is
-/// clear of the first; the shortest way out is not longer, and not much shorter where `enough` is infinite.
+/// Distance between the outlines of two particles (theory, Eq. 52): never above the true distance, and at most 1e-13 of
+/// the distance between the centres below it. A gap of `enough` [m] or more is not computed to this accuracy: its width
+/// is then a lower bound. The width is negative where the particles overlap: a displacement of the second particle by
+/// its magnitude along the direction ends the overlap. The shortest displacement that does so is no longer, and not
+/// much shorter where `enough` is infinite.
 [[nodiscard]] ParticleGap gap(const Shape& one, const Pose& at_one, const Shape& other, const Pose& at_other,
                               double enough = std::numeric_limits<double>::infinity());
 

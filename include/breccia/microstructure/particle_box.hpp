@@ -17,17 +17,17 @@ struct ParticleBox {
   std::vector<Particle> particles = {};
   /// The number of the filler that each particle belongs to, from 0; empty where all belong to the first.
   std::vector<std::size_t> fillers = {};
-  /// Thickness of the coating around each particle [m]; empty where none has one.
+  /// Thickness of the coating around each particle [m]; empty where no particle has a coating.
   std::vector<double> coatings = {};
 
   [[nodiscard]] std::size_t filler_of(std::size_t particle) const { return fillers.empty() ? 0 : fillers.at(particle); }
   [[nodiscard]] double coating_of(std::size_t particle) const { return coatings.empty() ? 0.0 : coatings.at(particle); }
 };
 
-/// The particles as discs, if all of them are circles.
+/// The box with its particles as discs, if all of them are circles; nothing otherwise.
 [[nodiscard]] std::optional<Microstructure<2>> as_discs(const ParticleBox& box);
 
-/// Calls action(number, pose) for every particle and, in a periodic box, for its images in the boxes around.
+/// Calls action(number, pose) for every particle and, in a periodic box, for its images in the neighbouring boxes.
 template <class Action>
 void for_each_image(const ParticleBox& box, Action&& action) {
   const int images = box.walls == Walls::periodic ? 1 : 0;

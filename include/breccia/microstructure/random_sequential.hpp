@@ -13,10 +13,10 @@
 
 namespace breccia {
 
-/// A plane particle to place.
+/// A particle to be placed in a plane.
 struct ParticleToPlace {
   Shape shape;
-  std::optional<double> angle = {};  ///< of its first axis from the x axis [rad]; without it at random
+  std::optional<double> angle = {};  ///< angle from the x axis to its first axis [rad]; at random if absent
   /// Thickness of a shell around the particle [m]: its coating and half of its gap. No two shells overlap.
   double shell = 0.0;
   double wall_distance = 0.0;  ///< smallest distance between the particle and a hard wall [m]
@@ -27,7 +27,7 @@ struct RandomSequentialRequest {
   static constexpr int dim = 2;
   using Pose = breccia::Pose;
 
-  double side = 0.0;  ///< of the box [0, side]^2 [m]
+  double side = 0.0;  ///< side of the box [0, side]^2 [m]
   Walls walls = Walls::hard;
   std::vector<ParticleToPlace> particles = {};
   std::uint64_t seed = 1;  ///< the same seed gives the same packing
@@ -35,15 +35,16 @@ struct RandomSequentialRequest {
 
 /// An ellipsoid to place; all orientations are equally likely.
 struct EllipsoidToPlace {
-  Vector<3> axes{};    ///< whole lengths [m]
-  double shell = 0.0;  ///< as that of ParticleToPlace [m]
+  Vector<3> axes{};    ///< whole lengths of the axes [m]
+  double shell = 0.0;  ///< thickness of a shell, as in ParticleToPlace [m]
   double wall_distance = 0.0;
 };
 
 /// Centre and orientation of an ellipsoid.
 struct EllipsoidPose {
-  Vector<3> centre{};                                       ///< [m]
-  std::array<double, 4> quaternion = {1.0, 0.0, 0.0, 0.0};  ///< of the rotation of its axes from x, y and z (turned())
+  Vector<3> centre{};  ///< [m]
+  /// Quaternion of the rotation of its axes from x, y and z (turned()).
+  std::array<double, 4> quaternion = {1.0, 0.0, 0.0, 0.0};
 };
 
 /// A box, and ellipsoids to place in it at random.
@@ -51,23 +52,24 @@ struct EllipsoidSequentialRequest {
   static constexpr int dim = 3;
   using Pose = EllipsoidPose;
 
-  double side = 0.0;  ///< of the box [0, side]^3 [m]
+  double side = 0.0;  ///< side of the box [0, side]^3 [m]
   Walls walls = Walls::hard;
   std::vector<EllipsoidToPlace> particles = {};
   std::uint64_t seed = 1;  ///< the same seed gives the same packing
 };
 
-/// Places particles at random, the largest first, each where it overlaps none (random sequential addition; Feder,
-/// Journal of Theoretical Biology 87, 237, 1980). For larger fractions than this can reach, they are placed at a
-/// smaller scale and grow by a Monte Carlo compression in steps, between which each moves and turns at random, but
-/// never into another one (theory, Eq. 53). It runs step by step, so that it can be followed and interrupted.
-/// Instantiated for the particles of a plane and for ellipsoids.
+/// Places particles at random, the largest first, each at a position where it overlaps no other (random sequential
+/// addition; Feder, Journal of Theoretical Biology 87, 237, 1980). For fractions that are too large for this method,
+/// the particles are placed at a smaller scale and grow in steps (a Monte Carlo compression); between the steps each
+/// particle moves and turns at random without overlapping another (theory, Eq. 53). It runs step by step, so that it
+/// can be followed and interrupted. Instantiated for the particles of a plane and for ellipsoids.
 template <class Request>
 class SequentialRun {
  public:
   using Pose = typename Request::Pose;
 
-  /// Throws InputError on arguments without meaning, PackingError where a particle does not fit into the box.
+  /// Starts a packing. Throws InputError on meaningless arguments, PackingError where a particle does not fit into the
+  /// box.
   explicit SequentialRun(Request request);
   SequentialRun(SequentialRun&&) noexcept;
   SequentialRun& operator=(SequentialRun&&) noexcept;
@@ -76,10 +78,10 @@ class SequentialRun {
   ~SequentialRun();
 
   [[nodiscard]] bool is_done() const noexcept;
-  /// Places all particles, or lets them grow by a step. Throws PackingError when they jam before they have their size:
-  /// its attainable_fraction() is that of the particles with their shells.
+  /// Places all particles, or lets them grow by a step. Throws PackingError when they jam before they have their full
+  /// size; its attainable_fraction() is that of the particles with their shells.
   void advance();
-  /// Events are moves that were tried.
+  /// The progress of the packing; its events are the moves that were tried.
   [[nodiscard]] PackingProgress progress() const noexcept;
   /// The poses of the particles, in the order of the request. Throws InputError if the run is not done.
   [[nodiscard]] const std::vector<Pose>& poses() const;

@@ -7,16 +7,16 @@
 
 namespace breccia {
 
-/// The grains of a random tessellation, and its box.
+/// A random tessellation to be made: the sizes of its cells, and its box.
 struct RandomTessellationRequest {
-  double side = 0.0;  ///< of the box [0, side]^dim [m]
+  double side = 0.0;  ///< side of the box [0, side]^dim [m]
   Walls walls = Walls::periodic;
   /// Diameters of balls with the volumes (in 2D: the areas) of the cells [m]. Only their ratios matter, since the
   /// volumes are scaled so that the cells fill the box.
   std::vector<double> diameters;
   std::uint64_t seed = 1;  ///< the same seed gives the same tessellation
-  /// Number of times that every site moves to the centroid of its cell. Each step makes the cells rounder; without one
-  /// they are as irregular as the random positions (Bourne, Kok, Roper, Spanjer 2020).
+  /// Number of times that every site moves to the centroid of its cell. Each step makes the cells rounder; without any
+  /// step they are as irregular as the random positions (Bourne, Kok, Roper, Spanjer 2020).
   int centring_steps = 5;
   double tolerance = 1e-9;  ///< largest relative error of the volume of a cell [-]
 };

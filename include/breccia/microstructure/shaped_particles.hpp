@@ -7,11 +7,11 @@
 
 namespace breccia {
 
-/// A particle of any shape that a box of so many dimensions can hold.
+/// A particle of any shape that a box of `dim` dimensions can hold.
 template <int dim>
 using ShapedParticle = std::conditional_t<dim == 2, Particle, Ellipsoid>;
 
-/// A box of particles of which not all are balls, with their coatings.
+/// A box of particles that are not all balls, with their coatings.
 template <int dim>
 using ShapedParticles = std::conditional_t<dim == 2, ParticleBox, EllipsoidBox>;
 

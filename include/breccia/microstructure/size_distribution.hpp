@@ -13,25 +13,26 @@ struct LognormalComponent {
 };
 
 /// Distribution of particle diameters by volume (in 2D: by area): F(d) is the share of the volume that is in particles
-/// of diameter d and less. All functions throw InputError on arguments that are no distribution.
+/// of diameter d and less. All functions throw InputError on arguments that do not describe a distribution.
 class SizeDistribution {
  public:
-  /// All particles have one diameter [m].
+  /// The distribution of particles that all have one diameter [m].
   [[nodiscard]] static SizeDistribution monodisperse(double diameter);
-  /// A sum of lognormal distributions, its weights made to sum to 1.
+  /// A sum of lognormal distributions. The weights are scaled so that their sum is 1.
   [[nodiscard]] static SizeDistribution lognormal_mixture(std::vector<LognormalComponent> components);
-  /// A table of F: strictly rising diameters [m] and the values of F there, rising from 0 to 1. Between them F is
-  /// linear in log d.
+  /// The distribution of a table: strictly rising diameters [m] and the values of F at these, rising from 0 to 1.
+  /// Between them F is linear in log d.
   [[nodiscard]] static SizeDistribution tabulated(std::vector<double> diameters, std::vector<double> cumulative);
 
   /// The distribution of the particles of diameter `from` to `to` [m] alone.
   [[nodiscard]] SizeDistribution truncated(double from, double to) const;
 
-  /// F(d), d in [m].
+  /// The share F(d) of the volume in particles of diameter d [m] and less [-].
   [[nodiscard]] double cumulative(double diameter) const;
-  /// The smallest d [m] with F(d) >= p, 0 <= p <= 1. Infinite for the largest of a lognormal that is not truncated.
+  /// The smallest d [m] with F(d) >= p, 0 <= p <= 1. Infinite for p = 1 of a lognormal distribution that is not
+  /// truncated.
   [[nodiscard]] double quantile(double p) const;
-  /// Bounds of the diameters [m]: 0 and infinity for a lognormal that is not truncated.
+  /// Bounds of the diameters [m]: 0 and infinity for a lognormal distribution that is not truncated.
   [[nodiscard]] double smallest() const noexcept { return smallest_; }
   [[nodiscard]] double largest() const noexcept { return largest_; }
 

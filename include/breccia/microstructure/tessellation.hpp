@@ -29,19 +29,20 @@ class Tessellation {
   [[nodiscard]] std::size_t size() const noexcept { return cells_.size(); }  ///< number of grains
   /// The cell of a site, relative to its position; in a periodic box it may reach beyond the sides.
   [[nodiscard]] const ConvexCell<dim>& cell(std::size_t site) const { return cells_[site]; }
-  /// The cell without its share of the film, relative to the position of the site. Empty if the film leaves nothing.
+  /// The grain of a site, that is, its cell without its share of a film of this thickness [m], relative to the position
+  /// of the site. Empty if the film takes up the whole cell.
   [[nodiscard]] ConvexCell<dim> grain(std::size_t site, double film) const;
   /// The site beyond a face of a cell (it may be an image of the cell's own site); none beyond a wall.
   [[nodiscard]] static std::optional<std::size_t> neighbour(const HalfSpace<dim>& face) noexcept;
   /// Half of the thickness of the film at a face of the cell of a site, if the film of the tessellation has this
   /// thickness [m]; 0 at a wall without a film.
   [[nodiscard]] double half_film(std::size_t site, const HalfSpace<dim>& face, double film) const;
-  /// Whether there is a film at this face: at all faces but walls without one.
+  /// Whether a film runs along this face: along all faces except walls without a film.
   [[nodiscard]] bool recedes(const HalfSpace<dim>& face) const noexcept {
     return sites_.wall_film == WallFilm::half || neighbour(face).has_value();
   }
-  /// Displacement of the image of the site beyond the face along each axis, in sides of the box: -1, 0 or 1; zero for a
-  /// wall.
+  /// Displacement of the image of the site beyond the face along each axis, in units of the side of the box: -1, 0 or
+  /// 1; zero for a wall.
   [[nodiscard]] static Index<dim> image(const HalfSpace<dim>& face) noexcept;
 
  private:

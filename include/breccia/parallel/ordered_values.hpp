@@ -9,11 +9,11 @@
 
 namespace breccia::parallel {
 
-/// The places of the values of this process in an order of the values of all processes of its group, which together
-/// have one value for each place. A value is one number or several.
+/// The places (indices) of the values of this process in one ordered list of the values of all processes of its group.
+/// For each place exactly one process has the value. A value is one number or several.
 struct OrderedPlaces {
   std::size_t count = 0;                                  ///< number of the values of this process
-  std::function<std::size_t(std::size_t)> place_of = {};  ///< the place of each of them; places rise
+  std::function<std::size_t(std::size_t)> place_of = {};  ///< place of each of these values; places rise
 
   /// Number of the values of this process before a place.
   [[nodiscard]] std::size_t before(std::size_t place) const;
@@ -25,7 +25,7 @@ struct OrderedPlaces {
 /// Number of places in a piece. Values are collected piece by piece, so that no process has to hold all of them.
 inline constexpr std::size_t places_of_a_piece = std::size_t{1} << 20U;
 
-/// Calls action(begin, end) for one piece of the places after the other.
+/// Calls action(begin, end) for each piece of the places, in order.
 template <class Action>
 void for_each_piece(std::size_t count, const Action& action) {
   for (std::size_t begin = 0; begin < count; begin += places_of_a_piece) {
@@ -37,12 +37,12 @@ void for_each_piece(std::size_t count, const Action& action) {
 [[nodiscard]] bool is_collecting() noexcept;
 
 /// Copies the values at the places from `begin` to before `end`, of `bytes_each` bytes, in their order to `all` on the
-/// first process; on the others `all` is not used.
+/// first process; on the other processes `all` is not used.
 void collect_bytes(const std::byte* own, std::size_t bytes_each, const OrderedPlaces& places, std::size_t begin,
                    std::size_t end, std::byte* all);
 
 /// The values at the places from `begin` to before `end`, in their order, on the first process of the group; an empty
-/// list on the others. Every process must call the function, with its own values.
+/// list on the other processes. Every process must call the function, with its own values.
 template <class Value>
 [[nodiscard]] std::vector<Value> collect(std::span<const Value> own, const OrderedPlaces& places, std::size_t begin,
                                          std::size_t end) {

@@ -21,7 +21,7 @@ struct QuasistaticProblem {
   Volumetric volumetric = Volumetric::averaged;
   Boundary boundary = Boundary::displacement;
   LinearOptions linear = {};
-  /// Phases that are not isotropic. They are elastic: their stiffness is in place of the moduli of their materials.
+  /// Phases that are not isotropic. They are elastic, and their stiffness replaces the moduli of their materials.
   Crystals<dim> crystals = {};
 };
 

@@ -2,9 +2,10 @@
 
 namespace breccia {
 
-/// When the greedy selection of snapshots ends.
+/// Criteria by which the greedy selection of snapshots ends.
 struct SamplingOptions {
-  double tolerance = 1e-5;  ///< of the relative error of the modulus at the next snapshot before it is added [-]
+  /// Tolerance of the relative error of the modulus at the next snapshot before it is added [-].
+  double tolerance = 1e-5;
   int most_snapshots = 24;
 };
 

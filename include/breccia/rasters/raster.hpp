@@ -14,11 +14,11 @@ namespace breccia {
 ///   the picture in any viewer, and like the array in matplotlib's imshow. Arrays are indexed [y][x] or [z][y][x].
 /// - The pages of a TIFF stack, and the first index of an array of three, are layers with z rising.
 /// - A VTK ImageData has coordinates of its own: its y and z rise with their index.
-/// A file of three dimensions with one layer is an image of two.
+/// A file of three dimensions with one layer is read as an image of two dimensions.
 struct Raster {
   std::vector<std::size_t> extents;  ///< number of pixels along x, y and, in three dimensions, z
   std::vector<std::int32_t> values;  ///< x runs fastest, then y from the bottom row up, then z
-  std::optional<double> pixel;       ///< side of a pixel, where the file has it in a unit of length [m]
+  std::optional<double> pixel;       ///< side of a pixel [m], where the file gives it in a unit of length
 };
 
 }  // namespace breccia

@@ -8,13 +8,13 @@
 
 namespace breccia {
 
-/// Labels are written for at most so many points, those of 2048 x 2048 cells: the files of more would be larger than
-/// all other results of a study.
+/// The largest number of points for which labels are written, that of 2048 x 2048 cells: larger files would exceed all
+/// other results of a study.
 inline constexpr std::size_t most_labelled_points = std::size_t{4096} * 4096;
 
-/// Writes what is at the material points of the finest grid of a stage to its directory: `labels.npy`, the numbers of
-/// their phases, which an image of a deck reads back, and `labels.vti` for ParaView, with those of the particles or
-/// grains, too. Writes nothing for more than most_labelled_points. Throws FileError.
+/// Writes the labels of the material points of the finest grid of a stage to its directory. The file `labels.npy` has
+/// the numbers of their phases, and a deck can read it as an image; `labels.vti`, for ParaView, has the numbers of the
+/// particles or grains, too. Writes nothing for more than most_labelled_points. Throws FileError.
 void write_labels(const std::filesystem::path& directory, const Stage& stage,
                   const StageMicrostructure& microstructure);
 

@@ -15,7 +15,7 @@ struct SingleSize {
   double diameter;
 };
 
-/// Exactly these particles: diameters [m].
+/// The diameters of all particles of a filler, as a list [m].
 struct ListedSizes {
   std::vector<double> diameters;
 };
@@ -53,7 +53,8 @@ struct PolygonalOutline {
 /// Shape of the particles of a filler, whose sizes are diameters of discs of equal area, or of balls of equal volume.
 struct FillerShape {
   std::variant<EllipticOutline, PolygonalOutline> outline;
-  std::optional<double> angle = {};  ///< of all particles [rad]; without it, and in space, each is turned at random
+  /// Angle of all particles [rad]; without it, and in three dimensions, each is turned at random.
+  std::optional<double> angle = {};
 };
 
 /// The form in which a deck gives the gap between particles.
@@ -70,8 +71,8 @@ struct Coating {
   double thickness = 0.0;  ///< [m]
 };
 
-/// Particles of one kind in a stage. With an explicit packing a filler has no sizes; only one that is drawn from sizes
-/// for a random packing has a fraction.
+/// Particles of one kind in a stage. With an explicit packing a filler has no sizes. Only a filler that is drawn from
+/// sizes for a random packing has a fraction.
 struct Filler {
   Material material;
   /// Share of the area of the box, or of its volume, that the particles fill without their coatings [-].
@@ -82,7 +83,7 @@ struct Filler {
   double gap = 0.0;  ///< smallest distance between coated particles of this filler [m]
   GapSource gap_source = GapSource::length;
   std::optional<Coating> coating = {};
-  std::optional<FillerShape> shape = {};  ///< of its particles; discs or spheres without one
+  std::optional<FillerShape> shape = {};  ///< shape of the particles; discs or spheres if absent
 
   /// Thickness of the coating [m]; 0 where there is none.
   [[nodiscard]] double coating_thickness() const { return coating ? coating->thickness : 0.0; }

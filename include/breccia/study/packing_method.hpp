@@ -20,7 +20,7 @@
 
 namespace breccia {
 
-/// The packing methods of decks. Each is a struct below, whose `name` says which.
+/// The packing methods of decks. Each method has a struct below, with its value as `name`.
 enum class PackingName { lubachevsky_stillinger, regular, listed, laguerre, image, random_sequential };
 
 template <>
@@ -80,16 +80,18 @@ struct ExplicitPacking {
   }
 };
 
-/// Grains of a Laguerre tessellation, which fill the box but for films of the matrix of one thickness between them.
+/// Grains of a Laguerre tessellation, which fill the box except for films of the matrix between them.
 template <int dim>
 struct LaguerrePacking {
   Walls walls = Walls::periodic;
-  WallFilm wall_film = WallFilm::half;   ///< along hard walls
-  std::uint64_t seed = 1;                ///< of a random tessellation
-  std::optional<double> film = {};       ///< thickness [m]; without it that of the fraction of the filler
-  std::filesystem::path file = {};       ///< of the sites; empty for a random tessellation
-  std::vector<Site<dim>> sites = {};     ///< of the grains; none for a random tessellation
-  std::vector<double> film_shares = {};  ///< of listed sites [-] (LaguerreSites); none for films of one thickness
+  WallFilm wall_film = WallFilm::half;  ///< film along hard walls
+  std::uint64_t seed = 1;               ///< seed of a random tessellation
+  /// Thickness of the films [m]; if absent, it follows from the fraction of the filler.
+  std::optional<double> film = {};
+  std::filesystem::path file = {};    ///< file of the sites; empty for a random tessellation
+  std::vector<Site<dim>> sites = {};  ///< sites of the grains; none for a random tessellation
+  /// Film shares of listed sites [-] (LaguerreSites); none for films of one thickness.
+  std::vector<double> film_shares = {};
 
   static constexpr auto name = PackingName::laguerre;
 
@@ -102,7 +104,7 @@ template <int dim>
 struct ImagePacking {
   std::filesystem::path file;
   std::string array = {};       ///< data set of the file; empty if none was named
-  SharedImage<dim> image = {};  ///< fills the box
+  SharedImage<dim> image = {};  ///< image that fills the box
 
   static constexpr auto name = PackingName::image;
 };
@@ -118,18 +120,18 @@ struct RandomSequentialPacking {
   static constexpr bool keeps_gaps = true;
 };
 
-/// How what fills a box of so many dimensions is placed.
+/// The packing method of a box of `dim` dimensions, with its settings.
 template <int dim>
 using PackingMethod =
     std::variant<LubachevskyStillingerPacking<dim>, std::conditional_t<dim == 2, RegularPacking, LatticePacking>,
                  ExplicitPacking<dim>, LaguerrePacking<dim>, ImagePacking<dim>, RandomSequentialPacking<dim>>;
 
-/// What the elements of an image of so many dimensions are called.
+/// The name of the elements of an image in this number of dimensions.
 constexpr std::string_view name_of_pixels(int dimensions) {
   return dimensions == 3 ? "voxels" : "pixels";
 }
 
-/// The same of a box of two or of three dimensions.
+/// The packing method of a box of two or of three dimensions, with its settings.
 using StagePacking = std::variant<PackingMethod<2>, PackingMethod<3>>;
 
 }  // namespace breccia

@@ -32,8 +32,9 @@ struct Stage {
   int cells = 0;                        ///< cells per side of the finest grid
   std::vector<int> coarser_cells = {};  ///< cells per side of the coarser grids, rising, for extrapolation
   std::vector<Filler> fillers = {};     ///< the kinds of particles in the box
-  /// Of the particles of all fillers together. Without a filler only its dimensions count, PackingMethod<2>() for a
-  /// square (plane strain) or PackingMethod<3>() for a cube; they are the same for all stages of a study.
+  /// The packing of the particles of all fillers together. Without a filler only its number of dimensions matters:
+  /// PackingMethod<2>() for a square (plane strain) or PackingMethod<3>() for a cube. All stages of a study have the
+  /// same number of dimensions.
   StagePacking packing = {};
 
   /// Dimensions of the box, 2 or 3.
@@ -65,13 +66,13 @@ struct Stage {
   [[nodiscard]] bool has_seed() const { return seed().has_value(); }
   /// The seed; nothing where particles or grains are not placed at random.
   [[nodiscard]] std::optional<std::uint64_t> seed() const;
-  /// Whether the box goes on beyond its sides.
+  /// Whether the content of the box continues periodically beyond its sides.
   [[nodiscard]] bool is_periodic() const;
   /// Cells per side of all grids, rising.
   [[nodiscard]] std::vector<int> grids() const;
 };
 
-/// "100 x 100", or "100 x 100 x 100" in three dimensions.
+/// A grid of the stage in words: "100 x 100", or "100 x 100 x 100" in three dimensions.
 std::string cells_in_words(const Stage& stage, int cells);
 
 /// The materials that a stage names, each once: its matrix, unless that is an earlier stage, then its fillers and their

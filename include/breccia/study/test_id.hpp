@@ -39,10 +39,10 @@ class TestGrid {
 /// The name of a grid in tables: "150", "extrapolated" or "films".
 std::string name_of(TestGrid grid);
 
-/// The same in a sentence: "150 cells", "extrapolated cells", "films".
+/// The name of a grid in a sentence: "150 cells", "extrapolated cells", "films".
 std::string words_of(TestGrid grid);
 
-/// The grid with such a name; nothing for any other text.
+/// The grid with a name as name_of() returns it; nothing for any other text.
 std::optional<TestGrid> grid_named(std::string_view name);
 
 /// Identifies a test of a stage by its load, boundary condition, method and grid.
@@ -56,8 +56,8 @@ struct TestId {
 };
 
 /// The calculation that a test is part of, in words: "shear, upper bound, 150 cells, dynamic". The quasi-static method
-/// computes all loads together, so that its calculations have none: "upper bound, 150 cells, quasi-static", "upper
-/// bound, films, quasi-static".
+/// computes all loads together, so that the names of its calculations have no load: "upper bound, 150 cells,
+/// quasi-static", "upper bound, films, quasi-static".
 std::string calculation_of(const TestId& test);
 
 /// Whether one test is preferred to another that differs from it only in method or grid: quasi-static tests are

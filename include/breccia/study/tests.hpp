@@ -25,9 +25,9 @@ template <>
 inline constexpr auto words<Method> = std::to_array<Word<Method>>({{"quasistatic", Method::quasistatic},
                                                                    {"dynamic", Method::dynamic}});
 
-/// What a test is computed with.
+/// The numerical model of a test.
 enum class Model {
-  cells,  ///< cells of a grid, which know what is in them
+  cells,  ///< cells of a grid, whose points have the phases at their positions
   films   ///< where a stage has grains that fill the box: conforming grains and thin films (theory, section 17)
 };
 
@@ -39,7 +39,8 @@ struct FilmOptions {
   /// Length of the longest element along a face, over the square root of the area of the smaller of the two grains
   /// beside it [-].
   double face_share = 0.3;
-  /// Number of layers of elements that resolve the binder across every film. Without, films are thin.
+  /// Number of layers of elements that resolve the binder across every film. If absent, films are thin and have one row
+  /// of elements each.
   std::optional<int> layers = {};
 };
 
@@ -50,12 +51,12 @@ struct Tests {
   std::vector<Method> methods{Method::quasistatic};
   Model model = Model::cells;
   FilmOptions films = {};
-  Mixing mixing = Mixing::series;  ///< of the cells that an interface crosses
+  Mixing mixing = Mixing::series;  ///< treatment of the cells that an interface crosses
   Volumetric volumetric = Volumetric::averaged;
-  double first_time = 0.0;               ///< of the curves [s]
-  double last_time = 0.0;                ///< of the curves [s]
-  bool by_frequency = false;             ///< whether a deck gives frequencies, of which the dynamic moduli then are
-  int points_per_decade = 20;            ///< of the curves
+  double first_time = 0.0;               ///< first time of the curves [s]
+  double last_time = 0.0;                ///< last time of the curves [s]
+  bool by_frequency = false;             ///< whether a deck gives frequencies, at which the dynamic moduli then are
+  int points_per_decade = 20;            ///< samples per decade of the curves
   std::vector<double> field_times = {};  ///< rising times at which the fields of the first load are saved [s]
   bool lists_field_times = false;        ///< whether a deck lists these times; its results are the same without it
   /// Largest relative deviation that the fit of a stage's result may have if a later stage builds on it [-].

@@ -15,9 +15,9 @@ struct ModulusInterval {
   double most = 0.0;
 };
 
-/// An elastic material of which the moduli are not known: the reduced responses of a study hold for every modulus in
-/// these intervals, in any combination with the moduli of the phases that relax. A modulus without an interval is that
-/// of the material.
+/// An elastic material whose moduli are not known: the reduced responses of a study hold for every modulus in these
+/// intervals, in any combination with the moduli of the phases that relax. A modulus without an interval keeps the
+/// value of the material.
 struct VariedMaterial {
   std::string name;
   std::optional<ModulusInterval> shear = {};
@@ -27,17 +27,17 @@ struct VariedMaterial {
 /// The number of moduli that have an interval.
 int varied_moduli(const std::vector<VariedMaterial>& varied);
 
-/// What is wrong with a varied material of a study with these stages: no stage has it, it relaxes, an interval does not
+/// The mistakes in a varied material of a study with these stages: no stage has it, it relaxes, an interval does not
 /// rise or lacks the modulus of the material. One line for each mistake.
 std::vector<std::string> mistakes_of_varied(const VariedMaterial& varied, const std::vector<Stage>& stages);
 
-/// The materials among these that vary, with moduli on a coarse grid over their intervals: each element has one choice
-/// for all of them. The first choice is the stiffest, the last one the softest. Without a material that varies there is
-/// one choice, which is empty.
+/// Choices of moduli, on a coarse grid over their intervals, for those of `materials` that vary. Each element of the
+/// result is one choice: all varied materials with their moduli. The first choice is the stiffest, the last one the
+/// softest. If no material varies, there is one choice, which is empty.
 std::vector<std::vector<Material>> choices_of_varied(const std::vector<VariedMaterial>& varied,
                                                      const std::vector<Material>& materials);
 
-/// The stage with each material that has the name of one of these replaced by it.
+/// The stage with its materials replaced by those of `replacements` that have the same names.
 Stage with_materials(Stage stage, const std::vector<Material>& replacements);
 
 }  // namespace breccia

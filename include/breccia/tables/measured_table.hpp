@@ -17,21 +17,21 @@ struct MeasuredColumn {
   ModulusKind kind;             ///< kind of a modulus or compliance
   std::string name;             ///< name of the column in the file
   std::string unit;             ///< unit of the numbers in the file, as written there
-  std::vector<double> values;   ///< in the unit of the quantity
+  std::vector<double> values;   ///< values in the unit of the quantity
   std::vector<double> written;  ///< the numbers in the file
 };
 
 /// The way in which the text of a table was read.
 struct TableReading {
   std::string encoding;  ///< "UTF-8", "Latin-1" or "UTF-16"
-  char separator = ',';  ///< of columns; a blank: two blanks and more
+  char separator = ',';  ///< separator of the columns; a blank stands for two blanks and more
   bool has_decimal_commas = false;
-  std::size_t line_of_names = 0;  ///< from 1
-  bool has_row_of_units = false;  ///< below the names
+  std::size_t line_of_names = 0;  ///< line of the names of the columns, from 1
+  bool has_row_of_units = false;  ///< whether a row of units follows the names
   std::size_t tables = 1;         ///< number of tables of the same columns, one below the other
 };
 
-/// The columns of a file that are recognised by their names. Other columns are ignored.
+/// A table of measured data: the columns of a file that are recognised by their names. Other columns are ignored.
 class MeasuredTable {
  public:
   [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
@@ -46,6 +46,7 @@ class MeasuredTable {
   /// Location of a row, `file:line`, for messages about it.
   [[nodiscard]] std::string location(std::size_t row) const;
 
+  /// Whether there is a column for each of these quantities.
   [[nodiscard]] bool has(std::initializer_list<Quantity> quantities) const;
   /// The kinds of all moduli and compliances, without repetition.
   [[nodiscard]] std::vector<ModulusKind> kinds() const;
@@ -68,7 +69,7 @@ class MeasuredTable {
     Quantity quantity;
     std::string message;
   };
-  /// A message for each ignored column that is the only one of these quantities.
+  /// A message for each ignored column that is the only column of one of these quantities.
   [[nodiscard]] std::vector<std::string> unknown_units(std::initializer_list<Quantity> quantities) const;
 
   std::filesystem::path path_;

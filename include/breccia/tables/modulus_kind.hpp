@@ -15,14 +15,14 @@ enum class ModulusKind {
   other         ///< another modulus, such as the P-wave (confined) modulus
 };
 
-/// The name of a kind: "shear modulus", "Young's modulus", "bulk modulus"; "modulus" for the others.
+/// The name of a kind: "shear modulus", "Young's modulus", "bulk modulus"; "modulus" for the other kinds.
 std::string_view name(ModulusKind kind);
 
-/// The prefix of the names of columns: "shear_", "youngs_", "bulk_"; empty for the others. The moduli of dynamic tests
-/// have it, too: "shear_storage_modulus_Pa".
+/// The prefix of the names of columns: "shear_", "youngs_", "bulk_"; empty for the other kinds. The moduli of dynamic
+/// tests have it, too: "shear_storage_modulus_Pa".
 std::string_view column_prefix(ModulusKind kind);
 
-/// The symbol of a kind: G, E or K; G for the others.
+/// The symbol of a kind: G, E or K; G for the other kinds.
 std::string_view symbol(ModulusKind kind);
 
 /// The kind meant by a word in the name of a column, such as "shear" or "tensile"; nothing for other words.

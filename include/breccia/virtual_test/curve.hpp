@@ -29,8 +29,8 @@ struct CreepSample {
 /// Creep compliance against time, times rising.
 using Creep = std::vector<CreepSample>;
 
-/// Times from begin to end, both included, and between them the times 10^(k / per_decade) s. Throws InputError for less
-/// than one time a decade.
+/// The first and the last time of a window, and between them the times 10^(k / per_decade) s for whole k. Throws
+/// InputError for less than one time a decade.
 std::vector<double> logarithmic_times(const TimeWindow& window, int per_decade);
 
 /// Modulus [Pa] of a densely sampled curve at a time [s]: a least-squares parabola in ln t through the samples within a

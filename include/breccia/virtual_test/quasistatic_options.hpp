@@ -8,7 +8,7 @@
 
 namespace breccia {
 
-/// The integration of the quasi-static method through time.
+/// The time integration of the quasi-static method.
 enum class Solver {
   reduced,  ///< reduced basis of a few elastic solutions, with exact poles in time
   stepping  ///< log-time stepping: the reference
@@ -31,8 +31,8 @@ inline constexpr auto words<SampledRange> = std::to_array<Word<SampledRange>>({{
 /// Settings of the quasi-static method.
 struct QuasistaticOptions {
   Solver solver = Solver::reduced;
-  SampledRange range = SampledRange::matrix;  ///< of the reduced solver
-  SamplingOptions sampling = {};              ///< of the reduced solver
+  SampledRange range = SampledRange::matrix;  ///< range of the training set of the reduced solver
+  SamplingOptions sampling = {};              ///< selection of the snapshots of the reduced solver
   int steps_per_decade = 20;                  ///< time steps of the stepping solver
   LinearOptions linear = {};
 };

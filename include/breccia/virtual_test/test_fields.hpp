@@ -9,8 +9,8 @@
 
 namespace breccia {
 
-/// Fields of a test on a grid at rising times: of the points of a square, or of the cells of a cube. Each process has
-/// those of its own cells.
+/// Fields of a test on a grid at rising times: at the points of square cells, or means over cubic cells. Each process
+/// has the fields of its own cells.
 template <int dim>
 struct GridFields {
   Grid<dim> grid;

@@ -15,7 +15,7 @@ struct TimeDomain {
   TimeWindow window;          ///< times at which the run is valid [s]
   std::int64_t steps = 0;
   std::size_t terms = 0;  ///< largest number of integrated Prony terms of a material
-  /// Bound on the relative error of the moduli without the other Prony terms [-], from the expected start of the
+  /// Bound on the relative error of the moduli by the neglected Prony terms [-], from the expected start of the
   /// validity of the run on. A first run with a given mass scaling factor may be used earlier (theory, section 4).
   double reduction_error = 0.0;
   double seconds = 0.0;  ///< wall time [s]
@@ -30,7 +30,7 @@ struct TimeDomain {
 
 /// The times at which two neighbouring domains are both valid.
 struct Overlap {
-  TimeWindow window;      ///< [s]
+  TimeWindow window;      ///< times that both domains cover [s]
   double mismatch = 0.0;  ///< largest relative difference of the two curves in it [-]
 };
 

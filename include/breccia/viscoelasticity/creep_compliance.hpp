@@ -16,10 +16,9 @@ struct RetardationTerm {
 /// Creep compliance as a retardation spectrum: J(t) = J_0 + sum_k J_k (1 - exp(-t / lambda_k)) + phi t.
 class CreepCompliance {
  public:
-  /// Compliance at t = 0 [1/Pa], terms, which are sorted by falling retardation time, and the fluidity phi [1/(Pa s)],
-  /// the rate of steady flow under unit stress.
-  /// Throws InputError when the compliance at t = 0 or a retardation time is not positive, a term or the fluidity is
-  /// negative, or a value is not finite.
+  /// Takes the compliance at t = 0 [1/Pa], the terms, which are sorted by falling retardation time, and the fluidity
+  /// phi [1/(Pa s)], which is the rate of steady flow under unit stress. Throws InputError when the compliance at t = 0
+  /// or a retardation time is not positive, a term or the fluidity is negative, or a value is not finite.
   CreepCompliance(double instantaneous, std::vector<RetardationTerm> terms, double fluidity = 0.0);
 
   [[nodiscard]] double instantaneous() const noexcept { return instantaneous_; }

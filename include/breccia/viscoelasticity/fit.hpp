@@ -10,12 +10,13 @@ namespace breccia {
 
 /// Settings of a fit.
 struct FitOptions {
-  /// Candidates for the relaxation or retardation times, per decade. A fit keeps one or two of them per decade; a grid
-  /// of only that many would miss the times of a spectrum of few terms, with errors of up to 4 % of the modulus.
+  /// Candidates for the relaxation or retardation times, per decade. A fit keeps one or two of them per decade; if the
+  /// grid had only as many candidates, it would miss the times of a spectrum of few terms, with errors of up to 4 % of
+  /// the modulus.
   double times_per_decade = 10.0;
-  /// Duration [s] of the constant-rate ramp by which strain (or stress) was applied; 0: a step. Times count from the
-  /// beginning of the ramp. The response to the ramp is fitted, so that data taken during it can be used (theory,
-  /// Eq. 26).
+  /// Duration [s] of the constant-rate ramp by which strain (or stress) was applied; 0 stands for a step. Times count
+  /// from the beginning of the ramp. The response to the ramp is fitted, so that data taken during it can be used
+  /// (theory, Eq. 26).
   double ramp = 0.0;
 };
 
@@ -23,10 +24,10 @@ struct FitOptions {
 struct FitQuality {
   double median_error = 0.0;   ///< median of the absolute deviations [-]
   double worst_error = 0.0;    ///< largest absolute deviation [-]
-  double worst_at = 0.0;       ///< its time [s] or angular frequency [rad/s]
+  double worst_at = 0.0;       ///< time [s] or angular frequency [rad/s] of this deviation
   std::vector<double> fitted;  ///< values of the fit at the data points, in the unit of the data
-  /// Relative standard errors of the fit at each data point, from the scatter of the data [-]; not a number where the
-  /// fit has as many parts as there are data.
+  /// Relative standard errors of the fit at each data point, from the scatter of the data [-]; NaN where the fit has as
+  /// many parts as there are data.
   std::vector<double> standard_errors;
 };
 

@@ -21,8 +21,8 @@ class PronySeries {
   PronySeries() = default;
   /// An elastic modulus [Pa].
   explicit PronySeries(double equilibrium) : PronySeries(equilibrium, {}) {}
-  /// Equilibrium modulus [Pa] and terms, which are sorted by falling relaxation time.
-  /// Throws InputError when a modulus is negative or not finite, or a relaxation time is not positive and finite.
+  /// Takes the equilibrium modulus [Pa] and the terms, which are sorted by falling relaxation time. Throws InputError
+  /// when a modulus is negative or not finite, or a relaxation time is not positive and finite.
   PronySeries(double equilibrium, std::vector<MaxwellTerm> terms);
 
   [[nodiscard]] double equilibrium() const noexcept { return equilibrium_; }
@@ -44,8 +44,8 @@ class PronySeries {
   [[nodiscard]] PronySeries truncated(std::size_t slow, std::size_t fast) const;
   /// The sum of two series; terms with the same relaxation time are merged, and those that cancel are dropped.
   [[nodiscard]] static PronySeries sum(const PronySeries& one, const PronySeries& other);
-  /// The difference of two series; terms with the same relaxation time are merged. Its terms may be negative, so it is
-  /// not a solid by itself: in plane strain the K(t) = (K + G/3)(t) - G(t)/3 of a composite may rise.
+  /// The difference of two series; terms with the same relaxation time are merged. Its terms may be negative, so that
+  /// it need not be the modulus of a solid: in plane strain the K(t) = (K + G/3)(t) - G(t)/3 of a composite may rise.
   [[nodiscard]] static PronySeries difference(const PronySeries& whole, const PronySeries& part);
 
   friend bool operator==(const PronySeries&, const PronySeries&) = default;

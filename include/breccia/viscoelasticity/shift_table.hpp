@@ -8,16 +8,16 @@ namespace breccia {
 /// them it is not known (docs/theory.md, Eq. 28d).
 class ShiftTable {
  public:
-  /// Factors beyond 10^100 and 10^-100 are mistakes.
+  /// The largest magnitude of log10 a_T: factors above 10^100 or below 10^-100 are refused as mistakes.
   static constexpr double most_decades = 100.0;
 
-  /// log10 a_T by temperature [K], relative to any temperature; a_T is one at the reference temperature [K]. Throws
-  /// InputError: fewer than two temperatures, temperatures that do not rise or are not above zero, factors that do not
-  /// fall or are out of range, or a reference temperature outside the table.
+  /// Takes log10 a_T by temperature [K], relative to any temperature; a_T becomes one at the reference temperature [K].
+  /// Throws InputError: fewer than two temperatures, temperatures that do not rise or are not above zero, factors that
+  /// do not fall or are out of range, or a reference temperature outside the table.
   ShiftTable(std::vector<double> temperatures, std::vector<double> log10_factors, double reference_temperature);
 
   [[nodiscard]] const std::vector<double>& temperatures() const noexcept { return temperatures_; }
-  /// Relative to the reference temperature.
+  /// The values of log10 a_T at temperatures(), relative to the reference temperature.
   [[nodiscard]] const std::vector<double>& log10_factors() const noexcept { return log10_factors_; }
   [[nodiscard]] double reference_temperature() const noexcept { return reference_temperature_; }
 

@@ -12,7 +12,7 @@ namespace breccia {
 struct WilliamsLandelFerryFit {
   WilliamsLandelFerry law;
   double c1_error = 0.0;         ///< standard error of c1, if the factors have independent errors; 0: unknown [-]
-  double c2_error = 0.0;         ///< standard error of c2, likewise [K]
+  double c2_error = 0.0;         ///< standard error of c2, if the factors have independent errors; 0: unknown [K]
   double worst_deviation = 0.0;  ///< largest deviation of log10 a_T from the law [-]
   double worst_at = 0.0;         ///< temperature of that deviation [K]
 };
@@ -25,7 +25,8 @@ std::optional<WilliamsLandelFerryFit> fit_williams_landel_ferry(std::span<const 
                                                                 double reference_temperature);
 
 /// Whether shift factors follow a law that was fitted to them: within 0.1 decade, and with constants that they
-/// determine. Factors that pass the glass transition do not, nor two factors, which any law meets.
+/// determine. Factors measured across the glass transition do not follow a law, nor do two factors, because any law
+/// fits two.
 bool follow(const WilliamsLandelFerryFit& fit);
 
 /// The law of the shift factors of a master curve: that of Williams, Landel and Ferry where there are four temperatures
