@@ -1,7 +1,7 @@
-// Counts what each process of an MPI program sends, and the processor time that it spends in MPI, most of which it
-// waits. For `LD_PRELOAD`: it stands before the functions of MPI and passes every call on (the profiling interface of
-// MPI). When MPI ends, each process appends a line to the file that MPI_TRAFFIC names: its rank, bytes and messages to
-// single processes, bytes and calls of sums over all, and the processor time in MPI [s].
+// Counts the messages that each process of an MPI program sends, and the processor time that it spends in MPI, most of
+// it waiting. The library is for `LD_PRELOAD`: its functions replace those of MPI and pass every call on (the profiling
+// interface of MPI). When MPI ends, each process appends a line to the file that MPI_TRAFFIC names: its rank, bytes and
+// messages to single processes, bytes and calls of sums over all, and the processor time in MPI [s].
 //
 // The messages of C and C++ are counted, among them all exchanges of Breccia and PETSc. MUMPS calls MPI from Fortran:
 // the time that it waits is counted, its messages are not.
@@ -33,7 +33,7 @@ double processor_seconds() {
   return static_cast<double>(now.tv_sec) + nanosecond * static_cast<double>(now.tv_nsec);
 }
 
-/// Adds the processor time of its life.
+/// Adds the processor time between its construction and destruction to that of MPI.
 class InMpi {
  public:
   InMpi() = default;
@@ -192,7 +192,7 @@ int MPI_Allgather(const void* sent, int count, MPI_Datatype type, void* received
   return PMPI_Allgather(sent, count, type, received, received_count, received_type, group);
 }
 
-// The calls in which MUMPS waits, by the names of Fortran.
+// The functions in which MUMPS waits, by their names in Fortran.
 // NOLINTBEGIN(readability-identifier-naming)
 
 using Integer = MPI_Fint;

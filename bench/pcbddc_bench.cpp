@@ -103,7 +103,7 @@ double peak_memory() {
   return kibibyte * static_cast<double>(resources.ru_maxrss);
 }
 
-/// Processor time of all processes since the construction, but for waiting [s].
+/// Processor time of all processes since the construction, without waiting [s].
 class ProcessorTime {
  public:
   ProcessorTime() { MPI_Barrier(PETSC_COMM_WORLD); }
@@ -124,7 +124,7 @@ class ProcessorTime {
   double start_ = now();
 };
 
-/// What a solution took, and its energy as a check.
+/// The cost of a solution, and its energy as a check.
 struct Outcome {
   int iterations = 0;
   double setup = 0.0, solution = 0.0;  ///< processor time [s]
@@ -141,7 +141,7 @@ Forces balancing_forces(const Problem& problem) {
   return forces;
 }
 
-/// The load on the nodes when the strains of the phases of mixed cells have been eliminated.
+/// The load on the nodes after the elimination of the strains of the phases of mixed cells.
 NodalVector condensed_load(const Problem& problem) {
   auto forces = balancing_forces(problem);
   problem.elastic_operator.condense(problem.moduli, forces);
@@ -174,7 +174,7 @@ Outcome solve_by_substructures(const Problem& problem) {
 
 /// The nodes of the cells of this process, its subdomain, which it numbers cell by cell.
 struct Subdomain {
-  std::vector<PetscInt> number_of_seen;  ///< by node that the process sees; -1 for those of other subdomains
+  std::vector<PetscInt> number_of_seen;  ///< numbers by node that the process sees; -1 for nodes of other subdomains
   std::vector<PetscInt> seen;            ///< places of the nodes of the subdomain among those seen
   std::vector<PetscInt> held;            ///< numbers of the components that are held
 };
@@ -250,7 +250,7 @@ Matrix stiffness_by_subdomains(const Problem& problem, const Subdomain& subdomai
   return matrix;
 }
 
-/// Number of unknowns of the coarse problem, which PCBDDC tells in its description alone.
+/// Number of unknowns of the coarse problem, which PCBDDC reports only in its description.
 std::int64_t coarse_unknowns_of(PC preconditioner) {
   constexpr const char* what = "reading the description of PCBDDC";
   char* text = nullptr;

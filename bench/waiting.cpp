@@ -14,14 +14,14 @@ double processor_seconds() noexcept {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// The looks for messages of a process, by processor time [s].
+/// The calls by which a process looks for messages, with their processor time [s].
 class Looks {
  public:
   using Look = void (*)();
 
   void look_by(Look look) noexcept {
-    // MUMPS also looks between its fronts, without waiting. Whoever waits does hardly anything between two looks, which
-    // takes longer after a sleep, when the caches are cold.
+    // MUMPS also looks for messages between its fronts, without waiting. A process that waits does hardly anything
+    // between two looks; it takes longer after a sleep, when the caches are cold.
     constexpr double shortest_work = 5e-6, shortest_work_after_sleep = 20e-6;
     const double begin = processor_seconds(), since_last = begin - last_;
     const bool has_worked = since_last > (is_waiting() ? shortest_work_after_sleep : shortest_work);
@@ -56,8 +56,8 @@ double seconds_waited() noexcept {
   return looks().waited();
 }
 
-/// The function of Open MPI in which every wait looks for messages, again and again. This one takes its place: it
-/// measures, and sleeps where a wait is long, so that others have the core.
+/// The function of Open MPI in which every wait looks for messages, again and again. This function replaces it: it
+/// measures the time, and sleeps where a wait is long, so that other processes have the core.
 extern "C" void opal_progress() {
   static const auto look = reinterpret_cast<Looks::Look>(dlsym(RTLD_NEXT, "opal_progress"));
   looks().look_by(look);

@@ -1,6 +1,6 @@
-// What a run goes on from. An input that begins with a slash lists the numbers of a state, which is written as a run
-// does, with its checksum, and then read by all that reads states. Any other stands for the bytes of the file: they
-// must be refused before the HDF5 library sees them, which is known to crash on hostile files.
+// The checkpoint from which a run resumes. An input that begins with a slash lists the numbers of a state, which is
+// written as a run writes it, with its checksum, and then read by all readers of states. Any other input stands for the
+// bytes of the file: they must be refused before the HDF5 library sees them, which is known to crash on hostile files.
 
 #include <sstream>
 #include <stdexcept>
@@ -47,7 +47,7 @@ void write_state(const std::filesystem::path& path, std::string_view text) {
   state.commit();
 }
 
-/// Two discs grow on from the state, and are where discs can be if they come to their size.
+/// Two discs grow on from the state. If they reach their size, their positions must be possible ones.
 void go_on_packing(const StateReader& state, Walls walls) {
   PackingRun<2> run({1e-3, walls, {1e-4, 2e-4}}, read_packing_state<2>(state));
   try {

@@ -1,4 +1,4 @@
-// A CSV file, and everything that is read from one: Prony series, sizes, discs, measurements, data to fit.
+// A CSV file, read by every reader of such files: of Prony series, sizes, discs, measurements and data to fit.
 
 #include "breccia/deck/read_study.hpp"
 #include "breccia/tables/measured_table_reader.hpp"
@@ -18,7 +18,7 @@ bool has(std::string_view text, std::string_view column) {
   return text.find(column) != std::string_view::npos;
 }
 
-/// A deck that names the file as what its columns say it is.
+/// A deck that names the file in the place that suits its columns.
 const char* deck_for(std::string_view text) {
   if (has(text, "x_m")) return "discs_input.toml";
   if (has(text, "diameter_m")) return "sizes_input.toml";

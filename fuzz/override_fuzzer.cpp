@@ -1,4 +1,4 @@
-// What follows `--set` on the command line, one a line, and after a "~" what follows `--sweep`.
+// Arguments of `--set` on the command line, one a line, and after a "~" arguments of `--sweep`.
 
 #include <string>
 #include <vector>

@@ -7,8 +7,8 @@
 
 namespace breccia::fuzz {
 
-/// Runs a reader, which may refuse its input as readers do: for what is in it, or because it cannot be read. Whatever
-/// else it throws is left to be found.
+/// Runs a reader, which may refuse its input by InputError or FileError. Any other exception is passed on, so that the
+/// fuzzer finds it.
 template <class Read>
 void allow_refusal(const Read& read) {
   const auto require_reason = [](const Error& error) {

@@ -1,5 +1,5 @@
-// Runs a fuzz target without libFuzzer: over every file of a corpus, and over mutations of them that are the same each
-// time. What fails is left in the file `failed-input`.
+// Runs a fuzz target without libFuzzer: over every file of a corpus, and over mutations of these files that are the
+// same each time. An input that fails is left in the file `failed-input`.
 //
 //   deck_fuzzer CORPUS [MUTATIONS]
 
@@ -26,7 +26,7 @@ namespace {
 
 using Random = std::mt19937_64;
 
-/// What the target runs on, for the handler of signals.
+/// The present input of the target, for the handler of signals.
 std::string input;
 
 void keep_failed_input(int) {
@@ -55,7 +55,7 @@ std::size_t below(std::size_t bound, Random& random) {
   return static_cast<std::size_t>(random() % bound);
 }
 
-/// A few lines, or a few letters of one.
+/// A few lines of a text, or a few letters of one line.
 std::string_view piece_of(std::string_view text, Random& random) {
   if (text.empty()) return text;
   const auto begin = below(text.size(), random);

@@ -1,5 +1,5 @@
-// What a run has left and a later command reads: study.json, sweep.json and curves.csv. Files in HDF5 are left out: the
-// library itself, 1.10 of Debian 12, is known to crash on hostile files, so that what it reads must be checked before.
+// Files of results that a later command reads: study.json, sweep.json and curves.csv. Files in HDF5 are left out: the
+// library itself, 1.10 of Debian 12, is known to crash on hostile files, so that its input must be checked before.
 
 #include "campaign/resume.hpp"
 #include "input_folder.hpp"

@@ -8,7 +8,8 @@
 #include "deckfile/deck.hpp"
 #include "sound_study.hpp"
 
-/// The parser of UDUNITS-2 forgets the letters of a unit that it does not understand. What breccia forgets is found.
+/// The parser of UDUNITS-2 leaks the letters of a unit that it does not understand; the leak is suppressed. Leaks of
+/// Breccia are still found.
 extern "C" const char* __lsan_default_suppressions() {  // NOLINT(bugprone-reserved-identifier,*-naming)
   return "leak:utlex";
 }
@@ -35,7 +36,8 @@ void look_through(const Study& study) {
 
 void read_deck(const std::filesystem::path& deck, const std::vector<std::string>& overrides,
                const std::vector<std::string>& swept) {
-  // The hundredth task of a sweep shows nothing that the tenth does not, and takes as long.
+  // The largest number of tasks: the hundredth task of a sweep shows nothing that the tenth does not, and takes as
+  // long.
   constexpr std::size_t most_tasks = 12;
   if (tasks_of(deck, overrides, swept) > most_tasks) return look_through(read_study(deck, overrides));
   for (const auto& task : read_sweep(deck, overrides, swept).tasks) look_through(task.study);

@@ -8,10 +8,11 @@
 
 namespace breccia::fuzz {
 
-/// Throws std::logic_error where a study that was accepted has numbers that no deck may have.
+/// Checks all parts of a study that was accepted. Throws std::logic_error where it has numbers that no deck may have.
 void look_through(const Study& study);
 
-/// Reads a deck as the commands do, with what follows `--set` and `--sweep`, and looks through what it means.
+/// Reads a deck as the commands do, with the arguments of `--set` and `--sweep`, and checks the studies that it
+/// describes.
 void read_deck(const std::filesystem::path& deck, const std::vector<std::string>& overrides = {},
                const std::vector<std::string>& swept = {});
 

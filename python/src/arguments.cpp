@@ -25,7 +25,7 @@ std::optional<double> number_in(const py::handle& value) {
   }
 }
 
-/// Whether this is a tuple of two lists or arrays: of a list of pairs no user writes it, of two columns many do.
+/// Whether this is a tuple of two lists or arrays. Many users write two columns in this way, but none a list of pairs.
 bool may_be_columns(const py::object& pairs) {
   if (!py::isinstance<py::tuple>(pairs) || py::len(pairs) != 2) return false;
   for (const auto& one : pairs) {

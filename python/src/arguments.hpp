@@ -14,10 +14,10 @@ namespace breccia::python {
 /// Numbers of a caller; a copy only where they are not doubles already.
 using Numbers = pybind11::array_t<double, pybind11::array::forcecast>;
 
-/// What is expected of the numbers of an argument.
+/// The expected range and unit of the numbers of an argument.
 struct Expected {
   std::string_view argument;
-  std::string_view unit;  ///< empty for a number without one
+  std::string_view unit;  ///< unit; empty for a number without a unit
   Range range;
 };
 
@@ -36,7 +36,7 @@ double angular_frequency_of(std::string_view argument, const pybind11::handle& v
 Numbers numbers_of(const Expected& expected, const pybind11::object& values,
                    double (*in_si)(std::string_view argument, const pybind11::handle& value));
 
-/// The times of an argument [s], as above; for numbers_of().
+/// A time as text with a unit, in [s]; for numbers_of().
 double time_of(std::string_view argument, const pybind11::handle& value);
 
 /// The pairs of an argument: an n x 2 array, or anything that gives pairs, each of a time, as a number [s] or text with

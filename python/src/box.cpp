@@ -22,7 +22,7 @@ namespace {
 
 namespace py = pybind11;
 
-/// Lists what fills the box of a stage.
+/// Lists the content of the box of a stage.
 struct ListContent {
   Box& box;
 

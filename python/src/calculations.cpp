@@ -59,15 +59,16 @@ std::shared_ptr<Solution> pack_in_memory(const std::shared_ptr<const Study>& stu
   });
 }
 
-/// How a study is run in a directory, as a caller asks for it.
+/// The options of a caller for the run of a study in a directory.
 struct Directory {
   std::filesystem::path path;
   bool resume = false;
   bool overwrite = false;
-  std::optional<double> time_limit = {};  ///< [s]
+  std::optional<double> time_limit = {};  ///< largest wall time [s]
 };
 
-/// A study in a directory, by a function of the library. A signal or the limit of time ends it after a checkpoint.
+/// Runs a study in a directory by a function of the library. A signal or the time limit ends the run after a
+/// checkpoint.
 template <class Work>
 std::shared_ptr<Solution> in_directory(const Study& study, const Directory& directory, const SolveOptions& solving,
                                        py::object show, const Work& work) {

@@ -4,7 +4,7 @@
 
 namespace breccia::python {
 
-/// solve, pack, run and respond.
+/// Adds the functions solve, pack, run and respond to the module.
 void bind_calculations(pybind11::module_& module);
 
 }  // namespace breccia::python

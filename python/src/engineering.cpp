@@ -33,7 +33,7 @@ auto column(std::vector<Sample> EngineeringCurves::*samples, Number Sample::*mem
   };
 }
 
-/// What is missing under a boundary condition for Young's modulus.
+/// The tests that are missing under a boundary condition for Young's modulus.
 std::string lacking(const StageFindings& stage, const std::optional<std::string>& boundary) {
   bool has_shear = false, has_bulk = false;
   for (const auto& test : stage.tests) {

@@ -11,8 +11,8 @@
 
 namespace breccia::python {
 
-/// The curves of a stage under a boundary condition, or under the only one. Throws InputError where the stage was not
-/// tested in shear and in bulk under it, with what is missing.
+/// The curves of a stage under a boundary condition, or under the only one that it has. Throws InputError, with the
+/// missing tests, where the stage was not tested in shear and in bulk under it.
 EngineeringCurves engineering_of(const StageFindings& stage, const std::optional<std::string>& boundary);
 
 /// Adds Young's modulus and Poisson's ratio of stages to the module.

@@ -22,7 +22,7 @@ namespace {
 
 namespace py = pybind11;
 
-/// What a caller in Python can do about a conflict of writing in a directory.
+/// Advice to a caller in Python about a conflict of writing in a directory.
 std::string advice_on(const ResultConflict& conflict) {
   using Remedy = ResultConflict::Remedy;
   std::vector<std::string> ways;

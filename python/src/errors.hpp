@@ -4,8 +4,8 @@
 
 namespace breccia::python {
 
-/// Translates the errors of the library to the exceptions of `breccia._errors`, with what helps in Python added to
-/// their messages.
+/// Translates the errors of the library to the exceptions of `breccia._errors`, with advice for Python added to their
+/// messages.
 void translate_errors();
 
 }  // namespace breccia::python

@@ -4,7 +4,7 @@
 
 namespace breccia::python {
 
-/// Material cards of composites, and their moduli over the temperature.
+/// Adds material cards of composites, and their moduli over the temperature, to the module.
 void bind_exports(pybind11::module_& module);
 
 }  // namespace breccia::python

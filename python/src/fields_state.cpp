@@ -46,7 +46,7 @@ py::tuple state_of(const GridFields<dim>& all) {
 py::tuple state_of(const NetworkFields& all) {
   py::list states;
   for (const auto& [time, fields] : all.at_times) {
-    // A cell has plain numbers alone, so that its bytes are its state.
+    // A cell holds only plain numbers, so that its bytes are its state.
     static_assert(std::is_trivially_copyable_v<FilmCell>);
     const auto* const cells = reinterpret_cast<const char*>(fields.cells.data());
     states.append(py::make_tuple(time, flat(fields.points), flat(fields.displacement),

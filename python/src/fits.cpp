@@ -32,7 +32,7 @@ std::span<const double> numbers_of(const char* name, const ContiguousNumbers& ar
   return {array.data(), static_cast<std::size_t>(array.size())};
 }
 
-/// Several lists of data of one length.
+/// Throws InputError unless several lists of data have one length.
 void require_equal_lengths(const char* name, const ContiguousNumbers& one, const char* other_name,
                            const ContiguousNumbers& other) {
   if (one.size() == other.size()) return;
@@ -69,7 +69,7 @@ auto list_of(const Numbers& numbers_in) {
   };
 }
 
-/// What the kinds of fits have in common.
+/// Binds the members that all kinds of fits have.
 template <class Fit>
 void bind_quality(py::class_<MeasuredFit<Fit>>& fit) {
   using Measured = MeasuredFit<Fit>;

@@ -12,9 +12,9 @@ namespace breccia::python {
 template <class Fit>
 struct MeasuredFit {
   Fit fit;
-  bool is_dynamic = false;       ///< to dynamic moduli
+  bool is_dynamic = false;       ///< whether the fit is one to dynamic moduli
   std::vector<double> at;        ///< times [s], or angular frequencies [rad/s]
-  std::vector<double> measured;  ///< values there; of dynamic moduli first all storage, then all loss moduli [Pa]
+  std::vector<double> measured;  ///< values at these; of dynamic moduli first all storage, then all loss moduli [Pa]
 };
 
 /// A fit to dynamic moduli at angular frequencies [rad/s].

@@ -16,19 +16,19 @@ using std::chrono::milliseconds;
 
 namespace {
 
-/// Held by the thread that calculates.
+/// The mutex that is held by the thread that calculates.
 std::timed_mutex& turn_of_all() {
   static std::timed_mutex instance;
   return instance;
 }
 
-/// The thread that calculates, if there is one.
+/// The identity of the thread that calculates, if there is one.
 std::atomic<std::thread::id>& calculating() {
   static std::atomic<std::thread::id> instance;
   return instance;
 }
 
-/// Waits a while for the turn, without the interpreter's lock.
+/// Waits a while for the mutex, without the interpreter's lock. Returns whether it is held now.
 bool takes_turn() {
   constexpr milliseconds pause(50);
   const py::gil_scoped_release release;

@@ -11,7 +11,7 @@
 
 namespace breccia::python {
 
-/// Prony series, creep compliances, and materials as solvers see them.
+/// Adds Prony series, creep compliances, and materials as solvers take them, to the module.
 void bind_materials(pybind11::module_& module);
 
 // The content of a series for pickle: (equilibrium modulus, relaxation times, moduli).

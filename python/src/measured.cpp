@@ -31,7 +31,7 @@ constexpr std::array plain_quantities = {
     std::pair("angular_frequency", Quantity::angular_frequency), std::pair("phase_angle", Quantity::phase_angle),
     std::pair("loss_tangent", Quantity::loss_tangent)};
 
-/// Those that are of a kind of modulus.
+/// The quantities that have a kind of modulus.
 constexpr std::array quantities_of_kinds = {
     std::pair("modulus", Quantity::modulus), std::pair("compliance", Quantity::compliance),
     std::pair("storage_modulus", Quantity::storage_modulus), std::pair("loss_modulus", Quantity::loss_modulus),

@@ -4,7 +4,7 @@
 
 namespace breccia::python {
 
-/// Tables of measured data.
+/// Adds tables of measured data to the module.
 void bind_measured(pybind11::module_& module);
 
 }  // namespace breccia::python

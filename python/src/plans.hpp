@@ -4,7 +4,7 @@
 
 namespace breccia::python {
 
-/// Plan, StagePlan, TestPlan and plan.
+/// Adds the classes Plan, StagePlan and TestPlan and the function plan to the module.
 void bind_plans(pybind11::module_& module);
 
 }  // namespace breccia::python

@@ -4,7 +4,7 @@
 
 namespace breccia::python {
 
-/// Quantities as text: "0.5 um".
+/// Adds the functions for quantities as text, such as "0.5 um", to the module.
 void bind_quantities(pybind11::module_& module);
 
 }  // namespace breccia::python

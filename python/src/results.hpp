@@ -4,7 +4,7 @@
 
 namespace breccia::python {
 
-/// Results of studies, of their stages, and of tests.
+/// Adds the results of studies, of their stages, and of tests to the module.
 void bind_results(pybind11::module_& module);
 
 }  // namespace breccia::python

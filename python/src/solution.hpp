@@ -17,10 +17,11 @@ namespace breccia::python {
 /// The result of a stage, with its box as Python shows it.
 struct SolvedStage {
   StageFindings result;
-  std::optional<Box> box;  ///< of a response to another matrix nothing
+  std::optional<Box> box;  ///< content of the box; nothing for a response with other materials
 };
 
-/// What a calculation returns to Python: results, and what is needed to ask them for other materials.
+/// The result of a calculation in Python: the results of the stages, and the data that a response with other materials
+/// needs.
 struct Solution {
   StudyContent content;
   std::vector<SolvedStage> stages = {};
@@ -31,7 +32,7 @@ struct Solution {
 /// The solution of a study from its result.
 std::shared_ptr<Solution> solution_of(const Study& study, StudyResult result);
 
-/// What a test of a stage is asked for by; nothing: whatever the stage has.
+/// The words by which a test of a stage is selected; a word that is absent fits any test.
 struct TestWords {
   std::optional<std::string> load, boundary, method, grid;
 };

@@ -8,8 +8,8 @@
 
 namespace breccia::python {
 
-// The content of results for pickle: everything that Python shows, and of a whole solution the reduced responses. What
-// a test has recorded of its own computation beside its error and wall time is left out.
+// The content of results for pickle: everything that Python shows, and of a whole solution the reduced responses. The
+// record of the computation of a test is left out, except for its error and wall time.
 pybind11::dict state_of_test(const TestResult& test);
 TestResult test_from(const pybind11::dict& state);
 pybind11::dict state_of_stage(const SolvedStage& stage);

@@ -4,7 +4,7 @@
 
 namespace breccia::python {
 
-/// Results of earlier runs, from their directories.
+/// Adds the readers of the results of earlier runs to the module.
 void bind_stored_results(pybind11::module_& module);
 
 }  // namespace breccia::python

@@ -24,7 +24,7 @@ namespace {
 
 namespace py = pybind11;
 
-/// What the arguments are called in messages.
+/// The names of the arguments in messages.
 const ValueOrigins& origins_in_python() {
   static const ValueOrigins origins = {.overrides = "overrides", .sweep_keys = "sweep"};
   return origins;

@@ -4,7 +4,7 @@
 
 namespace breccia::python {
 
-/// Studies from decks.
+/// Adds the readers of studies from decks to the module.
 void bind_studies(pybind11::module_& module);
 
 }  // namespace breccia::python

@@ -24,7 +24,7 @@ py::dict fields_of(const TimedFields<dim>& timed, const py::object& owner) {
   const Fields& fields = timed.fields;
   const auto shape = [&fields](std::size_t components) {
     std::vector<py::ssize_t> extents;
-    // Two points along each axis of a square, the means of a cube.
+    // A square has two points along each axis, a cube one mean value.
     for (const auto cells : fields.cells.size()) extents.insert(extents.begin(), dim == 2 ? 2 * cells : cells);
     if (components > 0) extents.push_back(static_cast<py::ssize_t>(components));
     return extents;

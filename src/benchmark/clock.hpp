@@ -2,7 +2,7 @@
 
 namespace breccia {
 
-/// The time by which speeds are measured.
+/// The kind of time by which speeds are measured.
 enum class Clock {
   wall,      ///< wall time
   processor  ///< mean processor time of the threads: unaffected by other programs, except through the caches

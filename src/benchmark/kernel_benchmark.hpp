@@ -13,11 +13,11 @@ namespace breccia {
 /// A kernel and the conditions under which its steps are timed.
 struct KernelCase {
   Formulation formulation = Formulation::total_lagrangian;
-  InstructionSet instructions = InstructionSet::baseline;  ///< of the total Lagrangian formulation
+  InstructionSet instructions = InstructionSet::baseline;  ///< instruction set of the total Lagrangian formulation
   int cells = 0;                                           ///< cells per side, with 2^dimensions material points each
   int terms = 0;                                           ///< Prony terms of the matrix's shear modulus; 0: elastic
   int threads = 1;                                         ///< threads of each process, at least one
-  Mixing mixing = Mixing::series;                          ///< of the cells that an interface crosses
+  Mixing mixing = Mixing::series;                          ///< treatment of the cells that an interface crosses
   int dimensions = 2;                                      ///< 2 or 3
 };
 

@@ -10,7 +10,7 @@ namespace breccia {
 /// Memory bandwidth, with the bytes counted as in the STREAM benchmark (McCalpin 1995): every array once for each time
 /// that the statement reads or writes it.
 struct MemoryBandwidth {
-  double triad = 0.0;   ///< of a = b + s c [B/s]
+  double triad = 0.0;   ///< bandwidth of a = b + s c [B/s]
   double update = 0.0;  ///< bandwidth of a = a + s b, which updates an array in place as an explicit step does [B/s]
 };
 

@@ -19,7 +19,7 @@ class Checkpoints {
               const RunObserver& observer);
 
   [[nodiscard]] std::unique_ptr<Checkpoint> of_packing(const Stage& stage) const;
-  /// Of a quasi-static test one for all loads.
+  /// The checkpoint of a test. All loads of a quasi-static test share one.
   [[nodiscard]] std::unique_ptr<Checkpoint> of_test(const Stage& stage, const TestId& test) const;
 
  private:
@@ -35,7 +35,7 @@ class Checkpoints {
 std::vector<std::string> checkpoint_files(const Study& study, const std::filesystem::path& directory);
 
 /// Ends the work on results whose record says that they are complete: writes the page and the checksums, and removes
-/// the checkpoints last, so that their presence tells of an end that was cut off.
+/// the checkpoints last, so that their presence shows that this function was interrupted.
 void close_results(const Study& study, const std::filesystem::path& directory);
 
 /// Removes the half-written files of a killed run.

@@ -18,8 +18,8 @@
 
 namespace breccia {
 
-/// Writes the results of a study to a directory as they are found, by the first of several processes. Stages that are
-/// shared with other studies are taken over from them, or left for them.
+/// Writes the results of a study to a directory as they are found, by the first of several processes. Results of stages
+/// that other studies have, too, are taken over from those, or kept for them.
 class DirectorySink final : public StudySink {
  public:
   /// All arguments must outlive this object.
@@ -33,7 +33,7 @@ class DirectorySink final : public StudySink {
   std::unique_ptr<Checkpoint> test_checkpoint(const Stage& stage, const TestId& test) override;
   bool store_fields(const Stage& stage, const TestId& test, const TestFields& fields) override;
 
-  /// Leaves the reason why the present stage could not be computed for others that have it.
+  /// Keeps the reason why the present stage could not be computed, for other studies that have the stage.
   void keep_failure(const std::exception_ptr& failure);
 
  private:
@@ -55,8 +55,8 @@ class DirectorySink final : public StudySink {
   const RunObserver& observer_;
   SharedStages& shared_;
   Checkpoints checkpoints_;
-  std::vector<std::string> stage_hashes_;  ///< empty for a study that is not as a deck gives it
-  std::string present_hash_;               ///< of the stage that is being computed
+  std::vector<std::string> stage_hashes_;  ///< empty for a study that differs from its deck, or has none
+  std::string present_hash_;               ///< hash of the stage that is being computed
   StageRecords records_;
   std::list<RemoveIfEmpty> kept_if_not_empty_;  ///< the directories of the stages
 };

@@ -40,7 +40,7 @@ class PackingSink final : public StudySink {
   }
 
   void happened(const StudyEvent& event) override {
-    const auto& packed = std::get<StagePacked>(event);  // all that happens without tests
+    const auto& packed = std::get<StagePacked>(event);  // without tests there are no other events
     parallel::done_by_first([&] {
       write_microstructure(directory_ / packed.stage.name, packed.stage, packed.result.stages.back().microstructure);
       if (!has_tests_) write_provenance(directory_, study_, packed.result);
@@ -63,7 +63,7 @@ StudyResult pack_study(const Study& study, const std::filesystem::path& director
   require_sound(study);
   const ResultPlace results(study, directory, [&] { return directory_to_pack_in(study, directory, options); });
   const auto& place = results.place();
-  // An earlier run has written results of tests, which it can continue.
+  // An earlier run has written results of tests; the packing keeps them.
   auto how = options;
   how.resume = options.resume || holds_tests(place);
   const Checkpoints checkpoints(study, place, how, observer);

@@ -61,15 +61,15 @@ std::vector<std::string> own_files(const fs::path& directory, const StudyRecord&
   return names;
 }
 
-/// What Breccia has written to a results directory. A replacement that was interrupted counts as complete, since it is
-/// completed once there are no conflicts.
+/// The files that Breccia has written to a results directory. A replacement that was interrupted counts as complete,
+/// since it is completed once there are no conflicts.
 struct Contents {
-  Provenance provenance;  ///< of the study that is to be run
+  Provenance provenance;  ///< provenance of the study that is to be run
   StudyRecord results, unfinished;
   fs::path record;                     ///< the file of the results' record
   std::vector<std::string> own_files;  ///< relative to the directory
   bool holds_sweep = false;
-  bool has_lost_record = false;  ///< whether these are complete results whose record is missing or damaged
+  bool has_lost_record = false;  ///< whether the files are complete results whose record is missing or damaged
 };
 
 Contents contents_of(const Study& study, const fs::path& directory) {
@@ -298,7 +298,7 @@ Conflicts conflicts_with(const Study& study, const fs::path& directory, const Co
   return conflicts.empty() ? conflicts_of_replacing(study, directory, contents, options) : conflicts;
 }
 
-/// What is in a directory that a run may write to, once an interrupted replacement is completed. Throws
+/// The content of a directory to which a run may write, after the completion of an interrupted replacement. Throws
 /// ConflictingResults before any change.
 Contents prepared(const Study& study, const fs::path& directory, const RunOptions& options) {
   auto conflicts = conflicts_with(study, directory, contents_of(study, directory), options);
@@ -319,7 +319,7 @@ void finish_interrupted_replacement(const Study& study, const fs::path& director
   if (record.is_complete_run_of(provenance)) {
     put_in_place(study, unfinished, directory);
   } else if (read_study_record(directory).is_complete_run_of(provenance)) {
-    // An interrupted run of the same study was to replace these results, with the same bits.
+    // An interrupted run of the same study was to replace these results by identical ones.
     remove_unfinished(directory);
   }
 }

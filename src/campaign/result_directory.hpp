@@ -17,8 +17,8 @@ namespace breccia {
 std::filesystem::path directory_to_run_in(const Study& study, const std::filesystem::path& directory,
                                           const RunOptions& options);
 
-/// The same for packing without tests, which never removes finished tests: it resumes if they are of the same study,
-/// and throws ConflictingResults if they are of another study.
+/// As directory_to_run_in(), but for packing without tests, which never removes finished tests: it resumes if they are
+/// of the same study, and throws ConflictingResults if they are of another study.
 std::filesystem::path directory_to_pack_in(const Study& study, const std::filesystem::path& directory,
                                            const RunOptions& options);
 

@@ -19,8 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The first letter of the text that the first process sends to the others: a directory, or an error that is more than
-/// its message.
+/// The first letter of the text that the first process sends to the other processes. It says whether the text is a
+/// directory or an error with more than a message.
 constexpr char is_chosen = '+', is_in_use = '!', is_conflict = 'o';
 
 std::string as_text(const std::vector<ResultConflict>& conflicts) {

@@ -12,10 +12,10 @@ namespace breccia {
 /// study, its data files and this version of Breccia. Throws FileError when `study.json` cannot be read.
 std::optional<double> time_of_complete_run(const Study& study, const std::filesystem::path& directory);
 
-/// The same. If that run was killed after its last test, first completes its work: writes the page and the checksums,
-/// and removes checkpoints and half-written files. Nothing, and a Note, if a file is missing or has
-/// changed since (results/checksums.hpp), but for the page, which is written anew. Throws DirectoryInUse if another
-/// process writes to the directory.
+/// As time_of_complete_run(), but if that run was killed after its last test, the function first completes its work: it
+/// writes the page and the checksums, and removes checkpoints and half-written files. Returns nothing, and sends a
+/// Note, if a file other than the page is missing or has changed since (results/checksums.hpp); the page is written
+/// anew. Throws DirectoryInUse if another process writes to the directory.
 std::optional<double> take_over_complete_run(const Study& study, const std::filesystem::path& directory,
                                              const RunObserver& observer = {});
 

@@ -19,7 +19,7 @@ StudyResult run_study(const Study& study, const std::filesystem::path& directory
 
 StudyResult run_study(const Study& study, const std::filesystem::path& directory, const RunOptions& options,
                       const RunObserver& observer, SharedStages& shared) {
-  // Before earlier results make way.
+  // This check comes before earlier results are replaced.
   require_solvable(study, options.solve);
   const ResultPlace results(study, directory, [&] { return directory_to_run_in(study, directory, options); });
   const auto& place = results.place();

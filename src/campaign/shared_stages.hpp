@@ -26,11 +26,12 @@ class SharedStages {
     std::exception_ptr failure = nullptr;  ///< error of a stage without result
   };
 
-  /// For a single study, in which nothing is shared.
+  /// An object for a single study, in which nothing is shared.
   SharedStages() = default;
-  /// For the stages that at least two tasks have.
+  /// An object for the stages that at least two tasks have.
   explicit SharedStages(const Sweep& sweep);
-  /// Of the stages of one study whose results the reduced responses of another task gave, without files.
+  /// An object with the stages of one study, whose results were computed from the reduced responses of another task.
+  /// They have no files.
   SharedStages(const Study& study, const std::vector<StageResult>& results, const std::string& task);
 
   /// The entry of a stage; nullptr if no task has computed it yet.

@@ -74,8 +74,8 @@ class SweepRun {
     return sweep_.tasks[task].directory_in(directory_);
   }
 
-  /// Runs an action on the first process of the first group, which writes the tables of all; if it fails there, fails
-  /// on all processes of that group.
+  /// Runs an action on the first process of the first group, which writes the tables of all groups; if it fails there,
+  /// it fails on all processes of that group.
   template <class Action>
   static void by_first_group(const Action& action) {
     if (parallel::group() == 0) parallel::done_by_first(action);
@@ -99,7 +99,7 @@ class SweepRun {
     static_cast<void>(parallel::gather({}));
   }
 
-  /// Refuses tasks that may not fit into the memory. The tasks themselves do not look again.
+  /// Refuses tasks that may not fit into the memory. The tasks themselves do not check this again.
   void require_memory_of_tasks() {
     std::vector<std::size_t> tasks;
     for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) {
@@ -148,10 +148,10 @@ class SweepRun {
     }
   }
 
-  /// The stages of a task that differs from an earlier one in temperatures alone, as the reduced responses of that one
-  /// give them. Nothing where there is no such task, where the responses cannot be read or do not cover the materials:
-  /// then the task runs by itself. Several processes run all tasks, since files that one has moved others may not see
-  /// yet.
+  /// The stages of a task that differs from an earlier task in temperatures alone, computed from the reduced responses
+  /// of the earlier one. Nothing where there is no such task, or where the responses cannot be read or do not cover the
+  /// materials: then the task is run. With several processes all tasks are run, since some processes may not yet see
+  /// files that another one has moved.
   [[nodiscard]] std::optional<SharedStages> answered(std::size_t task) const {
     const auto earlier = task_that_answers(sweep_, task);
     if (!earlier || !parallel::is_alone() || result_[*earlier].state != TaskState::done) return std::nullopt;

@@ -107,7 +107,7 @@ std::vector<std::string> names_of_tasks(const Sweep& sweep) {
   return names;
 }
 
-/// A conflict with each task that is not as the deck gives it: neither its name nor its hash would tell what it is.
+/// A conflict with each task that differs from its deck: neither its name nor its hash would identify it.
 std::vector<ResultConflict> conflicts_with_changed_tasks(const Sweep& sweep) {
   std::vector<ResultConflict> conflicts;
   for (const auto& task : sweep.tasks) {

@@ -14,8 +14,8 @@ namespace breccia {
 std::optional<std::size_t> task_that_answers(const Sweep& sweep, std::size_t task);
 
 /// The results of the stages of a study from the reduced responses of another one, which differs only in temperatures
-/// and whose results are in a directory. The packings are computed again, with the same bits; there are no fields.
-/// Throws InputError if the materials leave the range of the sampled moduli, and FileError.
+/// and whose results are in a directory. The packings are computed again, with bitwise identical results; there are no
+/// fields. Throws InputError if the materials leave the range of the sampled moduli, and FileError.
 std::vector<StageResult> answered_stages(const Study& study, const std::filesystem::path& directory);
 
 }  // namespace breccia

@@ -12,7 +12,8 @@
 
 namespace breccia {
 
-/// Reads a value of an enumeration from the number that it was written as. Throws FileError for a number that is none.
+/// Reads a value of an enumeration from the number that it was written as. Throws FileError for a number that no value
+/// has.
 template <HasWords Enum>
 Enum read_enumeration(const StateReader& state, const std::string& name) {
   const auto number = state.integer(name);

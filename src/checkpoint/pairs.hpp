@@ -19,7 +19,7 @@ void save_pairs(StateWriter& state, const std::string& first_name, const std::st
   state.write(second_name, second);
 }
 
-/// Reads them. Throws FileError when a list is missing or the lists differ in length.
+/// Reads pairs of numbers from two lists. Throws FileError when a list is missing or the lists differ in length.
 template <class Pair>
 std::vector<Pair> read_pairs(const StateReader& state, const std::string& first_name, const std::string& second_name) {
   const auto first = state.numbers(first_name);

@@ -8,8 +8,8 @@
 
 namespace breccia::cli {
 
-/// The message of an error with the options of the command by which it can be helped: the library, which others use
-/// too, knows of none.
+/// The message of an error, with the options of the command that help against it. The library does not name options,
+/// because other programs use it, too.
 std::string with_advice(const Error& error, const CLI::App& command);
 
 }  // namespace breccia::cli

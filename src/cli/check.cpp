@@ -69,7 +69,7 @@ std::string costs_of(const Study& study, double seconds, double bytes) {
                      is_quasistatic ? " on one core" : "", memory(bytes));
 }
 
-/// What each of several processes takes at best.
+/// A line about the least time and memory of each of several processes.
 std::string line_of_processes(int processes, double seconds, double bytes) {
   if (processes == 1) return {};
   return fmt::format("on {0} processes with a core each at best 1/{0} of the time, {1}, and {2} of memory a process\n",
@@ -99,7 +99,7 @@ void print(const Study& study, const StudyPlan& plan, const std::vector<double>&
 void check_study(const Study& study, const std::vector<double>& errors, int processes) {
   fmt::print("{}{}", summary(study), heading);
   print(study, plan_of(study), errors, processes);
-  // What several processes take may be the memory of several machines.
+  // Several processes may use the memory of several machines.
   if (processes == 1) require_memory(study, parallel::available_memory());
 }
 
@@ -109,7 +109,7 @@ std::string name_of(const Sweep& sweep, const SweepPlan::Part& part) {
   return part.tasks.size() == 1 ? first : fmt::format("{} and {} more", first, part.tasks.size() - 1);
 }
 
-/// What the first part has not said already.
+/// Prints the warnings about a part that were not printed for the first part.
 void print_new_warnings(const Sweep& sweep, const SweepPlan& plan, const SweepPlan::Part& part) {
   const auto& first = plan.parts.front().plan.stages;
   for (std::size_t i = 0; i < part.plan.stages.size(); ++i) {
@@ -146,7 +146,7 @@ void check_sweep(const Sweep& sweep, const std::vector<double>& errors, int proc
   if (processes == 1) require_memory(sweep, parallel::available_memory());
 }
 
-/// The errors that the option --error names [-]. Throws InputError for one that is no percentage of less than 100 %.
+/// The errors given by the option --error [-]. Throws InputError for one that is not a percentage below 100 %.
 std::vector<double> errors_of(const std::vector<std::string>& texts) {
   if (texts.empty()) return {0.05, 0.02, 0.01};
   std::vector<double> errors;

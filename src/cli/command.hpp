@@ -17,7 +17,7 @@ namespace breccia::cli {
 struct DeckArguments {
   std::filesystem::path deck;
   std::vector<std::string> overrides;
-  std::vector<std::string> swept;  ///< `key.path=[value, ...]`
+  std::vector<std::string> swept;  ///< swept keys, `key.path=[value, ...]`
   int seeds = 0;                   ///< number of seeds for all random packings; 0: the seeds of the deck
 
   [[nodiscard]] Sweep read() const;
@@ -29,16 +29,16 @@ void add_deck_arguments(CLI::App& command, DeckArguments& arguments);
 /// The further arguments of every subcommand that computes.
 struct RunArguments {
   DeckArguments deck;
-  std::filesystem::path directory;  ///< empty: results/<deck name>
+  std::filesystem::path directory;  ///< directory of the results; empty: results/<deck name>
   int threads = 0;                  ///< number of threads; 0: all cores
   bool quiet = false;
   bool resume = false;
   bool overwrite = false;
   bool ignore_memory = false;
   int processes_per_task = 0;                  ///< processes for each task of a sweep; 0: all
-  std::string petsc_options;                   ///< in the form of a command line of PETSc
-  std::string time_limit;                      ///< with its unit; empty: none
-  std::string checkpoint_interval = "10 min";  ///< with its unit
+  std::string petsc_options;                   ///< options of PETSc, in the form of its command line
+  std::string time_limit;                      ///< time limit with its unit; empty: none
+  std::string checkpoint_interval = "10 min";  ///< interval with its unit
 
   /// The directory for the results.
   [[nodiscard]] std::filesystem::path results() const;

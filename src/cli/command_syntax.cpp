@@ -60,7 +60,7 @@ OptionSyntax syntax_of(const CLI::Option& option) {
   OptionSyntax syntax = {{}, first_clause_of(option.get_description()), values_of(option)};
   for (const auto& name : option.get_snames()) syntax.names.push_back("-" + name);
   for (const auto& name : option.get_lnames()) syntax.names.push_back("--" + name);
-  // An option of a list takes any number of values, or is told to take those of all its uses.
+  // The option is repeatable if it takes any number of values, or the values of all its uses.
   syntax.is_repeatable = option.get_expected_max() >= CLI::detail::expected_max_vector_size ||
                          option.get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll;
   return syntax;

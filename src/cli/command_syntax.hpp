@@ -7,7 +7,7 @@
 
 namespace breccia::cli {
 
-/// What may stand for a value on the command line.
+/// The kind of text that may stand for a value on the command line.
 enum class ValueKind {
   text,       ///< a number, a quantity or a name, which no shell can guess
   word,       ///< one of several words
@@ -17,16 +17,16 @@ enum class ValueKind {
 
 /// A value of an option, or an argument.
 struct ValueSyntax {
-  std::string name;  ///< as the help shows it, such as DECK or TIME
+  std::string name;  ///< name in the help, such as DECK or TIME
   ValueKind kind = ValueKind::text;
-  std::vector<std::string> words = {};  ///< of ValueKind::word
-  std::string suffix = {};              ///< of ValueKind::file, such as .toml; empty: any file
+  std::vector<std::string> words = {};  ///< the words of ValueKind::word
+  std::string suffix = {};              ///< suffix of ValueKind::file, such as .toml; empty: any file
 };
 
 struct OptionSyntax {
-  std::vector<std::string> names;        ///< with their dashes: -h, --help
-  std::string summary;                   ///< what it does, without defaults and examples
-  std::vector<ValueSyntax> values = {};  ///< none for a flag
+  std::vector<std::string> names;        ///< names with their dashes: -h, --help
+  std::string summary;                   ///< description of the option, without defaults and examples
+  std::vector<ValueSyntax> values = {};  ///< values of the option; none for a flag
   bool is_repeatable = false;
 };
 

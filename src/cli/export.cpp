@@ -32,24 +32,25 @@ namespace fs = std::filesystem;
 struct ExportArguments {
   fs::path results;
   std::string format;
-  std::string stage;     ///< empty: the last one
-  std::string boundary;  ///< empty: the only one
-  std::string load;      ///< empty: shear, or the only one of shear
+  std::string stage;     ///< name of the stage; empty: the last one
+  std::string boundary;  ///< boundary condition; empty: the only one
+  std::string load;      ///< load; empty: shear, or the only load of shear
   std::string tolerance = "1 %";
   std::vector<std::string> times;
-  std::string temperature;  ///< of the moduli; empty: that of the run
-  std::string bulk;         ///< empty: from the bulk test
-  std::string poisson;      ///< empty: from the bulk test
+  std::string temperature;  ///< temperature of the moduli; empty: that of the run
+  std::string bulk;         ///< bulk modulus; empty: from the bulk test
+  std::string poisson;      ///< Poisson's ratio; empty: from the bulk test
   std::string units = "m-kg-s";
-  std::string frequency = "1 Hz";         ///< of the format `dma`
-  std::vector<std::string> temperatures;  ///< of the format `dma`; empty: those near that of the run that are covered
-  std::string step = "2 K";               ///< between the temperatures
-  fs::path output;                        ///< empty: standard output
+  std::string frequency = "1 Hz";  ///< frequency of the format `dma`
+  std::vector<std::string>
+      temperatures;          ///< temperatures of the format `dma`; empty: those near that of the run that are covered
+  std::string step = "2 K";  ///< step between the temperatures
+  fs::path output;           ///< file of the output; empty: standard output
   bool overwrite = false;
   std::vector<std::string> of_other_formats;  ///< options that were given, but that the format does not have
 };
 
-/// Reads options one by one and collects what is wrong with each of them.
+/// Reads options one by one and collects the mistakes in all of them.
 class OptionReader {
  public:
   template <class Action>
@@ -120,7 +121,7 @@ std::vector<std::string> options_of_cards() {
 struct ExportRequest {
   CompositeChoice choice;
   CardSettings settings;
-  std::optional<AskedTemperature> temperature = {};  ///< of a card
+  std::optional<AskedTemperature> temperature = {};  ///< temperature of a card
   double angular_frequency = 0.0;                    ///< [rad/s]
   std::optional<TemperatureRange> temperatures = {};
   double temperature_step = 0.0;  ///< [K]
@@ -216,8 +217,8 @@ struct ExportedComposite {
 };
 
 /// The composite at another temperature than that of the run, at the times of the run or at other ones, by the reduced
-/// responses that the run has left. Throws InputError where there are none, or the law of a material does not reach
-/// that temperature; NotCovered, with the times that are covered.
+/// responses that the run has stored. Throws InputError where there are none, or the law of a material does not reach
+/// that temperature; throws NotCovered, with the times that are covered, for times outside them.
 ExportedComposite composite_at(const AskedTemperature& temperature, const std::optional<TimeWindow>& times,
                                const fs::path& results, const CompositeChoice& choice) {
   auto content = read_stored_content(results);
@@ -242,7 +243,7 @@ ExportedComposite composite_for(const ExportRequest& request, const fs::path& re
                              : ExportedComposite{read_stored_composite(results, request.choice)};
 }
 
-/// Text of what was asked for, and lines about it.
+/// The exported text, and lines about it for the user.
 struct ExportedText {
   std::string text;
   std::string summary;

@@ -44,7 +44,7 @@ struct FitArguments {
   bool quiet = false;
 };
 
-/// The columns that the user has chosen. Throws InputError with every choice that is none.
+/// The columns that the user has chosen. Throws InputError with all choices that are invalid.
 std::vector<ColumnChoice> columns_of(const FitArguments& arguments) {
   std::vector<NamedColumn> columns;
   std::vector<std::string> mistakes;
@@ -169,7 +169,7 @@ class Fitter {
 std::string temperature_in(std::string_view unit, double temperature) {
   constexpr double zero_celsius = 273.15;
   if (unit == "K") return fmt::format("{:.6g} K", temperature);
-  constexpr double rounding = 1e6;  // of 32 degF
+  constexpr double rounding = 1e6;  // rounding of 32 degF
   return fmt::format("{:.6g} degC", std::round(rounding * (temperature - zero_celsius)) / rounding + 0.0);
 }
 
@@ -202,7 +202,7 @@ std::string describe(const FitResult& result) {
                      pressure(series.unrelaxed()), pressure(series.equilibrium()));
 }
 
-/// At which temperatures the frequency sweeps are.
+/// The temperatures of the frequency sweeps in words.
 std::string sweeps_in_words(const FitData& input, std::string_view unit) {
   const auto* data = std::get_if<DynamicData>(&input);
   if (data == nullptr || data->sweeps.size() == 1) return "";
@@ -216,7 +216,7 @@ std::string sweeps_in_words(const FitData& input, std::string_view unit) {
   return fmt::format("\n  {} sweeps at temperatures from {} to {}", data->sweeps.size(), from, to);
 }
 
-/// What a user should know of a modulus that the file calls neither shear, Young's nor bulk.
+/// A note to the user about a modulus that the file does not name as shear, Young's or bulk modulus.
 std::string note_on_kind(ModulusKind kind) {
   if (kind != ModulusKind::unspecified) return "";
   return "The file does not say which modulus it has: it is taken for G; --modulus young or bulk says otherwise\n";
@@ -295,7 +295,7 @@ void fit(const FitArguments& arguments) {
     const auto unit =
         table_of_data.has({Quantity::temperature}) ? table_of_data.column(Quantity::temperature).unit : "";
     fmt::print("{}{}\n\n", description_of(table_of_data), sweeps_in_words(data, unit));
-    std::fflush(stdout);  // before the fit, which may take long or fail
+    std::fflush(stdout);  // the text must appear before the fit, which may take long or fail
   }
   auto result = std::visit(fitter, data);
   result.kind = modulus_kind;

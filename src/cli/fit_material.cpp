@@ -9,7 +9,7 @@
 namespace breccia::cli {
 namespace {
 
-/// A temperature [K] as a deck has it: "19 degC", or with all digits "292.1515151515 K".
+/// A temperature [K] as text for a deck: "19 degC", or with all digits "292.1515151515 K".
 std::string as_quantity(double temperature) {
   constexpr double zero_celsius = 273.15, rounding = 1e-7;
   const auto celsius = fmt::format("{:.6g} degC", temperature - zero_celsius);
@@ -27,7 +27,7 @@ std::string quoted(const std::string& text) {
   return escaped + "\"";
 }
 
-/// The key of a material for a modulus; one of unknown kind is taken for that of shear.
+/// The key of a material for a modulus. A modulus of unknown kind is taken as a shear modulus.
 std::string_view key_of(ModulusKind kind) {
   if (kind == ModulusKind::young) return "young";
   return kind == ModulusKind::bulk ? "bulk" : "shear";

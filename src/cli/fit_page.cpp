@@ -37,7 +37,7 @@ Json finite(double number) {
   return std::isfinite(number) && number > 0.0 ? Json(number) : Json();
 }
 
-/// The data as the page takes them: `samples` over time with the fit, or `sweeps` over the frequency.
+/// The data in the form that the page reads: `samples` over time with the fit, or `sweeps` over the frequency.
 struct PageOfData {
   const FitResult& result;
 

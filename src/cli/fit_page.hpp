@@ -7,8 +7,8 @@
 
 namespace breccia::cli {
 
-/// The report of a fit as an HTML document that needs neither other files nor a network; docs/fitting.md tells what is
-/// in it. `source` is the name of the file of the data.
+/// The report of a fit as an HTML document that needs neither other files nor a network; docs/fitting.md describes its
+/// content. `source` is the name of the file of the data.
 std::string fit_report(const std::string& source, const FitData& data, const FitResult& result);
 
 }  // namespace breccia::cli

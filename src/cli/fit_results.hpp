@@ -26,11 +26,11 @@ struct FitResult {
   CurveKind measured = CurveKind::relaxation;
   PronySeries modulus;
   CreepCompliance compliance;
-  TimeWindow reach;                        ///< range of the data [s]; for dynamic data of 1 / omega
-  std::optional<FitQuality> quality = {};  ///< nothing for a given Prony series
+  TimeWindow reach;                        ///< range of the data [s]; for dynamic data the range of 1 / omega
+  std::optional<FitQuality> quality = {};  ///< quality of the fit; nothing for a given Prony series
   std::optional<MasterCurve> master_curve = {};
   std::optional<WilliamsLandelFerryFit> law = {};
-  ModulusKind kind = ModulusKind::unspecified;  ///< from the names of the columns or from the user
+  ModulusKind kind = ModulusKind::unspecified;  ///< kind of modulus, from the names of the columns or from the user
 };
 
 /// The symbol of the compliance of a kind: J in shear, D in tension, B under pressure.

@@ -2,8 +2,8 @@
 
 namespace breccia::cli {
 
-/// Installs handlers by which SIGINT, SIGTERM and, unless it is ignored, SIGHUP request the computation to stop at the
-/// next suitable point.
+/// Installs signal handlers: SIGINT, SIGTERM and, unless it is ignored, SIGHUP then request the computation to stop at
+/// the next suitable point.
 void watch_for_interruption();
 
 /// Whether one of these signals has arrived.

@@ -21,7 +21,7 @@
 namespace breccia::cli {
 namespace {
 
-/// What fills a box: "40 particles", "25 grains", "pixels of the filler".
+/// The content of a box in words: "40 particles", "25 grains", "pixels of the filler".
 struct InclusionsInWords {
   const Stage& stage;
 
@@ -82,7 +82,7 @@ std::string describe_error(double error_estimate, const std::optional<ReducedRes
   return fmt::format("error of the basis (at Laplace variables, {}) about {:.1g} %", fmt::join(phases, ", "), per_cent);
 }
 
-// The line that tells the user of an event; empty where there is none.
+// The line that reports an event to the user; empty where there is none.
 
 std::string line_of(const StagePacked& event) {
   return describe(event.stage, event.result.stages.back());
@@ -99,7 +99,7 @@ std::string line_of(const DomainFinished& event) {
       domain.point_steps_per_second(points) / 1e6);
 }
 
-/// Of a quasi-static test; of dynamic tests there is a line for each time domain instead.
+/// The line about a quasi-static test. Dynamic tests have a line for each time domain instead.
 std::string line_of(const TestFinished& event) {
   const auto& test = event.result.stages.back().tests.back();
   const auto* record = std::get_if<QuasistaticRecord>(&test.record);

@@ -30,7 +30,7 @@ void pack(const Study& study, const std::filesystem::path& directory, const RunO
   }
 }
 
-/// Packs all tasks of a sweep. If some cannot be packed, the others still are.
+/// Packs all tasks of a sweep. If some tasks cannot be packed, the other tasks still are.
 void pack_all(const Sweep& sweep, const std::filesystem::path& directory, const RunOptions& options,
               ProgressLine& progress) {
   SweepResult result(sweep.tasks.size());

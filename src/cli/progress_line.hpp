@@ -51,7 +51,7 @@ class ProgressLine {
   std::mutex mutex_;  ///< protects all members below, which the heartbeat reads
   Running running_;
   bool is_running_ = false;  ///< whether update() was called after the last permanent line
-  Clock::time_point shown_;  ///< when a line was last shown
+  Clock::time_point shown_;  ///< time at which a line was last shown
   bool line_is_live_ = false;
   std::optional<Heartbeat> heartbeat_;  ///< last member, so that it ends before the members that it reads
 };

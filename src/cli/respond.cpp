@@ -30,7 +30,7 @@ struct RespondArguments {
   fs::path results;
   std::vector<std::string> materials;     ///< new materials, FILE (of the matrix) or NAME=FILE
   std::vector<std::string> temperatures;  ///< new temperatures of the matrix of the study
-  std::string stage;                      ///< empty: all stages with responses
+  std::string stage;                      ///< name of the stage; empty: all stages with responses
   std::vector<std::string> times;
   fs::path out;
   bool overwrite = false;
@@ -56,7 +56,7 @@ std::optional<TimeWindow> window_of(const std::vector<std::string>& times) {
   throw InputError(fmt::format("--times: expected two rising times, got {} and {}", times[0], times[1]));
 }
 
-/// Does what may throw InputError, and keeps the message, with the options of the command that help.
+/// Runs an action. If it throws InputError, keeps the message, with the options of the command that help.
 template <class Action>
 void collect(std::vector<std::string>& mistakes, const std::string& prefix, const CLI::App& command,
              const Action& action) {
@@ -96,7 +96,7 @@ Responder within(Responder responder, const std::optional<TimeWindow>& window) {
   return window ? responder.within(*window) : std::move(responder);
 }
 
-/// One stage and those that it builds on; all for an empty name.
+/// The responder of one stage and the stages that it builds on; of all stages for an empty name.
 Responder with_chosen_stages(Responder responder, const std::string& stage) {
   return stage.empty() ? std::move(responder) : responder.chain_of(stage);
 }
@@ -124,7 +124,7 @@ std::vector<RespondedStudy> respond_at_temperatures(const RespondArguments& argu
 
 /// A new material from the command line: FILE, which is the matrix, or NAME=FILE.
 struct AskedMaterial {
-  std::string name;  ///< of the material or the phase that it replaces
+  std::string name;  ///< name of the material or the phase that it replaces
   fs::path file;
 };
 
@@ -177,7 +177,7 @@ RespondedStudy respond_with_materials(const RespondArguments& arguments, const R
                    arguments.out.empty() ? own : arguments.out);
 }
 
-/// Prints the warnings that were not printed for the studies before.
+/// Prints the warnings that were not printed for earlier studies.
 void print_warnings(const RespondedStudy& study, std::set<std::string>& printed) {
   for (const auto& stage : study.stages) {
     for (const auto& warning : stage.warnings) {

@@ -27,7 +27,7 @@ std::string_view what_is(std::string_view file) {
   return file == "response.h5" ? "response" : "point fields";
 }
 
-/// The tables of a run for its reader, those that it has written: dynamic.csv and the engineering moduli not always.
+/// The names of the tables that a run has written. Not every run writes dynamic.csv and the engineering moduli.
 std::vector<std::string> tables_in(const std::filesystem::path& directory) {
   std::vector<std::string> tables = {"curves.csv",  "prony.csv",       "study.json",
                                      "dynamic.csv", "engineering.csv", "engineering_dynamic.csv"};

@@ -59,8 +59,8 @@ struct Row {
   std::vector<std::string> texts;
 };
 
-/// A line for each key that distinguishes the columns, with its values; a value is only above the first column of its
-/// task.
+/// A line for each key that distinguishes the columns, with its values; a value stands only above the first column of
+/// its task.
 std::vector<Row> heading_of(const Sweep& sweep, const std::vector<Column>& columns, bool with_seeds) {
   std::vector<Row> rows;
   for (std::size_t key = 0; key < sweep.keys.size(); ++key) {

@@ -16,7 +16,7 @@
 namespace breccia::cli {
 namespace {
 
-/// The tests that a table shows; of several grids only their limit.
+/// The tests that a table shows; for several grids only the limit of vanishing cells.
 std::vector<const TestResult*> shown_tests(const StageResult& stage) {
   const bool has_limits =
       std::ranges::any_of(stage.tests, [](const TestResult& test) { return test.id.grid.is_extrapolated(); });
@@ -27,7 +27,7 @@ std::vector<const TestResult*> shown_tests(const StageResult& stage) {
   return shown;
 }
 
-/// The modulus that a load gives: "G", "G, xx-yy", "K + G/3".
+/// The name of the modulus under a load: "G", "G, xx-yy", "K + G/3".
 std::string modulus_in_words(Load load, int dimensions) {
   if (load == Load::bulk) return std::string(symbol_of_bulk_test(dimensions));
   if (load == Load::shear) return "G";

@@ -20,7 +20,7 @@ std::string escaped(std::string_view text, std::string_view marks) {
   return result;
 }
 
-/// A word of the shell, whatever its characters.
+/// A text as one word of the shell, whatever its characters are.
 std::string shell_word(std::string_view text) {
   std::string result = "'";
   for (const char c : text) {
@@ -33,7 +33,7 @@ std::string shell_word(std::string_view text) {
   return result + "'";
 }
 
-/// What completes a value, as an action of zsh's function `_arguments`.
+/// The completion of a value, as an action of zsh's function `_arguments`.
 std::string action_of(const ValueSyntax& value) {
   switch (value.kind) {
     case ValueKind::text:

@@ -14,8 +14,8 @@ struct NamedColumn {
   std::string name;
 };
 
-/// The columns that are meant. Throws InputError with a line for each word that is unknown or given twice; it begins
-/// with `argument`, by which the columns are given.
+/// The choices of columns by these words. Throws InputError with a line for each word that is unknown or given twice;
+/// the line begins with `argument`, the name of the option or argument that gives the columns.
 std::vector<ColumnChoice> column_choices(const std::vector<NamedColumn>& columns, const std::string& argument);
 
 }  // namespace breccia

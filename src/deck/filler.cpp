@@ -62,7 +62,7 @@ void read_cuts(const Section& section, Filler& filler) {
     section.report("from",
                    fmt::format("expected less than {} (to), got {}", readable(*filler.largest, Dimension::length),
                                readable(*filler.smallest, Dimension::length)));
-  } else if (*filler.smallest < *filler.largest && !misses) {  // and both are numbers
+  } else if (*filler.smallest < *filler.largest && !misses) {  // this is true only of numbers
     section.report_errors_of("sizes", [&] { static_cast<void>(distribution_of(filler)); });
   }
 }
@@ -153,7 +153,7 @@ std::vector<Section> filler_sections(const Section& stage) {
   return single ? std::vector{*single} : std::vector<Section>();
 }
 
-/// Reports what is wrong with the fillers of a stage together.
+/// Reports mistakes that concern all fillers of a stage together.
 void check_together(const Section& section, const Stage& stage) {
   if (stage.fillers.size() > allowed::most_fillers) {
     section.report("filler",
@@ -179,7 +179,7 @@ struct RequireRoom {
 
   template <int dim>
   void operator()(const ExplicitPacking<dim>& listed) const {
-    if (listed.count() == 0) return;  // which has been reported
+    if (listed.count() == 0) return;  // an empty list has been reported already
     try {
       require_room<dim>(stage, listed_box(stage, listed));
     } catch (const InputError& error) {

@@ -9,8 +9,8 @@
 
 namespace breccia {
 
-/// Reads `filler`, which is one table or several, and `packing` of a stage whose box and cells have been read. Without
-/// either the stage has no fillers.
+/// Reads `filler`, which is one table or several, and `packing` of a stage whose box and cells have been read. If both
+/// keys are absent, the stage has no fillers.
 void read_fillers(const Section& section, const std::vector<ShiftedMaterial>& materials, Stage& stage);
 
 }  // namespace breccia

@@ -64,7 +64,7 @@ void refuse_several_curves(const MeasuredTable& table, std::vector<double> times
       table.path().string()));
 }
 
-/// Refuses several tables, one below the other, of what is one curve.
+/// Refuses several tables, one below the other, where one curve is expected.
 void refuse_several_tables(const MeasuredTable& table) {
   if (table.reading().tables == 1) return;
   throw InputError(

@@ -12,15 +12,16 @@ namespace breccia {
 
 /// A Prony series fitted to measured data.
 struct FittedModulus {
-  PronySeries series;                        ///< [Pa]
-  std::optional<TimeWindow> measured_times;  ///< of the data [s]; of dynamic moduli 1 / omega; nothing of a series
-  std::optional<ShiftLaw> shift_law = {};    ///< of a master curve (shift_law_of)
+  PronySeries series;  ///< [Pa]
+  std::optional<TimeWindow>
+      measured_times;  ///< times of the data [s], for dynamic moduli 1 / omega; nothing for a Prony series
+  std::optional<ShiftLaw> shift_law = {};  ///< law of a master curve (shift_law_of)
 };
 
-/// The modulus fitted to the measured data in a file (fit_data_in): a relaxation modulus, a creep compliance,
-/// dynamic moduli, or those of several temperatures as a master curve at the reference temperature [K], which is that
-/// of one of them to 0.5 K. Throws InputError with all mistakes, FileError, and NumericalError where the fit does not
-/// converge.
+/// The modulus fitted to the measured data in a file (fit_data_in): a relaxation modulus, a creep compliance, dynamic
+/// moduli, or dynamic moduli at several temperatures, as a master curve at the reference temperature [K], which must be
+/// one of these temperatures to 0.5 K. Throws InputError with all mistakes, FileError, and NumericalError where the fit
+/// does not converge.
 FittedModulus fitted_modulus(const std::filesystem::path& file, ModulusKind kind,
                              std::optional<double> reference_temperature);
 

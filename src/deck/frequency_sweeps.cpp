@@ -42,8 +42,8 @@ void refuse_repeated(const MeasuredTable& table, const MeasuredColumn& frequenci
   mistakes.refuse();
 }
 
-/// Whether the temperature changed steadily through the measurement: most rows are in groups that span kelvins, or that
-/// are of one or two rows and kelvins at most from the next.
+/// Whether the temperature changed steadily through the measurement: most rows are in groups that span kelvins, or in
+/// groups of one or two rows whose distance to the next group is a few kelvins at most.
 bool is_ramp(const std::vector<double>& temperatures, const std::vector<Rows>& groups) {
   constexpr double kelvins = 2.0;
   constexpr std::size_t few = 2;

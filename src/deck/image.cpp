@@ -68,28 +68,29 @@ std::vector<ValueLabel> read_labels(const Section& packing, const std::vector<Sh
   return has_values ? table : std::vector<ValueLabel>();
 }
 
-/// What is asked of an image beside the labels of its values.
+/// The keys of a deck for an image, apart from the labels of its values.
 struct AskedPixels {
   std::string file, array;
   std::optional<std::int64_t> page;
 };
 
-/// What is known of pixels without their values.
+/// The properties of an image that are known without its values.
 struct RasterFrame {
   std::vector<std::size_t> extents;
-  std::optional<double> pixel;  ///< as Raster::pixel
+  std::optional<double> pixel;  ///< side of a pixel, as Raster::pixel
 };
 
-/// Leaves one page of a stack, counted from 1. Reports a stack without a page, and a page that is none of the file.
+/// Reduces a stack to one of its pages, counted from 1. Reports a stack for which no page is given, and a page that the
+/// file does not have.
 bool take_page(const Section& packing, std::optional<std::int64_t> page, Raster& raster) {
   const auto pages = raster.extents.size() > 2 ? raster.extents[2] : 1;
-  if (packing.has("page") && page.value_or(0) < 1) return false;  // which has been reported
+  if (packing.has("page") && page.value_or(0) < 1) return false;  // a bad page has been reported already
   if (page && static_cast<std::size_t>(*page) > pages) {
     packing.report("page", fmt::format("expected a page from 1 to {}, got {}", pages, *page));
     return false;
   }
   if (!page && pages > 1) {
-    // Programs that read colours leave arrays of [y][x][colour].
+    // Programs that read colours write arrays of [y][x][colour].
     const bool may_be_colours = raster.extents[0] == 3 || raster.extents[0] == 4;
     packing.report(
         "file", fmt::format("a stack of {} images: expected one image in a box of two dimensions; {}", pages,
@@ -115,7 +116,7 @@ bool require_square(const Section& packing, const Raster& raster) {
   return false;
 }
 
-/// Reports what is not a cube of voxels.
+/// Reports an image that is not a cube of voxels.
 bool require_cube(const Section& packing, const Raster& raster) {
   if (raster.extents.size() < 3) {
     packing.report("file", fmt::format("expected a stack of images in a box of three dimensions, got one of {} pixels",
@@ -149,8 +150,8 @@ std::optional<AskedPixels> asked_pixels(const Section& packing, ImagePacking<dim
   return AskedPixels{image.file.string(), image.array, page};
 }
 
-/// The pixels of a square image, or the voxels of a cubic stack in a box of three dimensions. The file is read only for
-/// what the cache of files has not.
+/// The pixels of a square image, or the voxels of a cubic stack in a box of three dimensions. The file is read only if
+/// the cache of files does not hold them.
 template <int dim>
 class PixelsOfStage {
  public:
@@ -161,7 +162,7 @@ class PixelsOfStage {
     frame_ = packing.file_cache().keep(key(), RasterFrame{raster_->extents, raster_->pixel});
   }
 
-  /// Null where the image cannot be read, which has been reported.
+  /// The properties of the image; null where it cannot be read, which has been reported.
   [[nodiscard]] const RasterFrame* frame() const { return frame_.get(); }
 
   /// The image of labels that fills a box of this side [m]; null where it cannot be read. Throws InputError.
@@ -179,7 +180,7 @@ class PixelsOfStage {
   }
 
  private:
-  /// The key of what is made of these pixels in the cache of files.
+  /// The key of these pixels in the cache of files.
   [[nodiscard]] std::string key() const {
     return fmt::format("{}\n{}\npage {} in {} dimensions", asked_.file, asked_.array, asked_.page.value_or(0), dim);
   }

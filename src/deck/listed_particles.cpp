@@ -115,7 +115,7 @@ ListedPolygons read_polygons(const std::filesystem::path& file, double side, std
   const auto& x = table.column(Quantity::x).values;
   const auto& y = table.column(Quantity::y).values;
   const auto filler_of_row = read_filler_numbers(table, fillers, mistakes);
-  std::map<double, std::vector<std::size_t>> rows_of;  // of the corners of each particle
+  std::map<double, std::vector<std::size_t>> rows_of;  // rows of the corners of each particle
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const bool goes_on = row > 0 && numbers[row] == numbers[row - 1];
     if (numbers[row] != std::floor(numbers[row])) {

@@ -13,7 +13,7 @@
 namespace breccia {
 namespace {
 
-/// What is expected of a number in a column.
+/// The expected value of a number in a column, in words.
 std::string_view expected_in(const MeasuredColumn& column) {
   if (column.quantity == Quantity::temperature) return "a temperature above absolute zero";
   return column.quantity == Quantity::phase_angle ? "an angle above 0 and below 90 degrees" : "a positive number";

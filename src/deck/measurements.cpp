@@ -52,7 +52,7 @@ Curve read_measured_curve(const std::filesystem::path& path) {
   return curve;
 }
 
-/// Creep, dynamic moduli or relaxation, to which a series is fitted, valid at the times of the data.
+/// Reads creep, dynamic or relaxation data and fits a series to them, which is valid at the times of the data.
 void read_fitted(const Section& shear, const std::filesystem::path& path, Measurement& measurement) {
   const auto temperature =
       shear.optional_quantity("reference_temperature", Dimension::temperature, Range::not_negative());

@@ -44,7 +44,7 @@ class ModuliReader {
   PronySeries read_modulus(const Section& material, const std::string& key, ModulusKind kind);
   std::optional<BulkAndShear> read_pair(const Section& material);
 
-  std::vector<ShiftLaw> measured_laws_;  ///< of the moduli that have been read
+  std::vector<ShiftLaw> measured_laws_;  ///< shift laws of the moduli that have been read
 };
 
 /// `{ measured = "file.csv", reference_temperature = "19 degC" }`: a series fitted to data.

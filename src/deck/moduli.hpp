@@ -13,7 +13,8 @@ namespace breccia {
 struct DeckModuli {
   PronySeries bulk = {};
   PronySeries shear = {};
-  std::optional<ShiftLaw> shift_law = {};  ///< that of a measured modulus at several temperatures; none of two
+  /// Law of a modulus measured at several temperatures; nothing if two moduli have one.
+  std::optional<ShiftLaw> shift_law = {};
 };
 
 /// Reads the two of `bulk`, `shear`, `young` and `poisson` that a material has, and finds its bulk and its shear

@@ -25,7 +25,7 @@ namespace breccia {
 
 namespace {
 
-/// The columns with the coordinates of a place.
+/// The columns with the coordinates of a position.
 std::vector<const MeasuredColumn*> coordinate_columns(const MeasuredTable& table, std::size_t dimensions) {
   constexpr std::array<Quantity, 3> axes = {Quantity::x, Quantity::y, Quantity::z};
   std::vector<const MeasuredColumn*> columns;
@@ -33,7 +33,7 @@ std::vector<const MeasuredColumn*> coordinate_columns(const MeasuredTable& table
   return columns;
 }
 
-/// Throws InputError where the places of a table for a box of two dimensions differ along z.
+/// Throws InputError where the positions in a table for a box of two dimensions differ along z.
 void refuse_space(const MeasuredTable& table) {
   if (!table.has({Quantity::z})) return;
   const auto& heights = table.column(Quantity::z).values;
@@ -118,7 +118,7 @@ bool is_picture(const std::filesystem::path& file) {
   return std::ranges::find(pictures, extension) != pictures.end();
 }
 
-/// The key that names the file of the particles: `discs` is its earlier name. Empty without one.
+/// The key that names the file of the particles; `discs` is its earlier name. Empty if there is no such key.
 std::string key_of_particles(const Section& packing) {
   if (packing.has("particles")) packing.refuse({"discs"}, "the particles are given already");
   if (packing.has("particles")) return "particles";
@@ -162,7 +162,7 @@ void read_particles(const Section& packing, const std::string& key, double side,
   });
 }
 
-/// Adds polygons to what a table of particles has listed; discs among them become circles.
+/// Adds polygons to the particles of a table; discs among these become circles.
 void add_polygons(ListedPolygons polygons, ExplicitPacking<2>& listed) {
   if (const auto* discs = std::get_if<std::vector<Disc>>(&listed.particles)) {
     std::vector<Particle> circles;
@@ -200,8 +200,8 @@ ExplicitPacking<2> read_explicit<2>(const Section& packing, double side, std::si
   return listed;
 }
 
-/// The sites of a tessellation. Those in a table without weights all weigh the same, and without shares of the films
-/// these are of one thickness.
+/// The sites of a tessellation. In a table without weights all sites have the same weight; without film shares all
+/// films have one thickness.
 template <int dim>
 LaguerreSites<dim> read_sites(const std::filesystem::path& file, double side, Walls walls) {
   const auto table = read_measured_table(file);
@@ -247,7 +247,7 @@ LaguerrePacking<dim> read_laguerre(const Section& packing, double side) {
     packing.refuse({"seed"}, "the grains follow from packing.sites");
     grains.file = packing.file("sites");
     if (grains.file.empty()) {
-      grains.file = "missing";  // which has been reported; the filler still needs no sizes
+      grains.file = "missing";  // the missing file has been reported; the filler still needs no sizes
       return grains;
     }
     packing.report_errors_of("sites", [&] {

@@ -19,7 +19,7 @@ inline constexpr auto image_elsewhere =
     "an image is a packing without a filler: packing = { method = \"image\", file = \"...\", pixel = \"...\", labels = "
     "[{ value = ..., material = \"...\" }, ...] } (docs/decks.md)";
 
-/// Reads `packing` of a stage whose box is known, with so many fillers, from its section.
+/// Reads `packing` of a stage whose box and number of fillers are known, from its section.
 std::optional<StagePacking> read_packing(const Section& section, const Stage& stage, std::size_t fillers);
 
 /// Whether a packing has this method.

@@ -21,8 +21,8 @@ struct PronyFile {
 /// another kind or the file has the series of several tests, and FileError when it cannot be read.
 PronyFile read_prony_file(const std::filesystem::path& path, ModulusKind kind = ModulusKind::unspecified);
 
-/// Writes such a file. The second column is named `modulus_Pa`, preceded by the kind if that is specified. Throws
-/// FileError.
+/// Writes a file that read_prony_file() reads. The second column is named `modulus_Pa`, preceded by the kind if that is
+/// specified. Throws FileError.
 void write_prony_file(const std::filesystem::path& path, const PronySeries& series,
                       ModulusKind kind = ModulusKind::unspecified, std::string_view comment = {});
 

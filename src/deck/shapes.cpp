@@ -16,10 +16,10 @@
 namespace breccia {
 namespace {
 
-/// Why a packing has no place for shapes of fillers; nothing where it has.
+/// The reason why a packing cannot place fillers with shapes; nothing where it can.
 struct ReasonAgainstShapes {
   using Reason = std::optional<std::string>;
-  const char* round;  ///< the particles without a shape
+  const char* round;  ///< name of the particles without a shape
 
   template <int dim>
   Reason operator()(const RandomSequentialPacking<dim>&) const {

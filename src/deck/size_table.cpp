@@ -21,7 +21,7 @@ TabulatedSizes read_size_table(const std::filesystem::path& path) {
   const auto add = [&](std::size_t row, const char* expected, const MeasuredColumn& column) {
     mistakes.add(table.location(row), expected, fmt::format("{}", column.written[row]));
   };
-  double smaller = 0.0, least = 0.0;  // of the rows before that are right
+  double smaller = 0.0, least = 0.0;  // values of the last correct row
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const double diameter = diameters.values[row], fraction = fractions.values[row];
     if (!(diameter > smaller) || !std::isfinite(diameter)) {

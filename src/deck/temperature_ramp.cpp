@@ -16,15 +16,15 @@ namespace {
 
 constexpr double ice_point = 273.15;
 
-/// Between temperatures further apart nothing is interpolated [K].
+/// Largest distance of two temperatures between which moduli are interpolated [K].
 constexpr double widest_gap = 6.0;
 
-/// The moduli of one frequency by rising temperature.
+/// The moduli at one frequency by rising temperature.
 struct Course {
   double frequency = 0.0;
   std::vector<double> temperatures, log_storage, log_loss;
 
-  /// M' and M'' at a temperature within those of the course, or below them by rounding.
+  /// M' and M'' at a temperature within the range of the course, or below this range by rounding.
   [[nodiscard]] std::array<double, 2> at(double temperature) const {
     const auto above = std::ranges::lower_bound(temperatures, temperature);
     const auto i = static_cast<std::size_t>(above - temperatures.begin());
@@ -33,7 +33,7 @@ struct Course {
     return {std::exp(std::lerp(log_storage[i - 1], log_storage[i], share)),
             std::exp(std::lerp(log_loss[i - 1], log_loss[i], share))};
   }
-  /// The distance of the measured temperatures about one [K].
+  /// The distance between the two measured temperatures around a temperature [K].
   [[nodiscard]] double gap_at(double temperature) const {
     const auto above = std::ranges::lower_bound(temperatures, temperature);
     if (above == temperatures.begin() || *above == temperature) return 0.0;

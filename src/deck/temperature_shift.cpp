@@ -19,7 +19,7 @@ namespace {
 
 enum class LawName { wlf, arrhenius, table, measured };
 
-/// Nothing after a mistake.
+/// Reads the keys of a law; returns nothing after a mistake.
 std::optional<ShiftLaw> read_wlf(const Section& section) {
   const WilliamsLandelFerry law{
       section.number("c1", Range::positive()),
@@ -29,14 +29,14 @@ std::optional<ShiftLaw> read_wlf(const Section& section) {
   return std::isnan(law.c1 + law.c2 + law.reference_temperature) ? std::nullopt : std::optional<ShiftLaw>(law);
 }
 
-/// Nothing after a mistake.
+/// Reads the keys of a law; returns nothing after a mistake.
 std::optional<ShiftLaw> read_arrhenius(const Section& section) {
   const double energy = section.quantity("activation_energy", Dimension::molar_energy, Range::positive());
   const double reference = section.quantity("reference", Dimension::temperature, Range::positive());
   return std::isnan(energy + reference) ? std::nullopt : std::optional<ShiftLaw>(arrhenius(energy, reference));
 }
 
-/// A temperature [K] as text: "-41 degC".
+/// A temperature [K] as text in degrees Celsius: "-41 degC".
 std::string in_celsius(double temperature) {
   constexpr double zero_celsius = 273.15;
   return fmt::format("{:.6g} degC", temperature - zero_celsius);
@@ -96,7 +96,7 @@ ShiftTable read_shift_file(const std::filesystem::path& path) {
   return {std::move(sorted_temperatures), std::move(sorted_factors), first};
 }
 
-/// Nothing after a mistake.
+/// Reads the keys of a law; returns nothing after a mistake.
 std::optional<ShiftLaw> read_table(const Section& section) {
   const auto path = section.file("table");
   const double reference = section.quantity("reference", Dimension::temperature, Range::positive());
@@ -119,7 +119,7 @@ std::optional<ShiftLaw> read_law(const Section& section, const std::optional<Shi
                                                     {"table", LawName::table},
                                                     {"measured", LawName::measured}});
   if (!name) {
-    static_cast<void>(section.keys());  // which of them are known depends on the law
+    static_cast<void>(section.keys());  // the law decides which of the keys are allowed
     return std::nullopt;
   }
   switch (*name) {

@@ -59,12 +59,12 @@ std::vector<Method> read_methods(const Section& section) {
   return methods;
 }
 
-/// Of the sampling, for studies that need no more. Two parameters and more take many times the snapshots of one, and
-/// serve for moduli that are not known well. The model of films errs by far more, and in boxes of many grains of all
-/// sizes rounding is not far below the default.
+/// Tolerance of the sampling for studies that need no finer one. With two parameters or more a basis takes many times
+/// the snapshots of one parameter, and these moduli are not known well. The model of films has a far larger error, and
+/// in boxes with many grains of all sizes rounding errors are not far below the default tolerance.
 constexpr double coarse_tolerance = 1e-4;
 
-/// Reads what a deck gives of these options.
+/// Reads those of these options that a deck gives.
 QuasistaticOptions read_quasistatic(const Section& section, QuasistaticOptions options) {
   if (section.has("vary")) options.sampling.tolerance = coarse_tolerance;
   options.sampling.tolerance =
@@ -107,8 +107,8 @@ bool has_periodic_particles(const Stage& stage) {
   return !stage.fillers.empty() && stage.is_periodic();
 }
 
-/// The default boundaries: periodic if a box is periodic, since the others would cut its particles; displacement if
-/// films run along the sides of a box, which take no other.
+/// The default boundaries: periodic if a box is periodic, since the other boundaries would cut its particles;
+/// displacement if films run along the sides of a box, which allow no other boundary.
 std::vector<Boundary> default_boundaries(const std::vector<Stage>& stages) {
   if (std::ranges::any_of(stages, has_periodic_particles)) return {Boundary::periodic};
   if (std::ranges::any_of(stages, &Stage::has_films_along_walls)) return {Boundary::displacement};

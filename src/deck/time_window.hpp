@@ -13,7 +13,7 @@ namespace breccia {
 std::optional<TimeWindow> read_time_window(const Section& section, const std::string& key);
 
 /// The window of a study from `times`, or from two rising `frequencies` f as the times 1 / (2 pi f), at which the
-/// relaxation decides the dynamic moduli. Nothing after a mistake was reported.
+/// relaxation determines the dynamic moduli. Nothing after a mistake was reported.
 std::optional<TimeWindow> read_times_or_frequencies(const Section& section);
 
 }  // namespace breccia

@@ -11,8 +11,8 @@
 namespace breccia {
 namespace {
 
-/// The shear modulus of a solid of an elastic bulk modulus: its compliance is 3 D(t) - 1 / (3 K), D(t) being the
-/// tensile one.
+/// The shear modulus of a solid of an elastic bulk modulus: its compliance is 3 D(t) - 1 / (3 K), where D(t) is the
+/// tensile compliance.
 PronySeries shear_of_young(const PronySeries& young, double bulk) {
   if (!(young.unrelaxed() < 9.0 * bulk)) {
     throw InputError(fmt::format("expected Young's modulus below nine times the bulk modulus, got {:.4g} and {:.4g} Pa",

@@ -6,7 +6,7 @@
 
 namespace breccia {
 
-/// Two of the four elastic constants of an isotropic solid, each of which may relax but for Poisson's ratio.
+/// Two of the four elastic constants of an isotropic solid. Each of them except Poisson's ratio may relax.
 struct TwoModuli {
   std::optional<PronySeries> bulk = {};
   std::optional<PronySeries> shear = {};
@@ -20,9 +20,9 @@ struct BulkAndShear {
   PronySeries shear;
 };
 
-/// The bulk and the shear modulus that two of the constants determine, exactly (theory, Eq. 23c). Throws
-/// InputError where they are not of a solid (both moduli above zero), and for a relaxing Young's modulus with a
-/// relaxing bulk modulus or with a shear modulus, of which the third is an ill-conditioned difference.
+/// The bulk and the shear modulus that two of the constants determine, exactly (theory, Eq. 23c). Throws InputError
+/// where they do not describe a solid (with both moduli above zero), and for a relaxing Young's modulus with a relaxing
+/// bulk modulus or with a shear modulus, because the third constant is then an ill-conditioned difference.
 BulkAndShear bulk_and_shear(const TwoModuli& given);
 
 }  // namespace breccia

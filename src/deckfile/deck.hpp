@@ -36,7 +36,7 @@ struct DeckValue;
 /// A table of a deck. A getter reports a missing key or a bad value to the deck, which collects all mistakes; it then
 /// returns a placeholder (NaN, 0, empty), and Deck::finish() throws. The `optional_` getters return nothing for a
 /// missing key. The getters of a missing section return placeholders without further reports. Every key that a getter
-/// was called for is known; Deck::finish() reports all others as unknown.
+/// was called for is known; Deck::finish() reports all other keys as unknown.
 class Section {
  public:
   [[nodiscard]] Kind kind(const std::string& key) const;
@@ -70,7 +70,7 @@ class Section {
   /// The path of a file whose name is a part of the value of an existing key.
   [[nodiscard]] std::filesystem::path file(const std::string& key, const std::string& name) const;
 
-  /// What has been made of the files of the deck so far.
+  /// The cache of objects that have been made from the files of the deck so far.
   [[nodiscard]] FileCache& file_cache() const;
 
   /// The value of the word that a key has.
@@ -108,7 +108,7 @@ class Section {
   void report(const std::string& key, const std::string& message) const;
   /// Runs an action. If it throws InputError, reports each line of the message as a mistake in the value of a key.
   void report_errors_of(const std::string& key, const std::function<void()>& action) const;
-  /// Reports those of the keys that are present as not allowed here, with the reason.
+  /// Reports those of these keys that are present: they are not allowed here, for the reason given.
   void refuse(const std::vector<std::string>& keys, const std::string& reason) const;
   /// Location of an existing key.
   [[nodiscard]] Location location_of_key(const std::string& key) const;

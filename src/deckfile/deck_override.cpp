@@ -32,7 +32,7 @@ class Assignment {
  public:
   using Steps = std::span<const std::string>;
 
-  /// `location` is that of the path.
+  /// `location` is the location of the path.
   Assignment(const DeckValue& value, const Location& location, std::vector<Mistake>& mistakes)
       : value_(value), location_(location), mistakes_(mistakes) {}
 

@@ -59,7 +59,7 @@ struct DeckState {
 /// Parses a TOML text. Throws InputError, with the location, when it is not TOML.
 DeckTable parse_deck(const std::filesystem::path& path, const std::string& text);
 
-/// Gives a value, or a table, with everything in it one location.
+/// Gives one location to a value, or to a table with everything in it.
 void set_location(DeckValue& value, const Location& location);
 void set_location(DeckTable& table, const Location& location);
 

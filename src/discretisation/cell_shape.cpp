@@ -91,7 +91,8 @@ typename CellShape<dim>::DeviatorMatrix CellShape<dim>::deviator_matrix() {
 
 namespace {
 
-/// The deviators of all points of a cell, scaled as in CellShape::point_deviators, for nodal displacements.
+/// The matrix that gives the deviators of all points of a cell, scaled as in CellShape::point_deviators, for nodal
+/// displacements.
 template <int dim>
 auto deviators_of_nodes() {
   using Shape = CellShape<dim>;

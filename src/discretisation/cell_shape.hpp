@@ -22,10 +22,11 @@ struct CellShape {
   static constexpr int points = 1 << dim;
   static constexpr int dofs = dim * nodes;  ///< the components of the first node, then those of the second, ...
   static constexpr int strains = tensor_components<dim>;
-  static constexpr int deviators =
-      strains - 1;  ///< independent components of a strain without its equal normal strains
-  static constexpr int modes = dofs - dim * (dim + 1) / 2;  ///< ways to strain: motions of the nodes but rigid ones
-  static constexpr double point_volume = 1.0 / points;      ///< share of a point in the volume of the cell
+  /// Independent components of a strain without its equal normal strains.
+  static constexpr int deviators = strains - 1;
+  /// Number of strain modes: motions of the nodes without the rigid ones.
+  static constexpr int modes = dofs - dim * (dim + 1) / 2;
+  static constexpr double point_volume = 1.0 / points;  ///< share of a point in the volume of the cell
 
   using Weights = std::array<double, std::size_t{1} << dim>;                     ///< by node
   using PointModuli = std::array<Moduli, std::size_t{1} << dim>;                 ///< by point
@@ -40,7 +41,7 @@ struct CellShape {
   using ModeValues = Eigen::Matrix<double, modes, 1>;
   using ModeMatrix = Eigen::Matrix<double, modes, dofs>;
 
-  /// Corner of the cell where a node is, each coordinate 0 or 1.
+  /// The corner of the cell at which a node is; each coordinate is 0 or 1.
   [[nodiscard]] static constexpr Index<dim> corner(int node) noexcept {
     Index<dim> corner{};
     for (int axis = 0; axis < dim; ++axis) corner[static_cast<std::size_t>(axis)] = (node >> axis) & 1;
@@ -59,8 +60,8 @@ struct CellShape {
 
   /// Strain at a point from the nodal displacements, with engineering shears in Voigt's order (theory, Eq. 3).
   [[nodiscard]] static StrainMatrix strain_matrix(int point);
-  /// The strain that the stress of the point depends on: its volumetric part is the point's own (full integration) or
-  /// the mean of the cell (B-bar; theory, Eq. 4).
+  /// The strain that the stress of the point depends on: its volumetric part is that of the point itself (full
+  /// integration) or the mean of the cell (B-bar; theory, Eq. 4).
   [[nodiscard]] static StrainMatrix strain_matrix(int point, Volumetric volumetric);
   /// Sum of the normal components of that strain.
   [[nodiscard]] static VolumeMatrix volumetric_strain_matrix(int point, Volumetric volumetric);
@@ -79,8 +80,8 @@ struct CellShape {
   /// orthonormal basis of the deviators that displacements of the nodes can cause.
   [[nodiscard]] static PointDeviators point_deviators();
   /// The modes of a cell with averaged volumetric strains: coordinates of the deviators of its points in that basis,
-  /// then the mean sum of the normal strains. With one material, twice the energy is the shear modulus times the
-  /// squares of all but the last plus the dilatational modulus times that of the last (theory, Eq. 41).
+  /// then the mean sum of the normal strains. With one material, twice the energy is the dilatational modulus times the
+  /// square of the last mode plus the shear modulus times the squares of all other modes (theory, Eq. 41).
   [[nodiscard]] static ModeMatrix mode_matrix();
 
   /// Displacements of the nodes under a uniform strain, with node 0 at rest.

@@ -71,7 +71,7 @@ class GrainShares {
     }
     crossing_.clear();
     for (const auto& half_space : half_spaces) {
-      double reach = 0.0;  // of the cell along the normal, from its centre
+      double reach = 0.0;  // half the extent of the cell along the normal, from its centre
       for (const double n : half_space.normal) reach += 0.5 * grid_.cell_side * std::abs(n);
       const double height = half_space.height(centre);
       if (height >= reach) return 0.0;
@@ -115,7 +115,8 @@ Discretisation<dim> discretise_mixed(const Tessellation<dim>& tessellation, doub
     if (!grain.is_empty()) covered.add(grain, tessellation.sites().sites[site].position);
   }
   MixtureNumbers<dim> numbers(discretisation, phases);
-  constexpr std::int64_t whole = std::int64_t{1} << 40;  // units of a cell, far smaller than the steps of mixtures
+  constexpr std::int64_t whole = std::int64_t{1}
+                                 << 40;  // number of units in a cell, which are far smaller than the steps of mixtures
   std::vector<std::int64_t> units(phases, 0);
   for_each_index(range.begin, range.end, [&](const Index<dim>& cell) {
     const double share = std::min(1.0, covered.of(cell));

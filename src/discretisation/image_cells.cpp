@@ -23,7 +23,7 @@ void require_phases_of_labels(const LabelImage<dim>& image, std::span<const Phas
                                largest, phases.size()));
 }
 
-/// A pixel along every axis.
+/// The indices of a pixel along every axis.
 template <int dim>
 using Pixel = std::array<std::int64_t, static_cast<std::size_t>(dim)>;
 

@@ -14,7 +14,7 @@
 namespace breccia {
 namespace {
 
-/// The lists that all processes of the machine have of some values, by rank.
+/// The lists of values of all processes of the machine, by rank.
 std::vector<std::vector<double>> gathered_on_machine(const std::vector<double>& own) {
   const auto machine = parallel::machine_communicator();
   std::vector<int> counts(static_cast<std::size_t>(parallel::ranks_on_machine())), begins;
@@ -32,7 +32,7 @@ std::vector<std::vector<double>> gathered_on_machine(const std::vector<double>& 
   return lists;
 }
 
-/// Mixtures as numbers: for each how many parts it has, then their phases and fractions.
+/// Mixtures as numbers: for each mixture the number of its parts, then their phases and fractions.
 std::vector<double> numbers_of(const std::vector<Mixture>& mixtures) {
   std::vector<double> numbers;
   for (const auto& mixture : mixtures) {
@@ -54,7 +54,8 @@ std::vector<Mixture> mixtures_of(const std::vector<double>& numbers) {
   return mixtures;
 }
 
-/// The cells of all processes of the machine in order, where they have no memory in common: each has a copy of its own.
+/// The cells of all processes of the machine in order, where the processes have no common memory: each has a copy of
+/// its own.
 template <int dim>
 SharedCells<dim> gathered_cells(const Grid<dim>& grid, const std::vector<CellPhases<dim>>& own) {
   const int parts = parallel::ranks_on_machine();
@@ -76,8 +77,7 @@ SharedCells<dim> gathered_cells(const Grid<dim>& grid, const std::vector<CellPha
   return cells;
 }
 
-/// The cells of all processes of the machine in memory that they have in common; those of this one follow `first`
-/// others.
+/// The cells of all processes of the machine, in common memory; the cells of this process come after `first` others.
 template <int dim>
 SharedCells<dim> common_cells(const std::shared_ptr<std::byte>& memory, std::size_t first,
                               const std::vector<CellPhases<dim>>& own) {

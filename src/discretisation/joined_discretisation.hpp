@@ -12,11 +12,12 @@
 
 namespace breccia {
 
-/// The layers of cells that one of several parts of a grid has: a part from 0 to parts - 1, which follow one another.
+/// The layers of cells in one of several parts of a grid. Parts have numbers from 0 to parts - 1 and follow one
+/// another.
 [[nodiscard]] CellLayers layers_of_part(int layers, int part, int parts);
 
 /// A whole microstructure from its parts: every process of a machine passes the layers_of_part() of its rank on the
-/// machine, and gets all layers, which the machine has in its memory once. Mixtures have the numbers that a single
+/// machine, and gets all layers, of which the machine holds one copy in memory. Mixtures have the numbers that a single
 /// process would have given them; they follow those of the `phases` phases. All processes of the machine must call the
 /// function. Where `common_memory` returns null, each process has a copy of its own. Throws InputError, on all
 /// processes, when there are more mixtures than a PhaseIndex can number. Instantiated for 2 and 3 dimensions.

@@ -19,8 +19,8 @@ namespace {
 template <int dim>
 constexpr int subdivisions = dim == 2 ? label_subdivisions : cube_label_subdivisions;
 
-/// Counts the parts of a cell by phase. A square (cube) of parts in which no interface can be is counted as a whole,
-/// another is divided into four (eight).
+/// Counts the parts of a cell by phase. A square (cube) of parts that contains no interface is counted as a whole; any
+/// other is divided into four (eight).
 template <int dim>
 class PartCounter {
  public:

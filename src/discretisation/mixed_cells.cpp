@@ -34,7 +34,7 @@ double overlap(const Sphere& sphere, const Vector<3>& lower, const Vector<3>& up
 struct Cover {
   std::size_t cell;
   PhaseIndex phase;
-  double share;  ///< of the area or volume of the cell
+  double share;  ///< share of the area or volume of the cell
 };
 
 /// A particle or its coating: a ball without the smaller ball around the same centre.
@@ -111,7 +111,7 @@ CellContent content_of(std::span<const Cover> covers, PhaseIndex matrix) {
   return content;
 }
 
-/// Throws InputError where a number is that of no phase.
+/// Throws InputError where a number does not belong to any phase.
 void require_known(PhaseIndex matrix, std::span<const ParticlePhases> particles, std::size_t phases) {
   auto largest = matrix;
   for (const auto& [phase, coating, thickness] : particles) {
@@ -150,7 +150,7 @@ Discretisation<dim> discretise_mixed(const Microstructure<dim>& microstructure, 
     const auto cell = first->cell;
     const auto end = std::find_if(first, covers.end(), [&](const Cover& one) { return one.cell != cell; });
     const auto index = discretisation.grid().cell_at(cell);
-    // A cell that one ball fills stays so where another overlaps it.
+    // A cell that one ball fills stays filled where another ball overlaps it.
     const bool is_filled = discretisation.cell(index).front() != matrix;
     if (!is_filled) numbers.fill(index, content_of({first, end}, matrix));
     first = end;

@@ -10,22 +10,22 @@
 
 namespace breccia {
 
-/// Steps in which the fractions of a mixed cell are counted: they are rounded to multiples of 1 / mixture_steps, so
-/// that the mixtures of a grid are few.
+/// The number of steps between the fractions 0 and 1 of a phase in a mixed cell. Fractions are rounded to multiples of
+/// 1 / mixture_steps, so that a grid has few different mixtures.
 inline constexpr int mixture_steps = 64;
 
-/// A microstructure of balls on `cells` cells along each axis. A cell that holds one phase has the points of that
-/// phase; one that an interface crosses is a mixture of its phases by their fractions of its area (in 3D of its
-/// volume), which are exact but for the rounding to mixture_steps. `particles` holds the phases of each ball, whose
-/// coatings must not overlap; `phases` is the number of phases, which the numbers of the mixtures follow. Throws
-/// InputError when a ball has no phase or one beyond that number, or when there are more mixtures than a PhaseIndex can
-/// number. Instantiated for 2 and 3 dimensions.
+/// A microstructure of balls on `cells` cells along each axis. The points of a cell in one phase have that phase. A
+/// cell that an interface crosses is a mixture of its phases by their fractions of its area (in 3D of its volume),
+/// which are exact except for the rounding to mixture_steps. `particles` holds the phases of each ball, whose coatings
+/// must not overlap; `phases` is the number of phases, which the numbers of the mixtures follow. Throws InputError when
+/// a ball has no phase or one beyond that number, or when there are more mixtures than a PhaseIndex can number.
+/// Instantiated for 2 and 3 dimensions.
 template <int dim>
 [[nodiscard]] Discretisation<dim> discretise_mixed(const Microstructure<dim>& microstructure, int cells,
                                                    PhaseIndex matrix, std::span<const ParticlePhases> particles,
                                                    std::size_t phases, const CellLayers& layers = {});
 
-/// Mixed cells of particles without coatings.
+/// Overload for balls without coatings; `particles` holds the phase of each ball.
 template <int dim>
 [[nodiscard]] Discretisation<dim> discretise_mixed(const Microstructure<dim>& microstructure, int cells,
                                                    PhaseIndex matrix, std::span<const PhaseIndex> particles,

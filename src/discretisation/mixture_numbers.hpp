@@ -14,8 +14,8 @@ namespace breccia {
 /// The phases of a cell with their shares in steps of 1 / mixture_steps.
 using CellContent = std::vector<std::pair<PhaseIndex, int>>;
 
-/// The content of a cell in which each phase has a share of this size, by PhaseIndex: the shares of all phases but the
-/// largest are rounded to steps, and that one has the rest.
+/// The content of a cell in which each phase has a share of this size, by PhaseIndex: the shares of all phases except
+/// the largest are rounded to steps, and the largest phase has the rest.
 CellContent rounded_content(std::span<const std::int64_t> shares);
 
 /// Fills cells with their contents, and adds a mixture to the discretisation for every new content of several phases.

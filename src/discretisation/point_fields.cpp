@@ -10,7 +10,7 @@ PhaseIndex largest_part(const Mixture& mixture) {
   return std::ranges::max_element(mixture, {}, &MixedPart::fraction)->phase;
 }
 
-/// The phase of a point, of a mixture its largest part.
+/// The phase of a point; for a mixture the phase with the largest share.
 template <int dim>
 PhaseIndex phase_at(const Discretisation<dim>& discretisation, PhaseIndex phase) {
   const auto* mixture = discretisation.mixture(phase);
@@ -84,7 +84,7 @@ LatticeFields<dim> zero_timed_fields(const Discretisation<dim>& discretisation, 
 
 template <int dim>
 parallel::OrderedPlaces places_of_timed_fields(const Grid<dim>& grid, const IndexRange<dim>& cells) {
-  // The lattice of points has two to a cell along each axis.
+  // The lattice of points has two points a cell along each axis.
   const int finer = dim == 2 ? 2 : 1;
   Grid<dim> all = grid, part = {.cells = cells.size()};
   auto begin = cells.begin;

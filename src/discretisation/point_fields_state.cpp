@@ -18,7 +18,7 @@ parallel::OrderedPlaces places_of_numbers(const parallel::OrderedPlaces& tuples,
   return {size * tuples.count, [tuples, size](std::size_t i) { return size * tuples.place_of(i / size) + i % size; }};
 }
 
-/// Calls action(name, tuples) for all that fields hold but the phases.
+/// Calls action(name, tuples) for all members of the fields except the phases.
 template <class Fields, class Action>
 void for_each_list(const std::string& group, Fields& fields, const Action& action) {
   action(group + "/displacement_m", fields.displacement);

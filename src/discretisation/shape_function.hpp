@@ -10,7 +10,7 @@ namespace breccia {
 template <int dim>
 struct ShapeFunction {
   double weight;
-  Vector<dim> gradient;  ///< times the cell side
+  Vector<dim> gradient;  ///< gradient times the cell side
 };
 
 /// `local` is the position relative to the centre of the cell in units of its side. Bit d of the number of a node is

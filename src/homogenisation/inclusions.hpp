@@ -7,10 +7,10 @@
 
 namespace breccia {
 
-/// A material beside the matrix in the box of a stage: that of a filler, or of its coating.
+/// A material in the box of a stage other than the matrix: that of a filler, or of its coating.
 struct Inclusion {
   const Material* material;
-  double fraction;  ///< by volume [-]
+  double fraction;  ///< fraction by volume [-]
   bool is_coating;
 };
 

@@ -18,7 +18,7 @@ std::optional<std::string> warning_of_unknown_times(const Material& matrix, cons
 /// A warning if the shear or bulk modulus of a filler is below that of the binder at a time [s]; otherwise nothing.
 std::optional<std::string> warning_of_soft_filler(const Material& filler, const Material& binder, double time);
 
-/// The warnings of Poisson's ratio for those materials of a stage that no earlier stage has.
+/// The warnings of warning_of_poisson_ratio() for the materials of a stage that no earlier stage has.
 std::vector<std::string> warnings_on_materials(const Study& study, const Stage& stage);
 
 /// A warning for each filler of a stage that is softer than its binder (binder_of) at the first time.

@@ -76,7 +76,7 @@ std::string name_of_bounds(const LoadQuality& bounds, std::span<const LoadQualit
                      is_one_method ? "" : fmt::format(", {}", name_of(bounds.method)));
 }
 
-/// The bounds that a summary speaks of: those that are crossed by most, or else the first.
+/// The bounds that a summary reports: those that cross each other by most, or else the first ones.
 const LoadQuality& shown_bounds(std::span<const LoadQuality> loads) {
   return *std::ranges::max_element(loads, {}, [](const LoadQuality& load) {
     const auto crossed = worst_crossing(load);
@@ -115,7 +115,7 @@ std::string words_on_grid(const StageQuality& quality) {
   return fmt::format("grid: one grid, error unknown (give cells = [{}, {}])", cells, 2 * cells);
 }
 
-/// The half band of a test over its modulus, where that is largest; nothing for a single grid.
+/// The largest ratio of the half band of a test to its modulus; nothing for a single grid.
 std::optional<double> grid_share_of(const TestResult& test) {
   std::optional<double> largest;
   for (const double time : logarithmic_times({test.modulus.front().time, test.modulus.back().time}, 1)) {
@@ -127,7 +127,7 @@ std::optional<double> grid_share_of(const TestResult& test) {
 
 constexpr std::array methods = {Method::quasistatic, Method::dynamic};
 
-/// The largest share of all tests.
+/// The largest ratio of half band to modulus of all tests.
 std::optional<double> largest_grid_share(const StageResult& result) {
   std::optional<double> largest;
   for (const auto& [load_name, load] : words<Load>) {

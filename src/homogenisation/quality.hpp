@@ -19,7 +19,7 @@ struct BoundsAtTime {
   /// upper / lower - 1 [-]; nothing unless both bounds were tested.
   [[nodiscard]] std::optional<double> distance() const;
   /// 1 - upper / lower [-] where the upper bound is below the lower one by more than the half bands of both; nothing
-  /// otherwise. Bounds that are crossed are no bounds: a test is wrong.
+  /// otherwise. Bounds that cross each other are no bounds: one of the tests is wrong.
   [[nodiscard]] std::optional<double> crossing() const;
 };
 
@@ -27,7 +27,7 @@ struct BoundsAtTime {
 struct LoadQuality {
   Load load = Load::shear;
   Method method = Method::quasistatic;
-  std::vector<BoundsAtTime> times;  ///< at both ends of the curves and at each decade between them
+  std::vector<BoundsAtTime> times;  ///< bounds at both ends of the curves and at each decade between them
 };
 
 /// Measures of the accuracy of a stage's results that follow from the run itself.
@@ -44,7 +44,7 @@ struct StageQuality {
   bool has_films_along_walls = false;        ///< whether only the displacement boundary makes sense
   bool is_periodic = false;                  ///< whether a periodic test is finished, which gives no bound
   std::optional<double> grid_share;  ///< largest half band of a test over its modulus [-]; nothing for a single grid
-  std::vector<LoadQuality> loads;    ///< of the finished tests
+  std::vector<LoadQuality> loads;    ///< bounds of the finished tests
 
   /// The narrowest gap in cells of one of the grids, given by its cells per side.
   [[nodiscard]] double gap_cells_on(int grid) const { return gap_cells * grid / grids.back(); }
@@ -56,9 +56,9 @@ std::vector<LoadQuality> bounds_of_tests(const StageResult& result);
 /// The quality of a stage's results, from the tests that are finished so far.
 StageQuality quality_of(const Stage& stage, const StageResult& result);
 
-/// The quality in words: "bounds 18 % apart at 1 ms, 34 % at 100 s; grid: one grid, error unknown (give cells =
-/// [150, 300]); narrowest gap: 3 cells; packing: one seed, scatter unknown". Of several loads or methods it speaks of
-/// the bounds that are crossed by most, or else of the first, and says which. Empty for a box without particles.
+/// The quality in words: "bounds 18 % apart at 1 ms, 34 % at 100 s; grid: one grid, error unknown (give cells = [150,
+/// 300]); narrowest gap: 3 cells; packing: one seed, scatter unknown". For several loads or methods it reports the
+/// bounds that cross each other by most, or else the first ones, and names them. Empty for a box without particles.
 std::string summary_of(const StageQuality& quality);
 
 /// A warning, without the name of the stage, for each load and method whose upper bound is below the lower one beyond

@@ -25,8 +25,8 @@ const Stage* filled_matrix_of(const Study& study, const Stage& stage) {
   return below;
 }
 
-/// The diameters of the particles of a stage; those of the cells around listed sites are those of discs of their areas,
-/// or of balls of their volumes.
+/// The diameters of the particles of a stage; for cells around listed sites the diameters of discs of the same area, or
+/// of balls of the same volume.
 struct ParticleSizes {
   const Stage& stage;
 

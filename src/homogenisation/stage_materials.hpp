@@ -8,14 +8,14 @@
 
 namespace breccia {
 
-/// How the curves of a stage become a material.
+/// The settings by which a material is fitted to the curves of a stage.
 struct StageFit {
   std::string stage;   ///< name of the stage, and so of the material
   double side = 0.0;   ///< side of the box [m]
-  int dimensions = 2;  ///< of the box
+  int dimensions = 2;  ///< dimensions of the box
   Mixing mixing = Mixing::series;
-  TimeWindow times;            ///< of the curves [s]
-  int points_per_decade = 20;  ///< of the curves
+  TimeWindow times;            ///< first and last time of the curves [s]
+  int points_per_decade = 20;  ///< samples per decade of the curves
   double tolerance = 0.0;      ///< largest relative deviation of the fit from the curves [-]
 };
 

@@ -21,8 +21,8 @@
 namespace breccia {
 namespace {
 
-/// The grids in the same proportions of which the coarsest one has this many cells per side; nothing if these are more
-/// than anyone computes with.
+/// Finer grids in the same proportions, in words, where the coarsest one has this many cells per side; empty if these
+/// are finer than any practical grid.
 std::string words_on_finer_grids(const std::vector<int>& grids, double coarsest) {
   constexpr double affordable = 20000.0;
   std::vector<std::string> cells;
@@ -35,9 +35,9 @@ std::string words_on_finer_grids(const std::vector<int>& grids, double coarsest)
   return fmt::format(" (cells = {} would resolve it)", list);
 }
 
-/// What the width of a gap in cells does to the modulus at long times.
+/// The effect of the width of a gap, in cells, on the modulus at long times.
 struct GapRule {
-  double cells;  ///< in which a gap is resolved
+  double cells;  ///< number of cells with which a gap is resolved
   const char* consequence;
 };
 
@@ -59,7 +59,7 @@ constexpr GapRule film_rule(Mixing mixing) {
   return rule;
 }
 
-/// A gap of a stage that takes cells.
+/// A gap of a stage that the grid has to resolve.
 struct NarrowGap {
   const char* name;
   double width;  ///< [m]
@@ -72,7 +72,8 @@ NarrowGap film_of(const StageMicrostructure& packed, Mixing mixing) {
           std::min(packed.gap, packed.wall_gap), film_rule(mixing)};
 }
 
-/// The narrowest gap between particles or to a wall, by what fills the box; nothing where no gap takes cells.
+/// The narrowest gap between particles or to a wall: a visitor of the content of a box. Nothing where no gap has to be
+/// resolved.
 struct NarrowestGap {
   const StageMicrostructure& packed;
   const Tests& tests;
@@ -89,12 +90,12 @@ struct NarrowestGap {
   std::optional<NarrowGap> operator()(const EllipsoidBox&) const { return between_particles<3>(); }
   template <int dim>
   std::optional<NarrowGap> operator()(const SharedImage<dim>&) const {
-    return std::nullopt;  // pixels do not tell one particle from another
+    return std::nullopt;  // pixels do not distinguish particles
   }
 
  private:
-  /// Out of the gap between two mixed spheres a matrix is squeezed on all sides, however few cells it has, but for the
-  /// gap to a wall of prescribed displacement (theory, section 11).
+  /// The matrix in the gap between two spheres of mixed cells is squeezed out on all sides, however few cells the gap
+  /// has. This does not hold for the gap to a wall of prescribed displacement (theory, section 11).
   template <int dim>
   [[nodiscard]] std::optional<NarrowGap> between_particles() const {
     if (dim == 2 || tests.mixing == Mixing::points) {
@@ -129,7 +130,7 @@ std::optional<std::string> warning_of_narrow_gaps(const Stage& stage, const Stag
                      words_on_finer_grids(grids, std::ceil(cells_per_gap * stage.side / gap * (1.0 - rounding))));
 }
 
-/// Spheres of so few cells, or so close to jamming, that no rule tells the error of the grid.
+/// A warning about spheres of so few cells, or so close to jamming, that no rule gives the error of the grid.
 std::optional<std::string> warning_of_small_spheres(const Stage& stage, const StageMicrostructure& packed,
                                                     Mixing mixing) {
   if (packed.content<Microstructure<3>>() == nullptr || mixing == Mixing::points) return std::nullopt;
@@ -138,7 +139,7 @@ std::optional<std::string> warning_of_small_spheres(const Stage& stage, const St
   const auto rule = error_rule_of_spheres(packed.fraction);
   if (!std::isfinite(cells) || (rule && rule->error_with(cells))) return std::nullopt;
   if (!rule) {
-    if (stage.packed_by<LatticePacking>() != nullptr) return std::nullopt;  // all of its gaps are alike
+    if (stage.packed_by<LatticePacking>() != nullptr) return std::nullopt;  // all gaps of a lattice are equal
     return fmt::format(
         "spheres that fill {:.3g} % are close to jamming, where the modulus at long times comes out far too low unless "
         "the grid resolves their gaps; the mean sphere, {}, is {:.2g} cells wide: try several grids",
@@ -150,7 +151,7 @@ std::optional<std::string> warning_of_small_spheres(const Stage& stage, const St
                      words_on_finer_grids(stage.grids(), std::ceil(rule->cells_for(tenth) * stage.side / diameter)));
 }
 
-/// A coating that the grid does not resolve.
+/// A warning about coatings that the grid does not resolve.
 std::optional<std::string> warning_of_thin_coatings(const Stage& stage, Mixing mixing) {
   const double cells_per_coating = mixing == Mixing::points ? 3.0 : 2.0;
   constexpr double rounding = 1e-9;
@@ -169,7 +170,8 @@ std::optional<std::string> warning_of_thin_coatings(const Stage& stage, Mixing m
       words_on_finer_grids(grids, std::ceil(cells_per_coating * stage.side / *thickness * (1.0 - rounding))));
 }
 
-/// Grains that are far from the sizes asked for, which are those of the cells: the films take most of the small ones.
+/// A warning about grains that are far smaller than the requested sizes, which are those of the cells: films take most
+/// of the small cells.
 std::optional<std::string> warning_of_lost_grains(const Stage& stage, const StageMicrostructure& packed) {
   const auto* const placed = packed.grains();
   if (placed == nullptr) return std::nullopt;
@@ -195,7 +197,7 @@ std::optional<std::string> warning_of_lost_grains(const Stage& stage, const Stag
       display(film, "m"), fmt::join(losses, ", and "));
 }
 
-/// Films that are not long against their thickness, as the model of films takes them to be.
+/// A warning about films that are not long compared with their thickness, as the model of films assumes.
 std::optional<std::string> warning_of_short_films(const StageMicrostructure& packed, const FilmOptions& films) {
   constexpr double few = 0.15;
   const auto* const grains = packed.grains();
@@ -207,8 +209,8 @@ std::optional<std::string> warning_of_short_films(const StageMicrostructure& pac
       100.0 * grains->short_films, readable(grains->film, Dimension::length));
 }
 
-/// What a boundary that prescribes displacements or tractions cuts where the box is periodic; nothing where nothing
-/// crosses its sides.
+/// The content that a boundary with prescribed displacements or tractions cuts where the box is periodic, in words;
+/// nothing where no particle crosses the sides.
 struct CutContent {
   using Warning = std::optional<std::string>;
 
@@ -250,7 +252,8 @@ std::optional<std::string> warning_of_cut_particles(const Stage& stage, const st
   return visit_nested(CutContent(), packed.box);
 }
 
-/// A gap in material points together with several grids: the gap, and so the material, depends on the finest grid.
+/// A warning about a gap in material points together with several grids: the gap, and so the material, depends on the
+/// finest grid.
 std::optional<std::string> warning_of_gap_on_grids(const Stage& stage) {
   const auto filler = std::ranges::find(stage.fillers, GapSource::points, &Filler::gap_source);
   if (filler == stage.fillers.end() || stage.coarser_cells.empty()) return std::nullopt;
@@ -266,7 +269,7 @@ std::optional<std::string> warning_of_unknown_times(const Stage& stage, const Te
   return matrix == nullptr ? std::nullopt : warning_of_unknown_times(*matrix, {tests.first_time, tests.last_time});
 }
 
-/// A warning on a measurement of which no time is among those of the tests; empty if there is one.
+/// A warning on a measurement that has no time in common with the tests; empty if it has one.
 std::optional<std::string> warning_of_other_times(const Measurement& measurement, const TimeWindow& tests) {
   if (measurement.known_within(tests)) return std::nullopt;
   const auto known = measurement.known_within({0.0, std::numeric_limits<double>::infinity()});

@@ -14,7 +14,7 @@ namespace {
 
 /// The reduced responses of a stage under one load and boundary, on one grid or on several grids for extrapolation.
 struct ResponsesOnGrids {
-  std::vector<double> cell_sides;  ///< falling [m]
+  std::vector<double> cell_sides;  ///< sides of the cells, falling [m]
   std::vector<const ReducedResponse*> responses;
 
   /// Modulus of the composite [Pa]; for several grids the limit of vanishing cells.
@@ -64,13 +64,13 @@ std::vector<Moduli> moduli_of_stage(const Stage& stage, const ResponsesOnGrids& 
   return moduli;
 }
 
-/// The phases that vary, of a stage and of the earlier ones that its matrix is made of.
+/// The varying phases of a stage and of the earlier stages that make up its matrix.
 class ChainOfStages {
  public:
   ChainOfStages(const Study& study, const std::vector<StageResult>& earlier, Boundary boundary)
       : study_(study), earlier_(earlier), boundary_(boundary) {}
 
-  /// The materials of all these phases.
+  /// The materials of all varying phases of the chain.
   [[nodiscard]] std::vector<Material> materials(const Stage& stage) const {
     std::vector<Material> materials;
     if (const auto* matrix = std::get_if<Material>(&stage.matrix)) {
@@ -82,7 +82,7 @@ class ChainOfStages {
     return materials;
   }
 
-  /// Moduli [Pa] of the phases of the stage at Laplace variables [1/s], as far as those of its matrix are known.
+  /// Moduli [Pa] of the phases of the stage at Laplace variables [1/s], as far as the moduli of its matrix are known.
   [[nodiscard]] std::vector<std::vector<Moduli>> moduli(const Stage& stage,
                                                         const std::vector<double>& laplace_variables) const {
     const auto of_matrix = matrix_moduli(stage, laplace_variables);
@@ -96,7 +96,7 @@ class ChainOfStages {
   }
 
  private:
-  /// The stage that the matrix of a stage is made by; null for a material, and for a stage that is not there.
+  /// The earlier stage that is the matrix of a stage; null for a material, and for a stage that does not exist.
   [[nodiscard]] const Stage* stage_below(const Stage& stage) const {
     const auto* earlier = std::get_if<EarlierStage>(&stage.matrix);
     if (earlier == nullptr) return nullptr;

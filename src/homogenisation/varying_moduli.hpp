@@ -12,8 +12,8 @@ namespace breccia {
 /// stiff to soft. With a material as the matrix they are the joint relaxation_path() of the phases. Where the matrix is
 /// an earlier stage, its moduli are computed without a fit, by the reduced responses of that stage under the same
 /// boundary along the path of its own phases, as long as they fall and are positive (extrapolations from coarse grids
-/// may not be). Materials that the tests vary (Tests::varied) take each choice of choices_of_varied(): one such path
-/// follows the other. Empty if the earlier stage has no reduced responses.
+/// may not be). Materials that the tests vary (Tests::varied) take each choice of choices_of_varied(): the paths of the
+/// choices follow one another. Empty if the earlier stage has no reduced responses.
 std::vector<std::vector<Moduli>> varying_moduli(const Study& study, const Stage& stage,
                                                 const std::vector<StageResult>& earlier, Boundary boundary);
 

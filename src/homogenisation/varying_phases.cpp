@@ -9,7 +9,7 @@ namespace breccia {
 
 std::map<std::string, Material> other_varying_phases(const Tests& tests, const Stage& stage) {
   const auto phases = phases_of(stage);
-  // The matrix varies whatever it is made of.
+  // The matrix always counts as a varying phase.
   const auto materials = materials_of(stage, {});
   std::map<std::string, Material> varying;
   for (std::size_t i = 0; i < phases.size(); ++i) {

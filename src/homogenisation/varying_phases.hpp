@@ -16,7 +16,7 @@ namespace breccia {
 /// those of elastic materials that the tests vary (Tests::varied).
 std::map<std::string, Material> other_varying_phases(const Tests& tests, const Stage& stage);
 
-/// All phases of a stage whose moduli vary: its matrix, then the others in the order of their names.
+/// All phases of a stage whose moduli vary: its matrix, then the other phases in the order of their names.
 std::vector<VaryingPhase> varying_phases(const Tests& tests, const Stage& stage);
 
 }  // namespace breccia

@@ -19,12 +19,12 @@ struct FillerShare {
 struct WholeFiller {
   double fraction = 0.0;               ///< by volume, without coatings [-]
   double mass_fraction = 0.0;          ///< without coatings [-]
-  std::vector<FillerShare> materials;  ///< in the order in which the stages add them
-  std::vector<FillerShare> coatings;   ///< likewise
+  std::vector<FillerShare> materials;  ///< fillers, in the order in which the stages add them
+  std::vector<FillerShare> coatings;   ///< coatings, in the same order
 };
 
 /// The filler of the composite that a stage of a study describes. `packed` are the statistics of the fillers of the
-/// stages, in their order, at least up to this stage; throws InputError if there are fewer.
+/// stages, in the order of the stages, at least up to this stage; throws InputError if there are fewer.
 WholeFiller filler_of_the_whole(const Study& study, const Stage& stage,
                                 const std::vector<std::vector<FillerStatistics>>& packed);
 

@@ -10,7 +10,7 @@
 namespace breccia {
 namespace {
 
-/// The diameters of a filler [m]. What is wrong names the filler where there are several.
+/// The diameters of a filler [m]. Error messages name the filler where there are several.
 template <int dim>
 std::vector<double> draw_diameters_of(const Stage& stage, std::size_t number) {
   const auto& filler = stage.fillers[number];

@@ -12,7 +12,7 @@ namespace breccia {
 struct DrawnParticles {
   std::vector<double> diameters = {};  ///< [m]
   std::vector<std::size_t> fillers = {};
-  std::vector<std::optional<double>> size_deviations = {};  ///< of each filler [-]
+  std::vector<std::optional<double>> size_deviations = {};  ///< size deviation of each filler [-]
 };
 
 /// Draws the diameters of all fillers of a stage. Throws as draw_diameters() does. Instantiated for 2 and 3 dimensions.

@@ -7,8 +7,8 @@
 
 namespace breccia {
 
-/// The particles of a list. Throws InputError where they, with their coatings, overlap or cross a wall. Instantiated
-/// for 2 and 3 dimensions.
+/// Fills a box with the particles of a list. Throws InputError where particles, with their coatings, overlap or cross a
+/// wall. Instantiated for 2 and 3 dimensions.
 template <int dim>
 PlacedBox<dim> placed(const Stage& stage, const ExplicitPacking<dim>& listed, PackingRunner& runner);
 

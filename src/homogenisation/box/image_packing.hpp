@@ -7,7 +7,7 @@
 
 namespace breccia {
 
-/// The image of a stage, which fills its box.
+/// Fills a box with the image of a stage.
 template <int dim>
 PlacedBox<dim> placed(const Stage&, const ImagePacking<dim>& pixels, PackingRunner&) {
   return {pixels.image};

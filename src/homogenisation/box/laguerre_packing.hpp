@@ -7,8 +7,8 @@
 
 namespace breccia {
 
-/// Grains of listed sites, or of sites at random for the sizes of the filler. Throws InputError where the films leave
-/// nothing of any grain. Instantiated for 2 and 3 dimensions.
+/// Fills a box with the grains of listed sites, or of random sites for the sizes of the filler. Throws InputError where
+/// the films take up all grains. Instantiated for 2 and 3 dimensions.
 template <int dim>
 PlacedBox<dim> placed(const Stage& stage, const LaguerrePacking<dim>& method, PackingRunner& runner);
 

@@ -12,8 +12,8 @@
 namespace breccia {
 namespace {
 
-/// The shells around particles (PackingRequest): their coatings, and half of what the gap of their filler is wider than
-/// the smallest. Empty where no particle has one.
+/// The shells around particles (PackingRequest): their coatings, and half of the difference between the gap of their
+/// filler and the smallest gap. Empty where no particle has a shell.
 std::vector<double> shells_of(const Stage& stage, const DrawnParticles& drawn, double smallest_gap) {
   std::vector<double> shells;
   for (const auto number : drawn.fillers) {

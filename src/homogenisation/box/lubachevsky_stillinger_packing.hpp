@@ -7,8 +7,8 @@
 
 namespace breccia {
 
-/// Discs or spheres that grow until they have their sizes. Throws NumericalError where they jam. Instantiated for 2 and
-/// 3 dimensions.
+/// Fills a box with discs or spheres that grow until they have their sizes. Throws NumericalError where they jam.
+/// Instantiated for 2 and 3 dimensions.
 template <int dim>
 PlacedBox<dim> placed(const Stage& stage, const LubachevskyStillingerPacking<dim>& method, PackingRunner& runner);
 

@@ -22,8 +22,8 @@ namespace breccia {
 
 namespace {
 
-/// The diameter [m] of a disc with the area below which a share of the whole of these areas [m^2] is; in three
-/// dimensions that of a ball with the volume.
+/// A quantile of these areas [m^2] (in three dimensions volumes [m^3]), weighted by area (volume), as the diameter [m]
+/// of a disc (ball) of that size: smaller ones make up this share of the sum.
 template <int dim>
 double diameter_below(std::span<const double> rising_areas, double share) {
   const double whole = std::accumulate(rising_areas.begin(), rising_areas.end(), 0.0);
@@ -111,7 +111,7 @@ void measure_content(const Stage& stage, const SharedImage<dim>& image, StageMic
     result.fraction += fractions[filler + 1];
   }
   result.interface_per_area = specific_interface(*image);
-  // Pixels do not tell one particle from another.
+  // Pixels do not distinguish particles, so that gaps between these are not known.
   result.gap = std::numeric_limits<double>::infinity();
   result.wall_gap = std::numeric_limits<double>::infinity();
 }

@@ -19,7 +19,7 @@ PackingRequest with_gap(const Stage& stage, PackingRequest request, double gap) 
   return request;
 }
 
-/// Mean (diameter + gap) over the side of the box, that of the mean area or volume [-].
+/// Mean of (diameter + gap) over the side of the box [-]; the mean is that of areas or volumes.
 template <int dim>
 double relative_size(const PackingRequest& request) {
   const auto count = static_cast<double>(request.diameters.size());
@@ -98,7 +98,7 @@ std::string in_words(const PackingAdvice& advice) {
   return "expected fewer or smaller particles";
 }
 
-/// What takes room around each particle: "with coatings and half of the gap around each ".
+/// The layers that take room around each particle, in words: "with coatings and half of the gap around each ".
 std::string shells_in_words(const Stage& stage, bool has_gap) {
   if (!has_coatings(stage)) return has_gap ? "with half of the gap around each " : "";
   return has_gap ? "with coatings and half of the gap around each " : "with their coatings ";

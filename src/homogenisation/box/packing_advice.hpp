@@ -8,7 +8,7 @@
 
 namespace breccia {
 
-/// Settings of a stage that can be packed, in place of the requested ones.
+/// Settings with which a stage can be packed, in place of the requested ones.
 struct PackingAdvice {
   std::optional<double> gap;       ///< largest gap for the requested particles [m]
   std::optional<int> cells;        ///< fewest cells per side, if the gap depends on the grid

@@ -16,11 +16,12 @@ class PackingRunner {
  public:
   PackingRunner(const Stage& stage, const ProgressObserver& follow, Checkpoint* checkpoint);
 
-  /// Throws FileError where the state of an earlier run is none of this packing. Instantiated for 2 and 3 dimensions.
+  /// Runs a packing of balls. Throws FileError where the state of an earlier run does not belong to this packing.
+  /// Instantiated for 2 and 3 dimensions.
   template <int dim>
   Packing<dim> run(const PackingRequest& request);
 
-  /// Runs a packing that is not saved on its way. Instantiated for both requests.
+  /// Runs a packing whose state is not saved. Instantiated for both requests.
   template <class Request>
   void run(SequentialRun<Request>& packing);
 

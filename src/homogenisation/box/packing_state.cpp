@@ -32,7 +32,7 @@ std::uint64_t count(const StateReader& state, const std::string& name) {
 
 constexpr std::array axes = {"x", "y", "z"};
 
-/// Vectors as one list for each axis.
+/// Writes vectors as one list for each axis.
 template <int dim>
 void save_vectors(StateWriter& state, const std::string& name, const std::vector<Vector<dim>>& vectors) {
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(dim); ++axis) {
@@ -42,7 +42,7 @@ void save_vectors(StateWriter& state, const std::string& name, const std::vector
   }
 }
 
-/// Throws FileError when a list is missing or the lists differ in length.
+/// Reads vectors from one list for each axis. Throws FileError when a list is missing or the lists differ in length.
 template <int dim>
 std::vector<Vector<dim>> read_vectors(const StateReader& state, const std::string& name) {
   std::vector<Vector<dim>> vectors(state.numbers(fmt::format("{}_{}", name, axes[0])).size());

@@ -8,12 +8,13 @@
 
 namespace breccia {
 
-/// A box as a packing method has filled it.
+/// A box that a packing method has filled.
 template <int dim>
 struct PlacedBox {
   Box<dim> box = {};
-  std::vector<std::optional<double>> size_deviations = {};  ///< of each filler [-]; none where no sizes were drawn
-  std::uint64_t events = 0;                                 ///< of the packing
+  /// Size deviation of each filler [-]; none where no sizes were drawn.
+  std::vector<std::optional<double>> size_deviations = {};
+  std::uint64_t events = 0;  ///< number of events of the packing
 };
 
 }  // namespace breccia

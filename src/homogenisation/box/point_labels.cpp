@@ -63,7 +63,7 @@ void for_each_point_in(const Ball<dim>& ball, int along, double spacing, Action&
   });
 }
 
-/// The particle of every point that is not of the matrix.
+/// The number of the ball at every point outside the matrix.
 template <int dim>
 std::vector<std::int32_t> particles_of_points(const Stage& stage, const Microstructure<dim>& microstructure, int cells,
                                               const std::vector<PhaseIndex>& phases) {
@@ -78,7 +78,7 @@ std::vector<std::int32_t> particles_of_points(const Stage& stage, const Microstr
   return particles;
 }
 
-/// The particle of every point in it or in its coating.
+/// The number of the particle at every point that lies in a particle or in its coating.
 template <int dim, class Locator, class Shaped>
 std::vector<std::int32_t> particles_near_points(const Shaped& box, int cells) {
   const Locator locator(box);
@@ -94,7 +94,7 @@ std::vector<std::int32_t> particles_near_points(const Shaped& box, int cells) {
   return particles;
 }
 
-/// The labels of the points of a box by what fills it, which the box is visited for.
+/// The labels of the points of a box: a visitor of its content.
 template <int dim>
 struct LabelsIn {
   const Stage& stage;

@@ -24,7 +24,7 @@ namespace {
 template <int dim>
 using SequentialRequest = std::conditional_t<dim == 2, RandomSequentialRequest, EllipsoidSequentialRequest>;
 
-/// What keeps particles of a filler apart from others and from hard walls [m].
+/// The distances that particles of a filler keep from others and from hard walls [m].
 struct Distances {
   double shell = 0.0;
   double wall = 0.0;

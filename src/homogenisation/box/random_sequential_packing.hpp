@@ -7,8 +7,8 @@
 
 namespace breccia {
 
-/// Particles of any shape, placed one after the other. Throws NumericalError where they jam. Instantiated for 2 and 3
-/// dimensions.
+/// Fills a box with particles of any shape, placed one after the other. Throws NumericalError where they jam.
+/// Instantiated for 2 and 3 dimensions.
 template <int dim>
 PlacedBox<dim> placed(const Stage& stage, const RandomSequentialPacking<dim>& method, PackingRunner& runner);
 

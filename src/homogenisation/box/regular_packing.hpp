@@ -7,10 +7,10 @@
 
 namespace breccia {
 
-/// Discs in columns and rows.
+/// Fills a box with discs in columns and rows.
 PlacedBox<2> placed(const Stage& stage, const RegularPacking& array, PackingRunner& runner);
 
-/// Spheres on a cubic lattice.
+/// Fills a box with spheres on a cubic lattice.
 PlacedBox<3> placed(const Stage& stage, const LatticePacking& cubic, PackingRunner& runner);
 
 }  // namespace breccia

@@ -4,8 +4,8 @@
 
 namespace breccia {
 
-// Measure the fractions, the outlines and the gaps of particles of other shapes than discs or spheres. What is known of
-// the size deviations of their fillers stays.
+// Measure the fractions, the outlines and the gaps of particles of other shapes than discs or spheres. The size
+// deviations of the fillers that are known already are kept.
 void measure_content(const Stage& stage, const ParticleBox& box, StageMicrostructure& result);
 void measure_content(const Stage& stage, const EllipsoidBox& box, StageMicrostructure& result);
 

@@ -10,8 +10,8 @@
 namespace breccia {
 namespace {
 
-constexpr const char* name_of_corner_counts = "/particle_corners";  // 0 for an ellipse
-constexpr const char* name_of_ellipsoids = "/ellipsoids";           // their numbers one after the other
+constexpr const char* name_of_corner_counts = "/particle_corners";  // number of corners; 0 for an ellipse
+constexpr const char* name_of_ellipsoids = "/ellipsoids";           // numbers of the ellipsoids, one after the other
 constexpr const char* refusal = "a checkpoint of a packing: expected ellipses and polygons in a box";
 
 /// Two numbers each of the shapes: the axes of an ellipse, or the corners of a polygon.

@@ -11,17 +11,17 @@
 
 namespace breccia {
 
-/// Writes the shapes and the places of particles to a state, without their fillers. Throws FileError.
+/// Writes the shapes and the poses of particles to a state, without their fillers. Throws FileError.
 void save_particles(StateWriter& state, const std::vector<Particle>& particles);
 
-/// The same of ellipsoids.
+/// Writes ellipsoids to a state, without their fillers. Throws FileError.
 void save_ellipsoids(StateWriter& state, const std::vector<Ellipsoid>& ellipsoids);
 
-/// Whether a state has such particles.
+/// Whether a state has particles that save_particles() wrote (or ellipsoids that save_ellipsoids() wrote).
 bool has_particles(const StateReader& state);
 bool has_ellipsoids(const StateReader& state);
 
-/// Reads them. Throws FileError where they are none.
+/// Reads particles (or ellipsoids) from a state. Throws FileError where the numbers do not describe any.
 std::vector<Particle> read_particles(const StateReader& state);
 std::vector<Ellipsoid> read_ellipsoids(const StateReader& state);
 

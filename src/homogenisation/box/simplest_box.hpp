@@ -4,8 +4,8 @@
 
 namespace breccia {
 
-// A box of particles of any shape. Those that are all discs or spheres become such, which solvers and pictures know by
-// simpler rules.
+// A box of particles of any shape, in the simplest form: particles that are all discs or spheres become a
+// Microstructure, for which solvers and pictures have simpler rules.
 Box<2> simplest_box(ParticleBox box);
 Box<3> simplest_box(EllipsoidBox box);
 

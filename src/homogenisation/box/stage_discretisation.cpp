@@ -67,7 +67,7 @@ Grid<dim> grid_of_stage(const Stage& stage, int cells) {
   return grid;
 }
 
-/// The material points of a box by what fills it.
+/// Discretises a box: a visitor of its content.
 struct Discretise {
   const Stage& stage;
   int cells;
@@ -100,7 +100,8 @@ struct Discretise {
                                     : discretise_mixed(grid, labelling, phases_of(stage).size(), layers);
   }
 
-  /// Mixed cells of grains in three dimensions, which are exact: the parts of a cell would have to be many.
+  /// Discretises grains in three dimensions with exact fractions of the mixed cells; a division of the cells into parts
+  /// would need very many of them.
   [[nodiscard]] Discretisation<3> exactly(const Grains<3>& grains) const {
     const auto phases = phases_of(stage);
     return discretise_mixed(Tessellation<3>(grains.sites), grains.statistics.film, cells,

@@ -14,7 +14,7 @@
 namespace breccia {
 namespace {
 
-/// Places in particles have the phases of their fillers, those in their coatings that of the coating.
+/// The phases at positions: in a particle that of its filler, in a coating that of the coating.
 template <int dim, class Locator, class Box>
 Labelling<dim> labelling_of_particles(const Stage& stage, const Box& box) {
   const auto matrix = phases_of(stage).index_of(name_of_matrix_phase);

@@ -16,7 +16,7 @@ namespace breccia {
 /// The phase of each label of an image: that of the matrix, then those of the fillers.
 [[nodiscard]] std::vector<PhaseIndex> phases_of_labels(const Stage& stage);
 
-/// What is at the places of a box of grains, of particles that are not all balls, or of pixels. Templates are
+/// The phases at the positions of a box of grains, of particles that are not all balls, or of pixels. Templates are
 /// instantiated for 2 and 3 dimensions.
 template <int dim>
 [[nodiscard]] Labelling<dim> labelling_of(const Stage& stage, const Grains<dim>& grains);

@@ -28,8 +28,8 @@ std::string name_of_size_deviation(std::size_t filler) {
   return fmt::format("/size_deviation/{}", filler);
 }
 
-/// The numbers of the fillers of so many particles; empty where all are of the first. Throws FileError where one is
-/// that of no filler.
+/// The filler numbers of so many particles; empty where all belong to the first filler. Throws FileError where a number
+/// does not belong to any filler.
 std::vector<std::size_t> read_fillers(const StateReader& state, const Stage& stage, std::size_t particles) {
   std::vector<std::size_t> read;
   if (!state.has("/filler")) return read;
@@ -57,7 +57,7 @@ void save_fillers(StateWriter& state, const std::vector<std::size_t>& fillers) {
   if (!fillers.empty()) state.write("/filler", std::vector<double>(fillers.begin(), fillers.end()));
 }
 
-/// Writes a box by what fills it. The pixels of an image are those of the stage.
+/// Writes a box: a visitor of its content. The pixels of an image are not written, since the stage has them.
 struct SaveContent {
   StateWriter& state;
 
@@ -106,7 +106,7 @@ struct SaveContent {
   }
 };
 
-/// The side [m] and the walls of a box. Throws FileError where there is none.
+/// Reads the side [m] and the walls of a box. Throws FileError where the state has none.
 std::pair<double, Walls> read_sides(const StateReader& state, const char* content) {
   const double side = state.number("/side_m");
   const auto walls = static_cast<Walls>(state.integer("/walls"));
@@ -136,7 +136,7 @@ Microstructure<dim> read_balls(const StateReader& state, const Stage& stage) {
   return read;
 }
 
-/// Particles of other shapes than discs or spheres.
+/// Reads particles of other shapes than discs or spheres.
 template <int dim>
 ShapedParticles<dim> read_shaped(const StateReader& state, const Stage& stage) {
   const auto [side, walls] = read_sides(state, "particles");

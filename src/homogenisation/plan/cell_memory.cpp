@@ -23,7 +23,8 @@
 namespace breccia {
 namespace {
 
-/// Interface of the particles of a filler, per volume of the filler [1/m]: that of the smallest ones, which have most.
+/// Interface of the particles of a filler, per volume of the filler [1/m]: that of the smallest particles, which is the
+/// largest.
 double specific_interface(const Filler& filler, double smallest, int dimensions) {
   if (dimensions == 2) return 4.0 / smallest;
   const Ellipsoid particle{{}, axes_of(filler, smallest)};
@@ -77,8 +78,8 @@ struct ShareOfMixedCells {
   }
 };
 
-/// Nodal vectors of the terms of all materials that stepping keeps for each load, in the run with fine and in that with
-/// coarse time steps.
+/// Number of nodal vectors that stepping keeps for each load, for the terms of all materials, in the run with fine time
+/// steps and in that with coarse ones.
 double vectors_of_stepping(const Study& study, const Stage& stage) {
   std::size_t terms = 0;
   for (const auto& material : materials_of(stage, expected_matrix(study, stage))) {
@@ -87,16 +88,16 @@ double vectors_of_stepping(const Study& study, const Stage& stage) {
   return 2.0 * static_cast<double>(terms * loads_of(study, stage).size());
 }
 
-/// Bytes an unknown of a cube beside what sparse factors take, with fields of `strains` bytes an unknown for the
-/// strains of phases in a nodal vector.
+/// Bytes an unknown of a cube without the sparse factors. `strains` is the size, in bytes an unknown, of the strains of
+/// phases in a nodal vector.
 double bytes_of_cube(const Study& study, const Stage& stage, double strains) {
   constexpr double vector = sizeof(double);
   const double whole = vector + strains;
   // The phases of the points and the kinds of the cells.
   constexpr double cells = (8.0 * sizeof(PhaseIndex) + sizeof(std::uint32_t)) / 3.0;
   // The vectors of a basis have no strains of phases. Products of their forces take three vectors with strains and one
-  // without; conjugate gradients, which keep five without, take less. The rest is what a run of 96 cells a side takes
-  // beside.
+  // without; conjugate gradients, which keep five without, take less. The rest was measured in a run of 96 cells a
+  // side.
   double bytes = cells + 3.0 * whole + vector + measured_costs::rest_of_cube;
   if (study.tests.quasistatic.solver == Solver::stepping) {
     bytes += whole * (1.0 + vectors_of_stepping(study, stage));
@@ -111,14 +112,15 @@ double bytes_of_cube(const Study& study, const Stage& stage, double strains) {
          15.0 / 3.0 * vector * static_cast<double>(study.tests.field_times.size());
 }
 
-/// Bytes an unknown of a square, with as many nodal vectors as there are with the strains of phases in each.
+/// Bytes an unknown of a square. `strains` is the size, in bytes an unknown, of the strains of phases in a nodal
+/// vector.
 double bytes_of_square(const Study& study, const Stage& stage, double strains) {
   constexpr double vector = sizeof(double);
   const double whole = vector + strains;
   if (study.tests.quasistatic.solver == Solver::stepping) return whole * vectors_of_stepping(study, stage);
   // The residual of a reduced basis takes a nodal vector for each modulus that varies, among a dozen for the matrix.
   double bytes = 2.0 * whole * static_cast<double>(other_varying_phases(study.tests, stage).size());
-  // So does each snapshot under each load; those that the matrix alone takes are among the dozen as well.
+  // Each snapshot under each load takes one, too; the snapshots for the matrix alone are among the dozen as well.
   constexpr double few_snapshots = 11.0;
   bytes += whole * static_cast<double>(loads_of(study, stage).size()) *
            std::max(0.0, expected_snapshots(study, stage) - few_snapshots);
@@ -139,7 +141,7 @@ double share_of_mixed_cells(const Study& study, const Stage& stage, int cells) {
 
 double quasistatic_memory(const Study& study, const Stage& stage, int cells) {
   const double unknowns = quasistatic_unknowns(stage, cells);
-  // Strains of the second phase of mixed cells beside the displacements a cell of each nodal vector.
+  // Strains of the second phase of mixed cells, in each nodal vector, relative to the displacements of a cell.
   const int modes = stage.dimensions() == 3 ? CellShape<3>::modes : CellShape<2>::modes;
   constexpr double vector = sizeof(double);
   const double strains = vector * modes / stage.dimensions() * share_of_mixed_cells(study, stage, cells);
@@ -154,7 +156,7 @@ double quasistatic_memory(const Study& study, const Stage& stage, int cells) {
   const double further = bytes_of_square(study, stage, strains);
   const double strains_of_vectors = measured_costs::vectors_among_others * strains;
   if (is_direct) return measured_costs::program + unknowns * (factors + strains_of_vectors + further);
-  // Fields of a square take as much again.
+  // Fields of a square double the memory of the vectors.
   const double fields = study.tests.field_times.empty() ? 1.0 : 2.0;
   return measured_costs::program + unknowns * (fields * (measured_costs::substructures + strains_of_vectors) + further);
 }

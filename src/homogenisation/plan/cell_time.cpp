@@ -15,14 +15,15 @@
 namespace breccia {
 namespace {
 
-/// Solutions of a run that steps through time, with fine and with coarse steps.
+/// Number of solutions of a run that steps through time, with fine and with coarse steps.
 double steps_of(const Tests& tests) {
   constexpr double warm_up_decades = 3.0, fine_and_coarse = 1.5;
   const double decades = warm_up_decades + std::log10(tests.last_time / tests.first_time);
   return fine_and_coarse * decades * tests.quasistatic.steps_per_decade;
 }
 
-/// On substructures, or by sparse factors. Mixed cells are eliminated anew for each set of moduli.
+/// Time of a solution on substructures, or by sparse factors [s]. Mixed cells are eliminated anew for each set of
+/// moduli.
 double time_with_factors(const Study& study, const Stage& stage, int cells, double unknowns, bool is_direct) {
   namespace costs = measured_costs;
   const auto loads = static_cast<double>(loads_of(study, stage).size());
@@ -49,8 +50,9 @@ constexpr measured_costs::IterationsOfCube iterations_under(Boundary boundary) {
   return {};
 }
 
-/// The root of the greatest stiffness of the phases over the least one of the box that preconditions them, which is
-/// that of a wave under a periodic boundary and a shear modulus between walls (theory, section 18).
+/// The square root of a contrast: the greatest stiffness of the phases over the least stiffness of the homogeneous box
+/// that preconditions them. The latter is that of a wave under a periodic boundary and a shear modulus between walls
+/// (theory, section 18).
 double root_of_contrast(const std::vector<Moduli>& phases, Boundary boundary) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   Moduli least = {.bulk = infinite, .shear = infinite}, most = {.bulk = 0.0, .shear = 0.0};

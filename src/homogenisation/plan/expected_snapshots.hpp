@@ -8,13 +8,13 @@
 
 namespace breccia {
 
-/// The moduli of all phases of a stage on the path on which the solutions of a quasi-static test lie, with the matrix
-/// that is expected.
+/// The moduli of all phases of a stage on the path on which the solutions of a quasi-static test lie, with the expected
+/// matrix.
 std::vector<CarsonPoint> expected_path(const Study& study, const Stage& stage);
 
 /// Approximate number of snapshots of a reduced basis of a stage, by an empirical formula: it grows with the decades
-/// over which the shear moduli of the phases relax, and by a factor for each modulus that varies beside them
-/// (Tests::varied). One where nothing relaxes and nothing varies.
+/// over which the shear moduli of the phases relax, and by a factor for each elastic modulus that varies
+/// (Tests::varied). It is one where nothing relaxes and nothing varies.
 double expected_snapshots(const Study& study, const Stage& stage);
 
 }  // namespace breccia

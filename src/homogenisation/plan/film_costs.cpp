@@ -19,7 +19,8 @@
 namespace breccia {
 namespace {
 
-/// Areas of the cells of a stage, scaled so that they fill the unit square; those of listed sites count alike.
+/// Areas of the cells of a stage, scaled so that they fill the unit square; the cells of listed sites have equal areas
+/// here.
 std::vector<double> shares_of_cells(const Stage& stage) {
   const auto& method = *stage.packed_by<LaguerrePacking<2>>();
   if (!method.is_random())
@@ -35,8 +36,9 @@ std::vector<double> shares_of_cells(const Stage& stage) {
   return shares;
 }
 
-/// Thickness over the side of the box of the films that leave hexagons of these shares a fraction of it. A hexagon of
-/// the area a and the apothem r keeps a (1 - t / 2r)^2, a = 2 sqrt(3) r^2; the sum over all is quadratic in t.
+/// Thickness of the films between hexagons of these shares, over the side of the box, where the hexagons without films
+/// fill a fraction of the box. A hexagon of the area a and the apothem r keeps a (1 - t / 2r)^2, a = 2 sqrt(3) r^2; the
+/// sum over all is quadratic in t.
 double film_between_hexagons(const std::vector<double>& shares, double fraction) {
   const double of_apothem = 2.0 * std::numbers::sqrt3;
   double apothems = 0.0;
@@ -46,7 +48,7 @@ double film_between_hexagons(const std::vector<double>& shares, double fraction)
   return films / (half + std::sqrt(std::max(0.0, half * half - square * films)));
 }
 
-/// Elements along a film between hexagons of the unit area that has so many layers (graded_divisions).
+/// Number of elements along a film, with so many layers, between hexagons of the unit area (graded_divisions).
 double elements_along(const Tests& tests, double film) {
   constexpr double growth = 1.5, grading = 0.7, side = 0.62;
   const double layers = *tests.films.layers, turn = 2.0 * std::numbers::pi;

@@ -7,7 +7,7 @@
 namespace breccia {
 namespace {
 
-/// A length of the microstructure on whose cells the error of a grid depends.
+/// A characteristic length of the microstructure: the error of a grid depends on the number of cells along it.
 struct ResolvedLength {
   double length;  ///< [m]
   std::string_view place;
@@ -15,7 +15,7 @@ struct ResolvedLength {
   std::string_view without_rule = {};
 };
 
-/// Was the rule of spheres measured about this fraction [-], or is it extrapolated to it?
+/// Whether the rule of spheres was measured near this fraction [-]; otherwise it is extrapolated.
 bool is_measured(double fraction) {
   constexpr double least = 0.30, most = 0.50, about = 0.02;
   return fraction > least - about && fraction < most + about;
@@ -50,7 +50,7 @@ ErrorRule error_rule_of_films() {
   return {0.15, 1.25, 2.4};
 }
 
-// What the grid does to the spheres counts the more the closer they are to jamming.
+// The error of the grid grows as the spheres come closer to jamming.
 std::optional<ErrorRule> error_rule_of_spheres(double fraction) {
   constexpr double jammed = 0.70, largest = 0.60;
   if (fraction > largest) return std::nullopt;

@@ -14,12 +14,13 @@ ErrorRule error_rule_of_gaps(Mixing mixing);
 /// The rule for mixed cells across the films between grains, which carry the load of the whole stage (theory, Eq. 43b).
 ErrorRule error_rule_of_films();
 
-/// The rule for mixed cells and random packings of spheres that fill a fraction of the box [-], by the cells across the
-/// sphere of the mean diameter: all volume over all surface, times six (theory, Eq. 43c). Nothing close to jamming.
+/// The rule for mixed cells and random packings of spheres that fill a fraction of the box [-], by the number of cells
+/// across a sphere of the mean diameter, which is six times the whole volume over the whole surface (theory, Eq. 43c).
+/// Nothing close to jamming.
 std::optional<ErrorRule> error_rule_of_spheres(double fraction);
 
-/// The finest grid of a stage of particles or grains that is computed with cells; nothing where no length of the
-/// microstructure determines its error.
+/// The finest grid of a stage of particles or grains that is computed with cells; nothing where no rule applies to its
+/// error.
 std::optional<GridPlan> plan_of_grid(const Stage& stage, const StageMicrostructure& packed, Mixing mixing);
 
 }  // namespace breccia

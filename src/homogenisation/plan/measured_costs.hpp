@@ -1,8 +1,8 @@
 #pragma once
 
-/// What the parts of a calculation take. All of it was measured on one core of an AMD EPYC (Zen 5) with 32 MB of
+/// The costs of the parts of a calculation. They were measured on one core of an AMD EPYC (Zen 5) with 32 MB of
 /// last-level cache, g++ 12 and Debian 12 in November 2026 (docs/performance.md, docs/three-dimensions.md), and on
-/// other machines the times differ, by a factor of two and more. All other numbers of a plan are counted.
+/// other machines the times differ by a factor of two and more. All other numbers of a plan are counted.
 namespace breccia::measured_costs {
 
 /// Memory of the program with its libraries, MPI and PETSc [B].
@@ -14,10 +14,11 @@ inline constexpr double program = 60e6;
 inline constexpr double factors = 640.0, factors_of_logarithm = 60.0;
 /// Memory of substructures, with a dozen nodal vectors [B].
 inline constexpr double substructures = 340.0, vectors_among_others = 12.0;
-/// Memory of a cube beside what is counted, at the peak of a run of 96 cells a side [B].
+/// Memory of a cube in addition to the counted data, at the peak of a run of 96 cells a side [B].
 inline constexpr double rest_of_cube = 20.0;
 
-/// Sparse factors and a solution with them, of 20 000 unknowns; the factors of more grow with this power [s].
+/// Sparse factors, and a solution with them, for 20 000 unknowns; for more unknowns the time of the factors grows with
+/// this power [s].
 inline constexpr double factorisation = 2.2e-6, solution_by_factors = 0.8e-6;
 inline constexpr double unknowns_of_factorisation = 2e4, power_of_factorisation = 0.2;
 /// Set-up of the substructures and a solution on them [s].
@@ -25,37 +26,41 @@ inline constexpr double setup_of_substructures = 1.2e-6, solution_on_substructur
 /// Mixed cells under one load and one set of moduli, for each unknown that they have [s].
 inline constexpr double mixed_cells = 1e-6;
 
-/// Parts of a cell that an interface of shaped particles crosses, for each such cell [s]; those of balls take no time.
+/// Division into parts of a cell that an interface of shaped particles crosses, for each such cell [s]; cells with
+/// balls take no time.
 inline constexpr double mixing_of_shapes = 2e-4;
 
 /// Conjugate gradients on a cube by fast transforms.
 struct IterationsOfCube {
-  double of_root;  ///< iterations over the root of the contrast
-  double seconds;  ///< of an iteration [s]
+  double of_root;  ///< number of iterations over the square root of the contrast
+  double seconds;  ///< time of an iteration [s]
 };
 inline constexpr IterationsOfCube periodic_cube = {6.5, 29e-9}, held_cube = {7.0, 30e-9}, drawn_cube = {13.0, 33e-9};
-/// Forces of a part of the stiffness of a cube on a displacement [s]; so many of them are taken beside those counted.
+/// Forces of a part of the stiffness of a cube on a displacement [s], and the numbers of such products in addition to
+/// the counted ones.
 inline constexpr double forces_of_cube = 50e-9, forces_of_step = 14.0, forces_of_solution = 10.0;
-/// Of the iterations of a solution: one for a basis begins with what the basis has, and ends where it needs no more.
+/// Share of the iterations of a solution that a solution for a basis takes: it begins with the approximation of the
+/// basis, and ends at the accuracy that the basis needs.
 inline constexpr double share_of_iterations = 0.8;
 
-// Snapshots of a reduced basis.
+// Numbers of snapshots of a reduced basis.
 
-/// Of a box whose phases relax: constant + of_decade for each decade of each shear modulus, of which `most` count.
+/// Snapshots for a box whose phases relax: constant + of_decade for each decade of each shear modulus, up to `most`
+/// decades.
 inline constexpr double snapshots = 3.5, snapshots_of_decade = 1.5, most_decades = 5.0;
-/// The bases of cubes over those of squares [-].
+/// Snapshots of cubes over those of squares [-].
 inline constexpr double snapshots_of_cubes = 0.85;
-/// Snapshots more, over those without, for each decade of an elastic modulus that varies (Tests::varied) [-].
+/// Relative increase of the number of snapshots for each decade of an elastic modulus that varies (Tests::varied) [-].
 inline constexpr double snapshots_of_varied_decade = 0.85;
 
 // Grains and films.
 
-/// Memory of the factors alone, of all matrices with them in memory, and in files, for each unknown; and the factors
-/// from which on they are in files [B].
+/// Memory for each unknown [B]: of the factors alone, of all matrices with factors in memory, and of all matrices with
+/// factors in files; and the size of the factors [B] from which on they are in files.
 inline constexpr double film_factors = 1.55e3, films_in_memory = 2.0e3, films_in_files = 1.35e3, most_factors = 2e9;
-/// Memory of files of fields: of all, of a grain, of a grain at one time [B].
+/// Memory for writing files of fields [B]: a constant part, one for each grain, and one for each grain and time.
 inline constexpr double field_files = 100e6, fields_of_grain = 9e4, fields_of_grain_and_time = 1e4;
-/// A snapshot, for each of 1e5 unknowns; that of more grows with this power [s].
+/// Time of a snapshot for each unknown, with 1e5 unknowns [s]; it grows with this power of the number of unknowns.
 inline constexpr double film_snapshot = 5e-6, unknowns_of_film_snapshot = 1e5, power_of_film_snapshot = 0.2;
 
 }  // namespace breccia::measured_costs

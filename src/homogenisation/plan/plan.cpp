@@ -111,7 +111,7 @@ class Planner {
   std::map<std::string, StageMicrostructure> boxes_;
 };
 
-/// Tasks of a sweep that differ by seeds alone.
+/// Groups the tasks of a sweep: those in one part differ by seeds alone.
 std::vector<SweepPlan::Part> parts_of(const Sweep& sweep, const std::vector<std::size_t>& tasks) {
   std::vector<SweepPlan::Part> parts;
   std::map<std::vector<std::string>, std::size_t> part_with;
@@ -138,7 +138,7 @@ std::vector<std::string> lacking_for_films(const Study& study, const Stage& stag
   const auto grains = expected_grains(stage);
   const double bytes = film_memory(study, stage, grains);
   if (bytes <= available) return {};
-  // Larger factors are in files, so that the need does not grow steadily with the grains.
+  // Larger factors are in files, so that the needed memory does not grow steadily with the number of grains.
   double fitting = grains.count;
   constexpr double fewer = 0.999;
   while (fitting >= 1.0 && film_memory(study, stage, {fitting, grains.film}) > available) {

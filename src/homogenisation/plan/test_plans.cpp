@@ -43,7 +43,7 @@ double memory_of(const DynamicTest<dim>& test, int cells) {
 
 template <int dim>
 double memory_of_dynamic_tests(const Study& study, const Stage& stage, int cells) {
-  // Neither the places of the particles matter nor the grid.
+  // Neither the positions of the particles nor the grid matter.
   constexpr int few = 2;
   double most = 0.0;
   for_each_dynamic_test(study, stage,
@@ -90,8 +90,8 @@ TestPlan plan_of_film_test(const Study& study, const Stage& stage, Boundary boun
 
 std::vector<TestPlan> plans_of_dynamic_tests(const Study& study, const Stage& stage, const StageMicrostructure& packed,
                                              int cells) {
-  // A finer grid is planned by this one, which takes some 20 MB a Prony term: its points would take long, and memory
-  // that may not be there.
+  // The largest grid that is really set up, which takes some 20 MB a Prony term. A finer grid is planned by means of
+  // it, since its own points would take long, and more memory than there may be.
   const int most_planned = stage.dimensions() == 3 ? 48 : 1000;
   std::vector<TestPlan> plans;
   const auto add_plans = [&]<int dim>(const Discretisation<dim>& discretisation) {

@@ -7,13 +7,13 @@
 
 namespace breccia {
 
-/// The quasi-static test of all loads of a stage under one boundary, on a grid with `cells` cells per side.
+/// The plan of the quasi-static test of all loads of a stage under one boundary, on a grid with `cells` cells per side.
 TestPlan plan_of_quasistatic_test(const Study& study, const Stage& stage, Boundary boundary, int cells);
 
-/// The same of grains and the films between them.
+/// The plan of the test of all loads of a stage under one boundary by the model of grains and films.
 TestPlan plan_of_film_test(const Study& study, const Stage& stage, Boundary boundary, const GrainStatistics& grains);
 
-/// The dynamic tests of a stage that is packed, each under one boundary and load, on a grid with `cells` cells per
+/// The plans of the dynamic tests of a packed stage, each under one boundary and load, on a grid with `cells` cells per
 /// side. Throws NumericalError where time domains do not cover the times.
 std::vector<TestPlan> plans_of_dynamic_tests(const Study& study, const Stage& stage, const StageMicrostructure& packed,
                                              int cells);

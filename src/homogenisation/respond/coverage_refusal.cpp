@@ -23,7 +23,7 @@ std::string in_pascals(double modulus) {
   return display(modulus, "Pa", 3);
 }
 
-/// Rounds those ends of a window that lie within another one, inwards; nothing if no time is left.
+/// Rounds inwards those ends of a window that lie within another window; nothing if no time is left.
 std::optional<TimeWindow> rounded_within(const TimeWindow& part, const TimeWindow& window) {
   const TimeWindow rounded = {part.begin > window.begin ? rounded_up_to_two_digits(part.begin) : window.begin,
                               part.end < window.end ? rounded_down_to_two_digits(part.end) : window.end};
@@ -57,7 +57,8 @@ std::string remedy_for(const StageResponses& stage) {
   return "a new study with this material as its matrix covers all of it";
 }
 
-/// What a phase is not covered for: its shear modulus or, where that is covered, its bulk modulus.
+/// A description of the modulus of a phase that is not covered: the shear modulus or, where that is covered, the bulk
+/// modulus.
 std::string describe(const PhaseCoverage& found, const Material& material, const TimeWindow& window) {
   const auto* name = found.is_shear_covered ? "bulk" : "shear";
   const auto of = found.is_shear_covered ? &Moduli::bulk : &Moduli::shear;

@@ -15,15 +15,15 @@ namespace breccia {
 /// The matrix of a stage for each boundary.
 using MatrixUnder = std::function<const Material&(Boundary)>;
 
-/// The materials of the phases of a reduced response of a stage that vary, in their order: this matrix, and those of
-/// the other phases. Throws InputError where one is missing.
+/// The materials of the varying phases of a reduced response, in the order of the phases: this matrix, and the
+/// materials of the other phases of the stage. Throws InputError where one is missing.
 std::vector<Material> materials_for(const StageResponses& stage, const ReducedResponse& response,
                                     const Material& matrix);
 
 /// Throws NotCovered if a reduced response of a stage does not cover a window of times [s] with its matrix.
 void require_coverage(const StageResponses& stage, const MatrixUnder& matrix, const TimeWindow& window);
 
-/// The refusal, with the times that can be requested instead, if there are any.
+/// A refusal with the times that can be requested instead, if there are any.
 NotCovered with_covered_times(const NotCovered& refusal, const std::optional<TimeWindow>& times);
 
 /// Returns the result of a function of a window of times. If the function throws NotCovered, searches for a narrower

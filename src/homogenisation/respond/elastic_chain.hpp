@@ -8,11 +8,11 @@
 
 namespace breccia {
 
-/// The stages of a study under one boundary, with elastic materials: by the correspondence principle what they are at a
-/// real Laplace variable. Each is on its finest grid.
+/// The stages of a study under one boundary, with elastic materials. By the correspondence principle their moduli are
+/// those of the viscoelastic stages at a real Laplace variable. Each stage is on its finest grid.
 class ElasticChain {
  public:
-  /// `moduli` are those of the materials that vary [Pa], by their names.
+  /// `moduli` are the moduli of the materials that vary [Pa], by the names of these.
   ElasticChain(const std::vector<StageResponses>& stages, const std::map<std::string, Moduli>& moduli,
                Boundary boundary)
       : stages_(stages), moduli_(moduli), boundary_(boundary) {}

@@ -28,12 +28,12 @@ MaterialsByName materials_by_name(const std::vector<StageResponses>& stages) {
     }
     for (const auto& [phase, material] : one.other_phases) by_name[phase].insert(material.name);
   }
-  // A name that is that of a material and of a phase means the material.
+  // A name that a material and a phase share means the material.
   for (const auto& material : varying_materials(stages)) by_name[material] = {material};
   return by_name;
 }
 
-/// What to do about an elastic material whose moduli were not sampled.
+/// Advice about an elastic material whose moduli were not sampled.
 std::string advice_on(const Material& material) {
   constexpr double factor = 10.0;
   const double shear = material.shear.equilibrium();
@@ -62,7 +62,7 @@ std::vector<std::string> replaced_materials(const std::vector<NewMaterial>& new_
   require_earlier_stages(stages);
   const auto known = materials_by_name(stages);
   std::vector<std::string> replaced, mistakes;
-  bool is_elastic = false;  // a material that no other moduli were sampled of
+  bool is_elastic = false;  // whether a material is elastic and only its own moduli were sampled
   for (const auto& [name, material, shift] : new_materials) {
     const auto found = known.find(name);
     if (found == known.end()) {

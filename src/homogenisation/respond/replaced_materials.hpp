@@ -9,8 +9,8 @@
 
 namespace breccia {
 
-/// The names of the materials of the study that new materials replace, in the order of the new ones. Throws as
-/// Responder::with.
+/// The names of the materials of the study that new materials replace, in the order of the new materials. Throws as
+/// Responder::with() does.
 std::vector<std::string> replaced_materials(const std::vector<NewMaterial>& new_materials,
                                             const std::vector<StageResponses>& stages,
                                             const std::vector<ShiftedMaterial>& of_study);

@@ -81,7 +81,7 @@ void add_once(std::vector<std::string>& warnings, const std::string& warning) {
   if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
 }
 
-/// "fine: times reach from ...", if that is to be warned of.
+/// A warning about times outside the spectrum, "fine: times reach from ...", if there is reason for one.
 std::optional<std::string> warning_of_times(const StageResponses& stage, const Material& matrix) {
   const auto warning = warning_of_unknown_times(matrix, stage.times);
   return warning ? std::optional(fmt::format("{}: {}", stage.stage, *warning)) : std::nullopt;
@@ -117,7 +117,7 @@ std::vector<std::string> warnings_on_varying(const std::vector<StageResponses>& 
   return warnings;
 }
 
-/// "40 degC", rounded to a millionth of a degree.
+/// A temperature in degrees Celsius, rounded to a millionth of a degree: "40 degC".
 std::string in_celsius(double kelvin) {
   constexpr double zero_celsius = 273.15, smallest = 1e-6;
   return fmt::format("{:.6g} degC", std::round((kelvin - zero_celsius) / smallest) * smallest);
@@ -140,7 +140,7 @@ Responder::Responder(std::vector<StageResponses> stages, const std::vector<Shift
       }
     }
   }
-  // They are made anew for the materials and the times of each response.
+  // These warnings are made anew for the materials and the times of each response.
   for (auto& stage : stages_) {
     for (const auto& warning : warnings_on_varying(stages_, stage, materials_)) std::erase(stage.warnings, warning);
   }
@@ -266,7 +266,8 @@ std::vector<StageResponses> Responder::stages_with_shown_names() const {
 }
 
 void Responder::add_warnings(std::vector<StageResult>& results) const {
-  std::set<std::string> named, said;  // a material, and a warning on it, are named once, with the first stage
+  // Materials and warnings that a stage has named already; only the first stage names each of them.
+  std::set<std::string> named, said;
   const auto stages = stages_with_shown_names();
   for (auto& result : results) {
     const auto& of_study = stage_named(result.name);

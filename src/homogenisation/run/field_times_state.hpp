@@ -6,7 +6,7 @@
 
 namespace breccia {
 
-/// Leaves the times [s] of the fields that a sink has taken in the state of a finished test, and reads them again.
+/// Writes the times [s] of the fields that a sink has stored to the state of a finished test, and reads them again.
 void save_field_times(StateWriter& state, const std::vector<double>& times);
 std::vector<double> read_field_times(const StateReader& state);
 

@@ -17,7 +17,8 @@
 namespace breccia {
 namespace {
 
-/// Material points of each phase of the fillers in some layers of cells, those of mixed cells by their fractions.
+/// Number of material points of each phase of the fillers in some layers of cells. The points of mixed cells count by
+/// the fractions of their phases.
 std::vector<double> filler_points(const Study& study, const Stage& stage, const StageMicrostructure& microstructure,
                                   const CellLayers& layers) {
   const auto phases = phases_of(stage);
@@ -30,7 +31,7 @@ std::vector<double> filler_points(const Study& study, const Stage& stage, const 
   return points;
 }
 
-/// All but the points, which grains and films do not have.
+/// The result of a stage without the numbers of its points, which grains and films do not have.
 StageResult result_without_points(const Study& study, const Stage& stage, StageMicrostructure microstructure) {
   StageResult result;
   result.name = stage.name;

@@ -15,7 +15,7 @@
 namespace breccia {
 namespace {
 
-/// Adds a stage to the result: the one that the sink knows, or else computed.
+/// Adds a stage to the result: the stage as the sink knows it, or else as it is computed.
 void solve_stage(const Study& study, const Stage& stage, int threads, StudySink& sink, StudyResult& result) {
   if (auto known = sink.known_stage(stage)) {
     known->comparisons = compare(study, stage, known->tests);

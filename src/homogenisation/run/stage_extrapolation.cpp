@@ -36,7 +36,7 @@ std::string per_pascal(double compliance) {
 }
 
 /// The limit of a value at a time [s] over several grids, with an error of first order in the cell side. `shown` writes
-/// a value with its unit; `side` is that of the box [m].
+/// a value with its unit; `side` is the side of the box [m].
 template <class Value>
 Extrapolated limit(double side, const std::vector<const TestResult*>& grids, double time, const Value& value,
                    std::string (*shown)(double)) {

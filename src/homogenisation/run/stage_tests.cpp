@@ -23,8 +23,8 @@ TestGrid grid_of(const StageGrid& grid) {
   return TestGrid(cells_along(grid.discretisation));
 }
 
-/// Ends a test: its fields, which are large, go to the sink, and its state to the checkpoint. Of a test that an earlier
-/// run has finished both are stored already.
+/// Ends a test: its fields, which are large, go to the sink, and its state to the checkpoint. For a test that an
+/// earlier run has finished, both are stored already.
 template <class Found>
 void finish(const Stage& stage, const Found& found, TestResult& result, Checkpoint* checkpoint, StudySink& sink) {
   if (checkpoint != nullptr && checkpoint->is_finished()) {
@@ -40,7 +40,7 @@ void finish(const Stage& stage, const Found& found, TestResult& result, Checkpoi
   });
 }
 
-/// "fine lower bound, 50 cells per side, quasi-static": for errors and the progress.
+/// The name of a test for errors and the progress: "fine lower bound, 50 cells per side, quasi-static".
 std::string name_of(const Stage& stage, const TestId& test) {
   return fmt::format("{} {}", stage.name, calculation_of(test));
 }
@@ -50,7 +50,8 @@ ProgressObserver progress_to(StudySink& sink, const std::string& what) {
   return [&sink, what](const Progress& of_test) { sink.progress({what, of_test.share, of_test.details}); };
 }
 
-/// Runs a quasi-static test of all loads, with its checkpoint. Its results by load; the first has the fields.
+/// Runs a quasi-static test of all loads, with its checkpoint. Returns a result for each load; the first one has the
+/// fields.
 std::vector<TestResult> run_all_loads(const Stage& stage, const QuasistaticTest& test, TestGrid grid, StudySink& sink) {
   const auto id_of = [&](Load load) { return TestId{load, test.boundary, Method::quasistatic, grid}; };
   const auto first = id_of(test.loads.front());

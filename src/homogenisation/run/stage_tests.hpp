@@ -34,7 +34,8 @@ std::vector<TestResult> run_quasistatic(const StageGrid& grid, const Material& m
                                         std::vector<std::vector<Moduli>> relaxation, Boundary boundary,
                                         StudySink& sink);
 
-/// The same by the model of grains and films.
+/// Runs all loads under one boundary by the model of grains and films, with a matrix and its moduli [Pa] over its whole
+/// relaxation.
 std::vector<TestResult> run_films(const StageFilms& films, const Material& matrix,
                                   std::vector<std::vector<Moduli>> relaxation, Boundary boundary, StudySink& sink);
 

@@ -22,14 +22,14 @@ std::vector<double> field_times_of(const Study& study, const Stage& stage, int c
   return are_wanted ? study.tests.field_times : std::vector<double>();
 }
 
-/// All fillers of a stage taken for one.
+/// All fillers of a stage, averaged to one.
 struct ExpectedFiller {
-  double density = 0.0;          ///< mean [kg/m^3]
-  double bulk_compliance = 0.0;  ///< mean, unrelaxed [1/Pa]
-  double shear = 0.0;            ///< of the stiffest, unrelaxed [Pa]
+  double density = 0.0;          ///< mean density [kg/m^3]
+  double bulk_compliance = 0.0;  ///< mean unrelaxed bulk compliance [1/Pa]
+  double shear = 0.0;            ///< unrelaxed shear modulus of the stiffest filler [Pa]
 };
 
-/// Fillers whose fraction is not known count alike.
+/// Fillers whose fractions are not known have equal weights.
 ExpectedFiller expected_filler(const Stage& stage) {
   const auto all = fraction_asked_of(stage);
   ExpectedFiller expected;
@@ -42,7 +42,7 @@ ExpectedFiller expected_filler(const Stage& stage) {
   return expected;
 }
 
-/// Other materials of the phases that vary: every choice for those over whose moduli the tests sample.
+/// Alternative materials of the varying phases: every choice of the moduli over which the tests sample.
 std::vector<std::vector<Material>> variants_of(const Tests& tests, const std::vector<VaryingPhase>& varying,
                                                const std::vector<Material>& materials) {
   std::vector<Material> of_phases;
@@ -60,7 +60,7 @@ QuasistaticTest test_without_fields(const Study& study, const Stage& stage, cons
                                     QuasistaticComposite composite, Boundary boundary, int threads) {
   auto options = study.tests.quasistatic;
   options.linear.threads = threads;
-  // Over every further modulus the basis takes up to three times as many snapshots.
+  // With every further modulus the basis takes up to three times as many snapshots.
   options.sampling.most_snapshots *= 1 + 2 * varied_moduli(study.tests.varied);
   const auto materials = materials_of(stage, matrix);
   const auto varying = varying_phases(study.tests, stage);
@@ -130,8 +130,8 @@ Material expected_matrix(const Study& study, const Stage& stage) {
   if (earlier.fillers.empty()) return matrix;
   const double fraction = fraction_asked_of(earlier).value_or(0.5);
   const auto [density, bulk_compliance, shear] = expected_filler(earlier);
-  // Shear: rigid discs, or spheres, in an incompressible matrix (Hashin's lower bound); bulk: uniform pressure (rule of
-  // mixtures).
+  // The shear modulus is that of rigid discs, or spheres, in an incompressible matrix (Hashin's lower bound), and the
+  // bulk modulus that under uniform pressure (rule of mixtures).
   const double rigid =
       stage.dimensions() == 3 ? 1.0 + 2.5 * fraction / (1.0 - fraction) : (1.0 + fraction) / (1.0 - fraction);
   const double stiffening = std::min(rigid, shear / matrix.shear.unrelaxed());

@@ -19,7 +19,8 @@ DynamicTest<dim> make_dynamic_test(const Study& study, const Stage& stage, const
 /// The quasi-static test of a stage on a grid, under one boundary and all loads of the stage.
 QuasistaticTest make_quasistatic_test(const Study& study, const Stage& stage, const Material& matrix,
                                       const StageDiscretisation& discretisation, Boundary boundary, int threads);
-/// The same for the grains of a stage and the films between them.
+/// The quasi-static test of the grains of a stage and the films between them, under one boundary and all loads of the
+/// stage.
 QuasistaticTest make_film_test(const Study& study, const Stage& stage, const Material& matrix, const Grains<2>& grains,
                                Boundary boundary, int threads);
 
