@@ -6,7 +6,7 @@
 
 namespace breccia::dynamics {
 
-/// Begins allocations where a cache line does, so that no register of a block straddles two.
+/// Allocator whose memory begins at a cache line, so that no register of a block straddles two lines.
 template <class T>
 struct CacheLineAllocator {
   using value_type = T;

@@ -25,7 +25,8 @@ class Band {
 
   [[nodiscard]] int first() const noexcept { return first_; }
   [[nodiscard]] int end() const noexcept { return end_; }
-  /// Forces of its first layer of cells on the nodes below, and of its last layer of cells on the nodes above.
+  /// Forces of its first layer of cells on the nodes below them, and of its last layer of cells on the nodes above
+  /// them.
   [[nodiscard]] LayerForces<dim> lowest_forces() noexcept { return lowest_.view(); }
   [[nodiscard]] LayerForces<dim> highest_forces() noexcept { return highest_.view(); }
 
@@ -46,16 +47,16 @@ class Band {
     }
   }
 
-  StepCounter swept;  ///< steps whose forces all of its cells have given
-  StepCounter moved;  ///< steps in which its lowest layer of nodes has moved, and all above it but the highest
+  StepCounter swept;  ///< number of steps for which the forces of all of its cells are known
+  StepCounter moved;  ///< number of steps in which all of its layers of nodes except the highest have moved
 
  private:
   int first_, end_;
-  ForceLayer<dim> lowest_;   ///< of the first layer of cells on the nodes below
-  ForceLayer<dim> bottom_;   ///< of the present layer of cells on the nodes below
-  ForceLayer<dim> top_;      ///< of the present layer of cells on the nodes above
-  ForceLayer<dim> carried_;  ///< of the layer of cells below on the nodes below the present layer of cells
-  ForceLayer<dim> highest_;  ///< of the last layer of cells on the nodes above
+  ForceLayer<dim> lowest_;   ///< forces of the first layer of cells on the nodes below
+  ForceLayer<dim> bottom_;   ///< forces of the present layer of cells on the nodes below
+  ForceLayer<dim> top_;      ///< forces of the present layer of cells on the nodes above
+  ForceLayer<dim> carried_;  ///< forces of the previous layer of cells on the nodes below the present layer of cells
+  ForceLayer<dim> highest_;  ///< forces of the last layer of cells on the nodes above
 };
 
 }  // namespace breccia::dynamics

@@ -7,7 +7,7 @@
 namespace breccia::dynamics {
 namespace {
 
-/// With less to do than this a thread would mostly wait for the others.
+/// The least number of points for a thread: with fewer it would mostly wait for other threads.
 constexpr std::size_t points_per_thread = 8192;
 
 template <int dim>
@@ -50,8 +50,8 @@ void BandSchedule<dim>::take_steps(std::int64_t first, int steps, Averages<dim>*
   }
 }
 
-/// Takes a batch of steps, after which the number of threads may be another: as many as fit into a short time, in whole
-/// groups for which sums are kept. Returns their number.
+/// Takes a batch of steps and returns their number. A batch has as many steps as fit into a short time, in whole groups
+/// for which sums are kept. After it the number of threads may change.
 template <int dim>
 int BandSchedule<dim>::take_batch(std::int64_t first, int most_steps, Averages<dim>* averages) {
   constexpr double longest = 0.015;  // [s]
@@ -61,7 +61,7 @@ int BandSchedule<dim>::take_batch(std::int64_t first, int most_steps, Averages<d
   }
   exchanged_.reset();
   averaged_.reset();
-  // Changed by the first thread alone, while the others wait for the averages of a group.
+  // Only the first thread changes this number, while the other threads wait for the averages of a group.
   int steps = most_steps;
 #pragma omp parallel num_threads(throttle_.threads())
   {
@@ -103,7 +103,7 @@ void BandSchedule<dim>::sweep(std::size_t number, std::int64_t step, int done) {
       [&] {
         if (number == 0 && exchange_->has_neighbours()) exchange_->begin(band.lowest_forces());
       },
-      // The band above moves the nodes there in the step before, and from the forces of this band.
+      // The band above moves these nodes in the step before, by forces of this band, too.
       [&] { above.moved.wait_for(done); });
   band.swept.set(done + 1);
 }
@@ -139,14 +139,16 @@ void BandSchedule<dim>::move_highest_layer(std::int64_t step, int done) {
   if (!is_image) {
     layers_->move_nodes(band.end(), band.highest_forces(), from_above_.view(), step);
   } else if (exchange_->first() > 0) {
-    // The lowest layer of the box belongs to another process: this one moves it too, for its image.
+    // The lowest layer of the box belongs to another process. This process moves it, too, because it holds the image of
+    // the layer.
     layers_->move_nodes(0, band.highest_forces(), from_above_.view(), step);
     layers_->copy_lowest_layer(step);
   }
   band.moved.set(done + 1);
 }
 
-/// Averages of the last steps of a batch of which `done` are finished, once all threads have come so far.
+/// Computes the averages of the last steps of a batch of which `done` are finished, once all threads have finished
+/// them.
 template <int dim>
 void BandSchedule<dim>::find_averages(std::int64_t first, int done, int steps, Averages<dim>* averages) {
   for (const auto& band : bands_) band.moved.wait_for(done);

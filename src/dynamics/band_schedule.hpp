@@ -43,11 +43,11 @@ class BandSchedule {
 
   LayerStep<dim>* layers_;
   LayerExchange<dim>* exchange_;
-  ForceLayer<dim> from_below_;  ///< of the layer of cells below those of this process; zero below the box
+  ForceLayer<dim> from_below_;  ///< forces of the layer of cells below those of this process; zero below the box
   ForceLayer<dim> from_above_;
-  std::deque<Band<dim>> bands_;  ///< from the lowest to the highest
+  std::deque<Band<dim>> bands_;  ///< bands from the lowest to the highest
   ThreadThrottle throttle_;
-  // Steps of a batch that have come as far as this:
+  // Counters of the steps of a batch that have reached the following points:
   StepCounter exchanged_;  ///< the forces of the neighbours of this process are known
   StepCounter averaged_;   ///< the averages are known
   LayerSums<dim> sums_;

@@ -11,7 +11,7 @@
 namespace breccia::dynamics {
 namespace {
 
-/// The phases of a cell in a row, of which all are counted.
+/// Finds the phases of a cell in a row and counts their points.
 template <int dim>
 const CellPhases<dim>& cell_of(const Discretisation<dim>& discretisation, int row, int column) {
   const auto columns = static_cast<std::size_t>(discretisation.grid().cells[0]);
@@ -52,7 +52,7 @@ void BlockLayout<dim>::place_histories() {
   std::size_t lines = 0;
   for (const auto& share : shares_) lines += static_cast<std::size_t>(lines_of(share));
   for (const auto& cells : by_cell_) lines += static_cast<std::size_t>(lines_of_cells(cells));
-  // One block more, so that shares without history point at something.
+  // One block more is allocated, so that shares without history have a valid address.
   history_.assign((lines + 1) * lanes, 0.0);
   double* history = history_.data();
   const auto take = [&history](int count) { return std::exchange(history, history + count * lanes); };
@@ -133,7 +133,7 @@ typename BlockLayout<dim>::Histories BlockLayout<dim>::histories(const Index<dim
     for (int k = 0; k < cells.shear_term_count; ++k) {
       for (auto& mode : sums.shear) mode += *history, history += lanes;
     }
-    // In plane strain K is what is left of K + G/3.
+    // In plane strain K is the difference of K + G/3 and G/3.
     if constexpr (dim == 2) sums.bulk[0] = -(sums.shear[0] + sums.shear[1]) / 3.0;
     for (int k = 0; k < cells.dilatational_term_count; ++k, history += lanes) sums.bulk[0] += *history;
     return sums;

@@ -47,7 +47,7 @@ class BlockLayout {
 
  private:
   void add_block(const DynamicProblem<dim>& problem, int row, int first_column);
-  /// A block of cells of one material each, if it is one that is not all of the same.
+  /// The materials of a block of cells that have one material each, but not all the same one; nothing for other blocks.
   [[nodiscard]] std::optional<CellMaterials> cells_of_one_material(const Discretisation<dim>& discretisation, int row,
                                                                    int first_column) const;
   void place_histories();
@@ -58,7 +58,7 @@ class BlockLayout {
   int bulk_modes_;
   std::vector<std::vector<TermStep>> terms_;
   std::vector<MaterialStep> materials_;
-  std::optional<CellMaterialTable<dim>> cell_materials_;  ///< nothing without mixtures
+  std::optional<CellMaterialTable<dim>> cell_materials_;  ///< table of the materials; nothing without mixtures
   std::vector<Share> shares_;
   std::vector<CellMaterials> by_cell_;
   std::vector<Block> blocks_;

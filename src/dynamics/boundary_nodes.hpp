@@ -8,20 +8,21 @@ namespace breccia::dynamics {
 
 // Instantiated for 2 and 3 dimensions.
 
-/// True if the node follows the affine motion of the load, whatever the forces on it.
+/// Whether the node follows the affine motion of the load, whatever the forces on it are.
 template <int dim>
 [[nodiscard]] bool is_prescribed(const DynamicProblem<dim>& problem, const Index<dim>& node) noexcept;
 
-/// True if the node, on the upper side of a periodic box along some axis, stands for the node on the opposite side.
+/// Whether the node is the image of a node on the opposite side: whether it is on the upper side of a periodic box
+/// along some axis.
 template <int dim>
 [[nodiscard]] bool is_image(const DynamicProblem<dim>& problem, const Index<dim>& node) noexcept;
 
-/// True if, while the load rises, nodes that are not prescribed get the acceleration of its affine motion.
+/// Whether nodes that are not prescribed get the acceleration of the affine motion of the load while the load rises.
 template <int dim>
 [[nodiscard]] bool follows_affinely(const DynamicProblem<dim>& problem) noexcept;
 
 /// Displacement of a node in the affine motion of the whole load [m]. Under a displacement boundary the centre of the
-/// box rests, so that the boundary strains the box and does not shake it; else the lowest corner rests.
+/// box rests, so that the boundary strains the box and does not shake it; otherwise the lowest corner rests.
 template <int dim>
 [[nodiscard]] Vector<dim> affine_motion(const DynamicProblem<dim>& problem, const Index<dim>& node) noexcept;
 

@@ -27,7 +27,7 @@ class CellMaterialTable {
   }
 
  private:
-  std::vector<std::vector<TermStep>> terms_;  ///< of steps_: shear, then dilatational
+  std::vector<std::vector<TermStep>> terms_;  ///< terms of steps_: shear, then dilatational
   std::vector<CellMaterialStep> steps_;
 };
 

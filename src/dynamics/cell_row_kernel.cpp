@@ -1,4 +1,4 @@
-// Compiled once for every instruction set, with BRECCIA_KERNELS naming the kernels of it.
+// This source is compiled once for every instruction set; BRECCIA_KERNELS is the name of its kernels.
 
 #include "dynamics/cell_row_kernel.hpp"
 
@@ -10,7 +10,8 @@
 namespace breccia::dynamics {
 namespace {
 
-/// Shear modulus applied to the strain modes: the springs and all Maxwell terms. One material, or those of the cells.
+/// Shear modulus applied to the strain modes: the springs and all Maxwell terms. `Materials` is one material, or the
+/// materials of the cells.
 template <class Materials, int dim>
 BRECCIA_INLINE Modes<dim> shear_response(const Materials& materials, const Modes<dim>& strain,
                                          const Modes<dim>& increment, double* history) {
@@ -28,7 +29,7 @@ BRECCIA_INLINE Modes<dim> shear_response(const Materials& materials, const Modes
   return s;
 }
 
-/// Bulk modulus applied to the volumetric modes; of averaged volumetric strains to that of the centre alone.
+/// Bulk modulus applied to the volumetric modes; with averaged volumetric strains to the mode of the centre alone.
 template <bool averaged, int dim>
 BRECCIA_INLINE VolumeModes<dim> bulk_response(const MaterialStep& material, const Modes<dim>& strain,
                                               const Modes<dim>& increment, double* history) {
@@ -111,13 +112,13 @@ BRECCIA_INLINE Modes<dim> forces(const CellRow<dim>& row, const Block& block, in
   return force;
 }
 
-/// The values one lane further, and in the first lane the last of those before.
+/// The values moved by one lane; the first lane gets the last value of the register before.
 template <int... lane>
 BRECCIA_INLINE Pack moved_on(const Pack& before, const Pack& values, Lanes<lane...> /*all*/) {
   return __builtin_shufflevector(before, values, (width - 1 + lane)...);
 }
 
-/// The forces of the cells to the left of the nodes of a register, which the register before has left behind.
+/// The forces of the cells to the left of the nodes of a register, which the work on the previous register has left.
 template <int dim>
 struct ForcesBefore {
   Pack right[axis_count<dim>]
@@ -140,7 +141,7 @@ BRECCIA_INLINE void store_forces(const Modes<dim>& f, const CellRow<dim>& row, i
   }
 }
 
-/// Gives the node behind the last cell its force, and none to those behind it.
+/// Gives the node behind the last cell its force, and the nodes behind that one zero.
 template <int dim>
 BRECCIA_INLINE void store_last_forces(const CellRow<dim>& row, const ForcesBefore<dim>& before) {
   using All = typename LanesUpTo<width>::Type;

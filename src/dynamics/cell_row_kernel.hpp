@@ -34,7 +34,7 @@ struct MaterialStep {
   int bulk_term_count;
 };
 
-/// The points of a block that are of one material; bit p of points[lane] stands for point p of that cell.
+/// The points of a block that have one material; bit p of points[lane] stands for the point p of the cell in that lane.
 struct Share {
   const MaterialStep* material;
   double* history;             ///< terms x modes x lanes, or nullptr where the material is elastic
@@ -42,18 +42,18 @@ struct Share {
 };
 
 /// The material of a whole cell. Its dilatational modulus is that of equal strains along all axes: K + G/3 in plane
-/// strain, which has terms of its own, so that a mixture of phases needs no more of them than its phases have, and K in
-/// 3 dimensions. Lists of terms are filled up with zeros to one length.
+/// strain, which has terms of its own, so that a mixture of phases needs no more terms than its phases have, and K in 3
+/// dimensions. Lists of terms are filled up with zeros to one length.
 struct CellMaterialStep {
-  double dilatational;  ///< in equilibrium [Pa]
+  double dilatational;  ///< equilibrium dilatational modulus [Pa]
   double shear;         ///< equilibrium shear modulus [Pa]
   const TermStep* shear_terms;
   const TermStep* dilatational_terms;
-  int shear_term_count;  ///< without the zeros
+  int shear_term_count;  ///< number of shear terms without the zeros
   int dilatational_term_count;
 };
 
-/// Eight cells of which each has one material, not all the same: those along an interface, with mixed cells.
+/// Eight cells of one material each, but not all of the same one: cells along an interface, with mixed cells.
 struct CellMaterials {
   const CellMaterialStep* of_lane[lanes];  // NOLINT(modernize-avoid-c-arrays): see above
   double* history;                         ///< (shear terms x shear_modes + dilatational terms) x lanes
@@ -64,7 +64,7 @@ struct CellMaterials {
 /// Eight neighbouring cells of a row.
 struct Block {
   const Share* shares;
-  const CellMaterials* by_cell;  ///< in place of shares; or nullptr
+  const CellMaterials* by_cell;  ///< materials of the cells in place of shares, or nullptr
   int share_count;
   bool uniform;  ///< every point of the block is of the one material
   bool relaxes;  ///< at least one material has history
@@ -81,7 +81,7 @@ struct NodeValues {
 };
 
 /// Components of the forces of a layer of cells, a row in 2 dimensions and a plane in 3, on the layer of nodes below or
-/// above it: the sums of those of all of its cells, one row of nodes after the other.
+/// above it: the sums of the forces of all of its cells, one row of nodes after the other.
 template <int dim>
 struct LayerForces {
   double* of_axis[axis_count<dim>];
@@ -91,8 +91,9 @@ struct LayerForces {
 template <int dim>
 constexpr int rows_of_nodes = dim == 2 ? 2 : 4;
 
-/// In 3 dimensions rows of cells are taken by rising y: forces are added to those that the row of cells before has left
-/// on the rows of nodes on the lower side along y. On all others they are written.
+/// Whether the forces on a row of nodes are added to earlier ones, or written. In 3 dimensions rows of cells are taken
+/// by rising y: forces on the rows of nodes on the lower side along y are added to those of the row of cells before. On
+/// all other rows they are written.
 template <int dim>
 constexpr bool adds_to_row(int row) {
   return dim == 3 && (row & 1) == 0;
@@ -105,11 +106,11 @@ struct CellRow {
   int block_count;
   NodeValues<dim> displacement[rows_of_nodes<dim>];
   NodeValues<dim> increment[rows_of_nodes<dim>];  ///< displacement of this step minus that of the step before
-  LayerForces<dim> force[rows_of_nodes<dim>];     ///< divided by h^(dim - 2)
+  LayerForces<dim> force[rows_of_nodes<dim>];     ///< forces divided by h^(dim - 2)
   double* stress;  ///< sums in Voigt's order over the points of the row, times the cell side
 };
 
-/// Row of nodes to be moved: d += step_over_mass f, u += d, with f the sum of the forces of the cells around, which are
+/// A row of nodes to be moved: d += step_over_mass f, u += d, where f is the sum of the forces of the cells around,
 /// divided by h^(dim - 2).
 template <int dim>
 struct NodeRow {

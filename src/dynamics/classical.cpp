@@ -12,7 +12,7 @@
 namespace breccia::dynamics {
 namespace {
 
-/// With fewer points than this a thread would mostly wait for the others.
+/// The number of threads that are useful: a thread with too few points would mostly wait for the others.
 int useful_threads(int threads, std::size_t points) {
   constexpr std::size_t points_for_a_thread = 4096;
   return std::clamp(static_cast<int>(points / points_for_a_thread), 1, threads);
@@ -26,7 +26,7 @@ double trace(const Components& tensor) {
   return sum;
 }
 
-/// Adds the same to all normal components.
+/// Adds a number to all normal components.
 template <int dim, class Components>
 void add_to_normal(Components& tensor, double value) {
   for (std::size_t axis = 0; axis < dim; ++axis) tensor[axis] += value;
@@ -127,8 +127,8 @@ void Classical<dim>::for_nodes(Action&& action) {
 }
 
 /// Calls visit(point, shape function of the node at the point, cells between the node's own surroundings and those
-/// where the point is) for the points around a node. They are that far away where the node is on the side of a periodic
-/// box and the cell on the opposite one.
+/// where the point is) for the points around a node. The two differ where the node is on a side of a periodic box and
+/// the cell on the opposite side.
 template <int dim>
 template <class Visit>
 void Classical<dim>::for_points_around(const Index<dim>& node, Visit&& visit) const {
@@ -152,7 +152,7 @@ void Classical<dim>::for_points_around(const Index<dim>& node, Visit&& visit) co
   }
 }
 
-/// Velocity of the affine motion of the load between a step and the next.
+/// Velocity of the affine motion of the load between a step and the next one.
 template <int dim>
 Vector<dim> Classical<dim>::load_velocity(const Index<dim>& node, std::int64_t step) const {
   const double rate = problem().amplitude * (load_at(step + 1) - load_at(step)) / problem().time_step;
@@ -220,7 +220,7 @@ void Classical<dim>::update_strains_by_half_a_step() {
   const auto cells = static_cast<int>(mean_stress_.size());
 #pragma omp parallel num_threads(threads_)
   {
-    std::vector<Components> steps;  // of the points of a cell
+    std::vector<Components> steps;  // strain steps of the points of a cell
 #pragma omp for
     for (int cell = 0; cell < cells; ++cell) {
       const auto c = static_cast<std::size_t>(cell);

@@ -13,10 +13,10 @@
 
 namespace breccia::dynamics {
 
-/// The paper's formulation: points carry position, velocity, strain and stress and may move through the grid; momenta
-/// are extrapolated to the nodes every step; velocities are updated with the nodes' accelerations (FLIP); strains are
-/// updated half before and half after the momenta (update strain average), the second time from re-extrapolated
-/// momenta.
+/// The formulation of the paper: points carry position, velocity, strain and stress and may move through the grid;
+/// momenta are extrapolated to the nodes every step; velocities are updated with the nodes' accelerations (FLIP);
+/// strains are updated half before and half after the momenta (update strain average), the second time from
+/// re-extrapolated momenta.
 ///
 /// Nodes gather from the points of the cells around them in a fixed order: no result depends on the number of threads.
 /// Around the boundary nodes of a periodic box lie the cells of the opposite side, whose points differ in velocity by
@@ -48,15 +48,16 @@ class Classical final : public DynamicSolver<dim> {
   struct Point {
     Vector<dim> position;
     Vector<dim> velocity;
-    Vector<dim> displacement;  ///< [m]; summed up apart from the position, which would round it off
+    Vector<dim> displacement;  ///< displacement [m]; summed up apart from the position, in which small steps would be
+                               ///< lost by rounding
     Vector<dim> local;         ///< position relative to the centre of its cell, in cell sides
-    Components strain;         ///< as the stress depends on it, with engineering shears
-    Components deviator;       ///< of the stress [Pa]
-    double pressure;           ///< tension positive [Pa]
-    double mass;               ///< [kg], in 2D per unit thickness [kg/m]
+    Components strain;         ///< strain on which the stress depends, with engineering shears
+    Components deviator;       ///< deviator of the stress [Pa]
+    double pressure;           ///< mean normal stress, tension positive [Pa]
+    double mass;               ///< mass [kg], in 2D per unit thickness [kg/m]
     std::size_t history;       ///< first value in `history_`
     std::size_t lattice;       ///< index in PointFields
-    int cell;                  ///< index in lists of cells; -1 outside the box
+    int cell;                  ///< index of the cell in lists of cells; -1 outside the box
     PhaseIndex phase;
   };
   struct Node {
@@ -79,7 +80,7 @@ class Classical final : public DynamicSolver<dim> {
   void save_arrays(StateWriter& state, const std::string& group) const override;
   void restore_arrays(const StateReader& state, const std::string& group) override;
 
-  // One step, in this order.
+  // The parts of a step, in this order.
   void locate_points(std::int64_t step);
   void extrapolate_momenta(std::int64_t step);
   void update_strains_by_half_a_step();
@@ -108,9 +109,9 @@ class Classical final : public DynamicSolver<dim> {
   std::vector<double> mean_stress_;      ///< mean of the normal stresses (in 2D of those in the plane) of the points of
                                          ///< each cell [Pa]
   std::vector<Node> nodes_;
-  std::array<std::size_t, nodes_per_cell> node_offsets_{};  ///< of the nodes of a cell, from its lowest one
+  std::array<std::size_t, nodes_per_cell> node_offsets_{};  ///< offsets of the nodes of a cell from its lowest one
   std::vector<double> history_;
-  double initial_volume_ = 0.0;  ///< of all points [m^dim]
+  double initial_volume_ = 0.0;  ///< volume of all points [m^dim]
 };
 
 extern template class Classical<2>;

@@ -27,7 +27,7 @@ void visit_numbers(Point& point, const Visit& visit) {
 template <int dim>
 constexpr std::size_t numbers_per_point = 4 * dim + 2 * tensor_components<dim> + 1;
 
-/// A number of a checkpoint as an index below `end`. Throws FileError when it is none.
+/// A number of a checkpoint as an index below `end`. Throws FileError when it is not such an index.
 std::size_t index_below(std::size_t end, double number) {
   if (number >= 0.0 && number < static_cast<double>(end) && std::floor(number) == number) {
     return static_cast<std::size_t>(number);

@@ -36,7 +36,8 @@ BRECCIA_INLINE CornerDifferences corner_differences(const NodeValues<3>* rows, i
     step[row] = right - left;
     sum[row] = right + left;
   }
-  Pack x[2], xy[2], y[2], none[2];  // below and above: differences along these of the first two axes, else sums
+  // Values below and above: differences along the axes in the name, and sums along the other ones of x and y.
+  Pack x[2], xy[2], y[2], none[2];
   for (int z = 0; z < 2; ++z) {
     const int lower = 2 * z, upper = 2 * z + 1;
     x[z] = step[upper] + step[lower];
@@ -47,7 +48,7 @@ BRECCIA_INLINE CornerDifferences corner_differences(const NodeValues<3>* rows, i
   return {{x[1] + x[0], y[1] + y[0], none[1] - none[0]}, {y[1] - y[0], x[1] - x[0], xy[1] + xy[0]}, xy[1] - xy[0]};
 }
 
-/// Theory, Eq. 70 and 73.
+/// The strain modes from the rows of nodes around the cells (theory, Eq. 70 and 73).
 BRECCIA_INLINE Modes<3> strain_modes(const NodeValues<3>* rows, int cell) {
   constexpr int axes = CubeMode::axes;
   Modes<3> modes;

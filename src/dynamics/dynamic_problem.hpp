@@ -27,17 +27,17 @@ class StrainRamp {
   double duration_;
 };
 
-/// One dynamic run: what both formulations solve. The problem is linear; results are per unit of the load.
+/// The problem of one dynamic run, for both formulations. It is linear; results are per unit of the load.
 template <int dim>
 struct DynamicProblem {
   Discretisation<dim> discretisation;
-  std::vector<Material> materials;  ///< by PhaseIndex
+  std::vector<Material> materials;  ///< materials by PhaseIndex
   Volumetric volumetric = Volumetric::averaged;
   double mass_scaling = 1.0;  ///< mass scaling factor: multiplies all masses [-]
-  double time_step = 0.0;     ///< [s]; at most stable_time_step
+  double time_step = 0.0;     ///< time step [s]; at most stable_time_step
   Boundary boundary = Boundary::displacement;
-  Strain<dim> load = {};      ///< mean strain at the end of the ramp [-]; without meaning under a traction boundary
-  Stress<dim> traction = {};  ///< under a traction boundary: the stress that pulls on it at the end of the ramp [Pa]
+  Strain<dim> load = {};      ///< mean strain at the end of the ramp [-]; unused under a traction boundary
+  Stress<dim> traction = {};  ///< stress on a traction boundary at the end of the ramp [Pa]
   StrainRamp ramp = StrainRamp();
   Start start = Start::boundary;
   /// Factor on the load with which the points of the classical formulation really move [-].
@@ -46,8 +46,8 @@ struct DynamicProblem {
 
 /// Largest time step [s] for which central differences are stable: 2 / omega, with omega^2 the largest eigenvalue of
 /// any cell with its share of the lumped mass, an upper bound for the assembled system (Irons and Fried; theory, Eq.
-/// 12). Moduli count unrelaxed. Throws InputError when a point has no material, a material no stiffness or no density,
-/// or the mass scaling factor is not positive. Instantiated for 2 and 3 dimensions.
+/// 12). The moduli are the unrelaxed ones. Throws InputError when a point has no material, a material no stiffness or
+/// no density, or the mass scaling factor is not positive. Instantiated for 2 and 3 dimensions.
 template <int dim>
 [[nodiscard]] double stable_time_step(const Discretisation<dim>& discretisation, const std::vector<Material>& materials,
                                       Volumetric volumetric, double mass_scaling);

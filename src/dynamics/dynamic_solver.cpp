@@ -38,7 +38,8 @@ double DynamicSolver<dim>::time_at(std::int64_t step) const noexcept {
 
 template <int dim>
 void DynamicSolver<dim>::advance(int steps, std::vector<Averages<dim>>& averages) {
-  // Few enough for what grows without bound to be found where it began, and before it is infinite.
+  // Number of steps between checks of the stability: small enough that an instability is found near its origin, and
+  // before values are infinite.
   constexpr int steps_between_looks = 256;
   for (int taken = 0; taken < steps; taken += steps_between_looks) {
     const auto now = static_cast<std::size_t>(std::min(steps - taken, steps_between_looks));
@@ -52,7 +53,7 @@ void DynamicSolver<dim>::advance(int steps, std::vector<Averages<dim>>& averages
 
 template <int dim>
 double DynamicSolver<dim>::largest_sound_stress() const {
-  // Whatever rings, or moves before the load: no average stress of a stable run comes near this.
+  // A limit that no average stress of a stable run comes near, in spite of ringing and of motions before the load.
   constexpr double many = 1e4;
   double stiffest = 1.0;
   for (const auto& material : problem_.materials) {
@@ -111,7 +112,7 @@ std::unique_ptr<DynamicSolver<dim>> make_dynamic_solver(Formulation formulation,
 template <int dim>
 IndexRange<dim> own_cells(Formulation formulation, const Grid<dim>& grid) {
   if (formulation == Formulation::total_lagrangian) return dynamics::own_layers(grid);
-  // Every process runs the whole of the others.
+  // In the other formulation every process computes the whole box.
   return parallel::rank() == 0 ? grid.all_cells() : IndexRange<dim>{};
 }
 

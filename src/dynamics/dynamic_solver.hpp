@@ -22,24 +22,24 @@ class StateWriter;
 template <int dim>
 struct Averages {
   Stress<dim> stress;  ///< [Pa]
-  Strain<dim>
-      strain;  ///< from the displacement of the boundary: sym(u n) integrated over it, divided by the volume [-]
+  Strain<dim> strain;  ///< mean strain from the displacement of the boundary: sym(u n) integrated over it, divided by
+                       ///< the volume [-]
 
   friend bool operator==(const Averages&, const Averages&) = default;
 };
 
 /// Energy per squared unit of the load [J], in 2D per unit thickness [J/m].
 struct Energy {
-  double kinetic = 0.0;  ///< with the velocities at the half step
-  /// Total-lagrangian: half of u(n) K u(n+1), since central differences conserve the sum of it and the kinetic energy;
-  /// classical: the strain energy of the points.
+  double kinetic = 0.0;  ///< kinetic energy with the velocities at the half step
+  /// Strain energy. In the total-lagrangian formulation it is half of u(n) K u(n+1), since central differences conserve
+  /// the sum of this and the kinetic energy; in the classical one it is the strain energy of the points.
   double strain = 0.0;
 };
 
 /// The arrays of a run in this process [B].
 struct Footprint {
   std::size_t held = 0;
-  /// Traffic of a step between these arrays and the memory if the caches hold a few rows of the grid and no more.
+  /// Traffic of a step between these arrays and the memory, if the caches hold only a few rows of the grid.
   std::size_t moved_per_step = 0;
 };
 
@@ -55,8 +55,8 @@ class DynamicSolver {
   DynamicSolver(DynamicSolver&&) = delete;
   DynamicSolver& operator=(DynamicSolver&&) = delete;
 
-  /// Takes steps and appends, for each, the averages at the time where the step begins.
-  /// Throws NumericalError when the stress grows beyond any that a stable run has, with the step and the position.
+  /// Takes steps and appends, for each, the averages at the time where the step begins. Throws NumericalError, with the
+  /// step and the position, when the stress grows beyond that of any stable run.
   void advance(int steps, std::vector<Averages<dim>>& averages);
 
   /// Time where the next step begins [s], counted from the midpoint of the ramp.
@@ -66,13 +66,13 @@ class DynamicSolver {
   /// Sets the velocities [m/s per unit load] before the first step.
   virtual void set_velocities(const VelocityField& velocity) = 0;
   [[nodiscard]] virtual Vector<dim> momentum() const = 0;  ///< [kg m/s per unit load], in 2D per unit thickness
-  /// Only for elastic materials. Throws InputError otherwise.
+  /// The energy of a body of elastic materials. Throws InputError for other materials.
   [[nodiscard]] virtual Energy energy() const = 0;
-  /// Fields of the points of a square, or of the cells of a cube (zero_timed_fields), in own_cells().
+  /// Fields of own_cells(): at the points of square cells, or means over cubic cells (zero_timed_fields).
   [[nodiscard]] virtual LatticeFields<dim> fields() const = 0;
   [[nodiscard]] virtual Footprint footprint() const = 0;
 
-  /// Saves all that changes during a run in a group such as "/solver". Every process must call it.
+  /// Saves all data that change during a run in a group such as "/solver". Every process must call it.
   void save(StateWriter& state, const std::string& group) const;
   /// Continues from a saved state, with any number of threads and processes. Throws FileError when the state is of
   /// another problem.
@@ -86,7 +86,7 @@ class DynamicSolver {
   [[nodiscard]] const DynamicProblem<dim>& problem() const noexcept { return problem_; }
   /// Time of a step [s].
   [[nodiscard]] double time_at(std::int64_t step) const noexcept;
-  /// Share of the load that has been applied at a step; nothing at step 0 even where the ramp is a jump.
+  /// Share of the load that has been applied at a step; 0 at step 0 even where the ramp is a jump.
   [[nodiscard]] double load_at(std::int64_t step) const noexcept;
   void require_elastic() const;
 
@@ -108,7 +108,7 @@ class DynamicSolver {
 extern template class DynamicSolver<2>;
 extern template class DynamicSolver<3>;
 
-/// The cells of which a solver of this formulation has the fields on this process.
+/// The cells whose fields a solver of this formulation holds on this process.
 template <int dim>
 [[nodiscard]] IndexRange<dim> own_cells(Formulation formulation, const Grid<dim>& grid);
 

@@ -57,7 +57,7 @@ InstructionSet chosen_instruction_set() {
   const auto supported = supported_instruction_sets();
   const char* wanted = std::getenv("BRECCIA_INSTRUCTION_SET");
   if (wanted == nullptr) return supported.back();
-  // Other names of the same name may be declared where several sources are compiled as one.
+  // The name is qualified because another one may be declared where several sources are compiled as one.
   const auto found = std::ranges::find_if(supported, [&](InstructionSet set) { return name_of(set) == wanted; });
   if (found != supported.end()) return *found;
   throw InputError(fmt::format(

@@ -5,14 +5,15 @@
 
 namespace breccia {
 
-/// The instructions that the inner loop of the total-lagrangian formulation is compiled for. All give the same bits.
+/// The instruction sets for which the inner loop of the total-lagrangian formulation is compiled. All of them give
+/// bitwise identical results.
 enum class InstructionSet {
-  baseline,  ///< what every processor of the platform has: SSE2 on x86-64, NEON on 64-bit ARM
+  baseline,  ///< the instructions of every processor of the platform: SSE2 on x86-64, NEON on 64-bit ARM
   avx2,      ///< on x86-64 alone
   avx512     ///< on x86-64 alone
 };
 
-/// The name by which users choose it: baseline, avx2, avx512.
+/// The name by which users choose an instruction set: baseline, avx2, avx512.
 std::string_view name_of(InstructionSet set);
 
 /// The instruction sets of this processor, the widest last.

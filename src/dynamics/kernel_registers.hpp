@@ -84,7 +84,7 @@ BRECCIA_INLINE Pack even_groups(const Pack& a, const Pack& b, Lanes<lane...> /*a
   return __builtin_shufflevector(a, b, ((lane & stride) == 0 ? lane : width + lane - stride)...);
 }
 
-/// The second, fourth ... group.
+/// The second, fourth ... group of `stride` lanes of each of two rows.
 template <int stride, int... lane>
 BRECCIA_INLINE Pack odd_groups(const Pack& a, const Pack& b, Lanes<lane...> /*all*/) {
   return __builtin_shufflevector(a, b, ((lane & stride) == 0 ? lane + stride : width + lane)...);
@@ -116,8 +116,8 @@ class TermsOfCells {
     for (int lane = 0; lane < width; ++lane) next_[lane] = of_lane[lane]->*terms;
   }
 
-  /// Term k, where k rises by one from 0. Several terms of a cell fill a register; so they are read together, those of
-  /// all cells, and turned into registers of one number for each cell.
+  /// Term k, where k rises by one from 0. Several terms of a cell fill a register; so the terms of all cells are read
+  /// together and transposed into registers with one number for each cell.
   BRECCIA_INLINE TermSteps operator[](int k) {
     const int among = k % terms_in_register;
     if (among == 0) {
@@ -164,12 +164,13 @@ BRECCIA_INLINE TermsOfCells shear_terms(const CellsOfRegister& cells) {
   return {cells.of_lane, &CellMaterialStep::shear_terms};
 }
 
-/// The values of the cells for which `mask` is set (all bits of the lane), zero for the others.
+/// The values of the cells for which `mask` is set (all bits of the lane), and zero for the other cells.
 BRECCIA_INLINE Pack masked(const Bits& mask, const Pack& value) {
   return reinterpret_cast<Pack>(reinterpret_cast<Bits>(value) & mask);
 }
 
-/// Strain modes of the cells of a register, times the cell side; or what a modulus makes of them, or forces on them.
+/// Strain modes of the cells of a register, times the cell side; or their products with a modulus, or the forces on
+/// them.
 template <int dim>
 struct Modes {
   Pack of[shear_modes<dim>];  // NOLINT(modernize-avoid-c-arrays): nothing of the standard library here

@@ -101,7 +101,7 @@ void LayerExchange<dim>::gather_node_layers(std::span<double> values) const {
   const int per_layer = static_cast<int>(values.size()) / (layers_ + 1);
   std::vector<int> counts, begins;
   for (int rank = 0; rank < ranks_; ++rank) {
-    // The highest layer of nodes goes with the last process.
+    // The highest layer of nodes belongs to the last process.
     const int end = rank + 1 < ranks_ ? first_of(rank + 1) : layers_ + 1;
     begins.push_back(per_layer * first_of(rank));
     counts.push_back(per_layer * (end - first_of(rank)));

@@ -14,8 +14,8 @@
 
 namespace breccia::dynamics {
 
-/// The layers of cells of this process: those of all processes follow one another in the order of the processes. All
-/// without mpirun, where MPI is not started.
+/// The layers of cells of this process. The layers of all processes follow one another in the order of the processes.
+/// Without mpirun the process has all layers, and MPI is not started.
 template <int dim>
 [[nodiscard]] IndexRange<dim> own_layers(const Grid<dim>& grid);
 
@@ -35,20 +35,20 @@ class LayerExchange {
   [[nodiscard]] int end_of_nodes() const noexcept { return end() == layers_ ? layers_ + 1 : end(); }
   [[nodiscard]] bool has_neighbours() const noexcept { return wraps_ || ranks_ > 1; }
 
-  /// Starts to send the forces on the lowest nodes to the process below, and to receive those of both neighbours.
+  /// Starts to send the forces on the lowest nodes to the process below, and to receive the forces of both neighbours.
   void begin(const LayerForces<dim>& lowest);
   /// Sends the forces on the highest nodes to the process above, and waits until the forces from both neighbours are
-  /// there. On a side where there is no neighbour nothing is written.
+  /// there. On a side without a neighbour no forces are written.
   void finish(const LayerForces<dim>& highest, const LayerForces<dim>& from_below, const LayerForces<dim>& from_above);
 
   /// Completes a short list that has the same number of values for each layer of nodes on every process. Before the
   /// call each process has the values of its own layers.
   void gather_node_layers(std::span<double> values) const;
 
-  /// The values that this process has of a list that is made of those of one process after the other.
+  /// The share of this process in a list that consists of the values of one process after the other.
   struct OwnShare {
     parallel::OrderedPlaces own;
-    std::size_t count;  ///< of the values of all processes
+    std::size_t count;  ///< number of the values of all processes
   };
   [[nodiscard]] OwnShare share_of(std::size_t own) const;
 

@@ -11,7 +11,7 @@ namespace breccia::dynamics {
 namespace {
 
 /// Layers of nodes below and above the layers of cells [first_layer, end_layer). Where the highest of them is the image
-/// of the lowest of the box, that one as well.
+/// of the lowest layer of the box, that lowest layer as well.
 template <int dim>
 HeldLayers held_layers(const DynamicProblem<dim>& problem, int first_layer, int end_layer) {
   const bool has_image =
@@ -41,7 +41,7 @@ void LayerStep<dim>::find_row_forces(const CellRow<dim>& row) const {
 template <int dim>
 void LayerStep<dim>::find_cell_forces(int layer, const LayerForces<dim>& below, const LayerForces<dim>& above,
                                       Sums& sums) {
-  // The first row of cells of a plane adds to these.
+  // The first row of cells of a plane adds its forces to these.
   if constexpr (adds_to_row<dim>(0)) {
     for (const auto& forces : {below, above}) {
       for (double* along : forces.of_axis) std::fill_n(along, nodes_.stride(), 0.0);
@@ -56,7 +56,7 @@ void LayerStep<dim>::find_cell_forces(int layer, const LayerForces<dim>& below, 
                           .increment = {},
                           .force = {},
                           .stress = stress.data()};
-    constexpr int rows_of_side = rows_of_nodes<dim> / 2;  // below the cells, and as many above them
+    constexpr int rows_of_side = rows_of_nodes<dim> / 2;  // number of rows of nodes below the cells, and above them
     for (int i = 0; i < rows_of_nodes<dim>; ++i) {
       const int row_of_nodes = row + i % rows_of_side, upwards = i / rows_of_side;
       const int of_nodes = nodes_.row_of(layer + upwards, row_of_nodes);
@@ -72,8 +72,8 @@ void LayerStep<dim>::find_cell_forces(int layer, const LayerForces<dim>& below, 
   }
 }
 
-/// Gives the nodes on the lower sides of a layer the forces of the cells on the upper sides. Those on the upper sides
-/// are images.
+/// Gives the nodes on the lower sides of a layer the forces of the cells on the upper sides. The nodes on the upper
+/// sides are images.
 template <int dim>
 void LayerStep<dim>::join_sides(const LayerForces<dim>& forces) const {
   const auto& cells = problem_->discretisation.grid().cells;

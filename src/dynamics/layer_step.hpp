@@ -46,11 +46,12 @@ class LayerStep {
   void find_forces(int layer, const LayerForces<dim>& below, const LayerForces<dim>& above, LayerSums<dim>& sums,
                    int index);
 
-  /// Moves a layer of nodes from a step to the next.
+  /// Moves a layer of nodes from a step to the next one.
   void move_nodes(int layer, const LayerForces<dim>& from_cells_below, const LayerForces<dim>& from_cells_above,
                   std::int64_t step);
 
-  /// Makes the highest layer of nodes of a periodic box the image of the lowest, after that has been moved from a step.
+  /// Makes the highest layer of nodes of a periodic box the image of the lowest one, after the latter has been moved
+  /// from a step.
   void copy_lowest_layer(std::int64_t step);
 
  private:

@@ -19,8 +19,8 @@ class LayerSums {
   struct Sums {
     /// Sum of the stresses of the points of the layer of cells, in Voigt's order [Pa], times the cell side.
     std::array<double, static_cast<std::size_t>(tensor_components<dim>)> stress = {};
-    Strain<dim> strain =
-        {};  ///< of the layer of nodes: its share in the integral of sym(u n) over the boundary [m^dim]
+    /// Of the layer of nodes: its share in the integral of sym(u n) over the boundary [m^dim].
+    Strain<dim> strain = {};
   };
 
   explicit LayerSums(const Grid<dim>& grid)
@@ -32,7 +32,7 @@ class LayerSums {
   [[nodiscard]] Sums& of(int layer, int step) noexcept { return sums_[index(layer, step)]; }
   [[nodiscard]] const Sums& of(int layer, int step) const noexcept { return sums_[index(layer, step)]; }
 
-  /// All numbers, the same number of them for each layer of nodes.
+  /// All sums, with the same number of values for each layer of nodes.
   [[nodiscard]] std::span<double> numbers() noexcept {
     constexpr std::size_t numbers_of_layer = 2 * tensor_components<dim>;
     static_assert(sizeof(Sums) == numbers_of_layer * sizeof(double));
@@ -41,7 +41,7 @@ class LayerSums {
   [[nodiscard]] std::size_t bytes() const noexcept { return sums_.size() * sizeof(Sums); }
 
  private:
-  /// Few enough to leave the caches to the nodes.
+  /// The number is small, so that the caches are left to the nodes.
   static int steps_kept(const Grid<dim>& grid) {
     constexpr int most_sums = 1 << 10;
     return std::max(1, most_sums / (grid.cells.back() + 1));
@@ -54,7 +54,7 @@ class LayerSums {
   std::vector<Sums> sums_;
 };
 
-/// Averages at a step of the run, which has this index among the steps of the sums. Instantiated for 2 and 3
+/// The averages at a step of the run, which has this index among the steps of the sums. Instantiated for 2 and 3
 /// dimensions.
 template <int dim>
 [[nodiscard]] Averages<dim> averages_of(const DynamicProblem<dim>& problem, const LayerSums<dim>& sums, int index,

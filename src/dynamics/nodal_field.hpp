@@ -15,14 +15,14 @@ namespace breccia::dynamics {
 
 /// Layers of nodes that a process holds.
 struct HeldLayers {
-  int first = 0, end = 0;  ///< [first, end): those of its layers of cells, below and above them
-  int lowest = 0;          ///< and [0, lowest): the lowest of the box, if it is held apart from the others
+  int first = 0, end = 0;  ///< layers [first, end): those below and above its layers of cells
+  int lowest = 0;  ///< and layers [0, lowest): the lowest one of the box, if it is held in addition to the others
 };
 
 /// The unknowns of the total-lagrangian formulation that a process holds, one row of nodes along x after the other: for
-/// each the components of the displacement, those of its increment in the last step, and dt^2 h^(dim - 2) / m. Rows are
-/// filled up to whole blocks of the kernel, and have the numbers that they have in the whole grid. A layer of nodes is
-/// one row in 2 dimensions, and the rows of a plane across z in 3.
+/// each row the components of the displacement, those of its increment in the last step, and dt^2 h^(dim - 2) / m. Rows
+/// are filled up to whole blocks of the kernel, and have the numbers that they have in the whole grid. A layer of nodes
+/// is one row in 2 dimensions, and the rows of a plane across z in 3.
 template <int dim>
 class NodalField {
  public:
@@ -97,7 +97,7 @@ class NodalField {
     return components<const double>(*this, row, dim);
   }
 
-  /// All layers held, from the lowest to the highest, the same number of values for each.
+  /// The values of all layers held, from the lowest to the highest, with the same number of values for each.
   [[nodiscard]] std::span<double> values() noexcept { return values_; }
   /// The values of the layers [first, end) of nodes.
   [[nodiscard]] std::span<const double> values(int first, int end) const noexcept {
@@ -148,7 +148,7 @@ class NodalField {
 template <int dim>
 class ForceLayer {
  public:
-  /// All zero, for so many nodes.
+  /// Zero forces on so many nodes.
   explicit ForceLayer(std::size_t nodes) {
     for (auto& component : values_) component.assign(nodes, 0.0);
   }

@@ -8,7 +8,7 @@
 namespace breccia::dynamics {
 namespace {
 
-/// The weights of all points.
+/// The weights of the nodes at all points of a cell.
 template <int dim>
 const auto& all_weights() {
   using Shape = CellShape<dim>;
@@ -28,7 +28,7 @@ double mass_of_cells_around(const DynamicProblem<dim>& problem, const Index<dim>
   const double point_volume = times_power<dim>(Shape::point_volume, grid.cell_side);
   const auto& weights = all_weights<dim>();
   double sum = 0.0;
-  // The node is the last corner of the first of the cells, and the first of the last.
+  // The node is the last corner of the first of the cells around it, and the first corner of the last one.
   for (std::size_t corner = Shape::nodes; corner-- > 0;) {
     auto cell = node;
     for (std::size_t axis = 0; axis < cell.size(); ++axis) {
@@ -45,7 +45,7 @@ double mass_of_cells_around(const DynamicProblem<dim>& problem, const Index<dim>
   return sum;
 }
 
-/// Mass of a node and of those that are one with it across the axes before `axes`.
+/// Mass of a node, together with the periodic images of it along the axes before `axes`.
 template <int dim>
 double joined_mass(const DynamicProblem<dim>& problem, Index<dim> node, std::size_t axes) {
   if (axes == 0) return mass_of_cells_around(problem, node);

@@ -1,8 +1,8 @@
 #pragma once
 
 // The map P from the strain modes of a cell to the strain of one of its material points, and its transpose P', by which
-// the stress of the point does work on the modes (theory, Eq. 6 and 73). For single numbers and for registers of
-// several cells: everything here has internal linkage and uses nothing of the standard library (see
+// the stress of the point does work on the modes (theory, Eq. 6 and 73). The map is written for single numbers and for
+// registers of several cells: everything here has internal linkage and uses nothing of the standard library (see
 // kernel_registers.hpp).
 
 #include "dynamics/cell_row_kernel.hpp"
@@ -32,7 +32,7 @@ class PointMap<2> {
   BRECCIA_INLINE explicit PointMap(int point)
       : x_((point & 1) != 0 ? 0.25 : -0.25), y_((point & 2) != 0 ? 0.25 : -0.25) {}
 
-  /// Averaged points see the mean of the volumetric strain, half of it in each direction.
+  /// Averaged points have the mean of the volumetric strain, half of it in each direction.
   template <bool averaged, class Number>
   BRECCIA_INLINE void find_strain(const Number* modes, Number* strain) const {
     const Number &qu = modes[SquareMode::qu], &qv = modes[SquareMode::qv];
@@ -167,7 +167,7 @@ class PointMap<3> {
     }
   }
 
-  double sign_[axes];  ///< of the sides of the point along the axes
+  double sign_[axes];  ///< signs of the position of the point along the axes
   double pair_[axes];  ///< products of the signs of two axes, numbered by the third
   // NOLINTEND(modernize-avoid-c-arrays)
 };

@@ -18,7 +18,7 @@ struct HistoryAtPoint {
   double pressure;
 };
 
-/// The modes of the terms combine as those of the strain do. Modes without a bulk history are zero there.
+/// The modes of the terms combine like those of the strain. Modes without a bulk history are zero.
 template <int dim>
 HistoryAtPoint<dim> at_point(const typename BlockLayout<dim>::Histories& history, Volumetric volumetric, int point) {
   const PointMap<dim> at(point);

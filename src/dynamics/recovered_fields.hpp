@@ -8,8 +8,8 @@
 
 namespace breccia::dynamics {
 
-/// Displacement, strain and stress of the material points of a square, or their means over the cells of a cube, of the
-/// cells of this process. Instantiated for 2 and 3 dimensions.
+/// Displacement, strain and stress in the cells of this process: at the material points of square cells, or means over
+/// cubic cells. Instantiated for 2 and 3 dimensions.
 template <int dim>
 [[nodiscard]] LatticeFields<dim> recover_fields(const DynamicProblem<dim>& problem, const NodalField<dim>& nodes,
                                                 const BlockLayout<dim>& layout);

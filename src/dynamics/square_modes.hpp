@@ -8,7 +8,8 @@
 namespace breccia::dynamics {
 namespace {  // NOLINT(google-build-namespaces): see above
 
-/// Differences of a component of a nodal value along x, of the nodes below and above, and along y, the sum of both.
+/// Differences of a component of a nodal value: along x, between the nodes below and between those above the cells, and
+/// along y, as a sum.
 struct SquareDifferences {
   Pack below, above, upwards;
 };
@@ -19,7 +20,7 @@ BRECCIA_INLINE SquareDifferences differences(const NodeValues<2>* rows, int axis
   return {v10 - v00, v11 - v01, (v01 - v00) + (v11 - v10)};
 }
 
-/// Theory, Eq. 6, from the rows of nodes below and above the cells.
+/// The strain modes from the rows of nodes below and above the cells (theory, Eq. 6).
 BRECCIA_INLINE Modes<2> strain_modes(const NodeValues<2>* rows, int cell) {
   const SquareDifferences u = differences(rows, 0, cell), v = differences(rows, 1, cell);
   return {{0.5 * (u.below + u.above), 0.5 * v.upwards, 0.5 * (u.upwards + (v.below + v.above)), u.above - u.below,

@@ -4,7 +4,7 @@
 
 namespace breccia::dynamics {
 
-/// Tells the processor that its thread waits in a loop, so that the other thread of the core may have its share.
+/// Informs the processor that its thread waits in a loop, so that the other thread of the core gets more of it.
 inline void pause_in_loop() noexcept {
 #if defined(__x86_64__) || defined(__i386__)
   __builtin_ia32_pause();
@@ -19,7 +19,7 @@ class StepCounter {
   void reset() noexcept { finished_.store(0, std::memory_order_relaxed); }
 
   void set(int steps) noexcept {
-    // Sequentially consistent: the look for sleeping threads that follows must not overtake the store.
+    // The store is sequentially consistent, because the check for sleeping threads that follows must not overtake it.
     finished_.store(steps, std::memory_order_seq_cst);
     finished_.notify_all();
   }

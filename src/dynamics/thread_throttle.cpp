@@ -34,7 +34,7 @@ void ThreadThrottle::record(std::size_t thread, const Time& time) {
 }
 
 void ThreadThrottle::adjust(int steps) {
-  constexpr double long_enough = 0.03;  // [s], several time slices of the programs on a core
+  constexpr double long_enough = 0.03;  // time [s] of several time slices of the programs on a core
   steps_ += steps;
   const double wall = times_.front().wall;
   if (wall < long_enough) return;
@@ -68,7 +68,7 @@ void ThreadThrottle::adjust_after_some(double wall) {
   if (rest_ <= 0.0) threads_ = most_;
 }
 
-/// Leaves all but some threads out, after all have worked for a time [s] and were no faster.
+/// Limits the work to some threads, after all threads have worked for a time [s] and were no faster.
 void ThreadThrottle::leave_out(int threads, double wall) {
   constexpr double shortest = 1.0, times_the_trial = 20.0;
   threads_ = some_threads_ = threads;

@@ -80,7 +80,7 @@ LatticeFields<dim> TotalLagrangian<dim>::fields() const {
 
 template <int dim>
 Footprint TotalLagrangian<dim>::footprint() const {
-  constexpr std::size_t fields_moved = 4 * dim + 1;  // one more than twice dim read, of which all others are written
+  constexpr std::size_t fields_moved = 4 * dim + 1;  // 2 dim + 1 numbers are read, and 2 dim of them are written
   const auto layers = static_cast<std::size_t>(exchange_.end() - exchange_.first());
   const auto& nodes = layers_.nodes();
   const auto& layout = layers_.layout();

@@ -12,7 +12,8 @@
 
 namespace breccia::dynamics {
 
-/// The fast formulation: LayerStep has its equations, BandSchedule spreads them over threads and processes.
+/// The total-lagrangian formulation, which is the faster one: LayerStep has its equations, and BandSchedule spreads
+/// them over threads and processes.
 template <int dim>
 class TotalLagrangian final : public DynamicSolver<dim> {
  public:

@@ -71,7 +71,8 @@ FilmVector FilmSolver::solve_forces(Load /*load*/, const FilmVector& forces, con
 
 FilmVector FilmSolver::solve(Load load, const FilmVector& guess) {
   if (composite_->boundary() == Boundary::traction) return solve_forces(load, composite_->load_forces(load), guess);
-  // The forces of the uniform strain include those of its pressures, so the pressures of the solution are the others.
+  // The forces of the uniform strain include those of its pressures, so that the solution has only the remaining
+  // pressures.
   auto prescribed = composite_->zero();
   prescribed.set_macroscopic(1.0);
   auto forces = composite_->forces(parameters_, load, prescribed);

@@ -16,15 +16,15 @@ namespace breccia {
 class Checkpoint;
 
 struct FilmSteppingResult {
-  std::vector<SteppedResponse> responses;  ///< by load
-  std::vector<TimedFilmFields> fields;     ///< of the first load
+  std::vector<SteppedResponse> responses;  ///< responses by load
+  std::vector<TimedFilmFields> fields;     ///< fields of the first load
   LinearEffort effort;
 };
 
-/// Steps elastic grains and films of this binder through time, as run_log_time_stepping() does cells: the reference of
-/// the reduced response (sample_film_responses). Each step makes new factors. Throws InputError when the problem is not
-/// sound, there are no loads, or the times [s] are not positive and rising; NumericalError when a linear system cannot
-/// be solved.
+/// Steps elastic grains and films of this binder through time, as run_log_time_stepping() does for cells. It is the
+/// reference for the reduced response (sample_film_responses). Each step makes new factors. Throws InputError when the
+/// problem is not sound, there are no loads, or the times [s] are not positive and rising; NumericalError when a linear
+/// system cannot be solved.
 [[nodiscard]] FilmSteppingResult run_film_stepping(const FilmProblem& problem, const Material& binder,
                                                    std::span<const Load> loads, std::span<const double> times,
                                                    const ProgressObserver& observer = {},

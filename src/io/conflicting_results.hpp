@@ -23,8 +23,8 @@ struct ResultConflict {
   std::string free_directory = {};  ///< another directory to suggest
 };
 
-/// The error that a directory for results contains something else. The message has a line for each conflict, with its
-/// remedy in the terms of the library.
+/// Error: a directory for results contains other files. The message has a line for each conflict, with its remedy in
+/// the terms of the library.
 class ConflictingResults : public InputError {
  public:
   explicit ConflictingResults(std::vector<ResultConflict> conflicts);

@@ -33,7 +33,7 @@ bool has_no_locks(int reason) {
   return reason == ENOSYS || reason == ENOTSUP || reason == ENOLCK || reason == EBADF;
 }
 
-/// Whether an open descriptor is still the file at its path. Another process may have removed that meanwhile.
+/// Whether an open descriptor is still the file at its path. Another process may have removed the file meanwhile.
 bool is_still_at(int descriptor, const fs::path& directory) {
   struct stat opened = {}, found = {};
   return ::fstat(descriptor, &opened) == 0 && ::stat(directory.c_str(), &found) == 0 && opened.st_dev == found.st_dev &&
@@ -61,7 +61,7 @@ bool is_made(const fs::path& directory) {
   std::error_code error, ignored;
   fs::create_directories(directory, error);
   if (error == std::errc::file_exists && !fs::exists(fs::symlink_status(directory, ignored))) return false;
-  if (error) make_directory(directory);  // throws, with the reason
+  if (error) make_directory(directory);  // throws an error with the reason
   return true;
 }
 

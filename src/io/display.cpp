@@ -26,7 +26,7 @@ constexpr std::array<Prefix, 10> prefixes{{{"T", 1e12},
                                            {"f", 1e-15}}};
 
 double rounded(double value, int digits) {
-  // Unlike std::stod() this takes numbers below 1e-308, too.
+  // Unlike std::stod() this function takes numbers below 1e-308, too.
   return std::strtod(fmt::format("{:.{}e}", value, digits - 1).c_str(), nullptr);
 }
 

@@ -34,12 +34,12 @@ std::string display_duration(double seconds, int digits = 2);
 /// beside 3, not 3.
 std::string display_beside(double value, double other, int digits = 2);
 
-/// A positive number rounded down, or up, to two significant digits. A number with two digits but for rounding errors
-/// does not change.
+/// A positive number rounded down, or up, to two significant digits. A number that has two digits apart from rounding
+/// errors does not change.
 double rounded_down_to_two_digits(double value);
 double rounded_up_to_two_digits(double value);
 
-/// A number of things as text: "1 term", "12 terms".
+/// A count with its noun as text: "1 term", "12 terms".
 std::string display_count(std::size_t count, std::string_view noun);
 
 }  // namespace breccia

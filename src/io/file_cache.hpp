@@ -8,11 +8,11 @@
 
 namespace breccia {
 
-/// What has been made of the files that a deck names. The tasks of a sweep share it, so that each file is read once and
-/// its content is in the memory once.
+/// A cache of objects that are made from the files that a deck names. The tasks of a sweep share it, so that each file
+/// is read once and there is one copy of its content in memory.
 class FileCache {
  public:
-  /// What was kept under a key, which names the file and what was made of it; nullptr if nothing was.
+  /// The object that was kept under a key, which names the file and the kind of object; nullptr if there is none.
   template <class Made>
   [[nodiscard]] std::shared_ptr<const Made> find(const std::string& key) const {
     const auto kept = kept_.find({typeid(Made), key});

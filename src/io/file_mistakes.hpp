@@ -8,8 +8,8 @@
 
 namespace breccia {
 
-/// Collects the mistakes in a file. The message has the first three mistakes of each kind and the number of the others,
-/// since a column in a wrong format has a mistake in every row.
+/// Collects the mistakes in a file. The message has the first three mistakes of each kind and the number of further
+/// ones, since a column in a wrong format has a mistake in every row.
 class FileMistakes {
  public:
   explicit FileMistakes(const std::filesystem::path& file);
@@ -33,7 +33,8 @@ class FileMistakes {
   std::size_t others_ = 0;  ///< number of mistakes of further kinds
 };
 
-/// A value of a file for a message: in quotes, unprintable bytes escaped, long values cut; `nothing` for an empty one.
+/// A value of a file for a message: in quotes, unprintable bytes escaped, long values cut; `nothing` for an empty
+/// value.
 std::string shown_value(std::string_view text);
 
 }  // namespace breccia

@@ -52,8 +52,8 @@ class Hdf5Writer {
   /// `Number` is double or std::int64_t.
   template <class Number>
   void create(const std::string& name, const Hdf5Shape& shape);
-  /// Creates a compressed dataset, also of float and std::uint8_t. A part that begins and ends at a multiple of 16384
-  /// of the first index, or at the end, is compressed once; other parts take longer.
+  /// Creates a compressed dataset, whose numbers may also be float and std::uint8_t. A part that begins and ends at a
+  /// multiple of 16384 of the first index, or at the end, is compressed once; other parts take longer.
   template <class Number>
   void create_compressed(const std::string& name, const Hdf5Shape& shape);
   /// Writes values of a dataset of this type, from a value of its first index on.
@@ -87,7 +87,8 @@ class Hdf5Reader {
   [[nodiscard]] std::vector<std::string> names(const std::string& group) const;
   [[nodiscard]] Hdf5Shape shape(const std::string& name) const;
   [[nodiscard]] std::vector<double> read_numbers(const std::string& name) const;
-  /// Reads `count` values of a dataset along its first index, from `first` on, each with all that belongs to it.
+  /// Reads `count` entries of a dataset along its first index, from `first` on, each with all values of its further
+  /// indices.
   [[nodiscard]] std::vector<double> read_numbers(const std::string& name, std::size_t first, std::size_t count) const;
   [[nodiscard]] std::vector<std::int64_t> read_integers(const std::string& name) const;
   [[nodiscard]] Hdf5Attribute read_attribute(const std::string& object, const std::string& attribute) const;

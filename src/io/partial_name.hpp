@@ -9,10 +9,10 @@ namespace breccia {
 /// process (AtomicFile).
 std::string partial_name(std::string_view name, int process);
 
-/// The name that such a file gets when it is complete: `curves.csv`; empty for any other name.
+/// The name that a file with a partial_name() gets when it is complete: `curves.csv`; empty for any other name.
 std::string_view whole_name(std::string_view partial);
 
-/// Whether this is such a name, with or without a directory.
+/// Whether this is a partial_name(), with or without a directory.
 bool is_partial_name(std::string_view name);
 
 }  // namespace breccia

@@ -8,7 +8,7 @@
 
 namespace breccia {
 
-/// The numbers that are accepted for something: finite ones between two limits.
+/// A range of accepted numbers: finite ones between two limits.
 struct Range {
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();

@@ -23,8 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Lists in `unfinished`, with one name per line: the first exists while old files are removed, and has the record and
-/// the old files; the second exists while new files are moved, and has the record.
+/// The names of lists in `unfinished`, which have one file name per line. The first list exists while old files are
+/// removed, and has the record and the old files; the second exists while new files are moved, and has the record.
 constexpr auto removing_list = "removing.list";
 constexpr auto moving_list = "moving.list";
 
@@ -38,7 +38,7 @@ std::vector<std::string> names_in(const fs::path& list) {
   return names;
 }
 
-/// The lists that a replacement has left in a directory, the one to be carried out first.
+/// The lists that an interrupted replacement has left in a directory, in the order in which they must be carried out.
 std::vector<fs::path> lists_in(const fs::path& directory) {
   std::vector<fs::path> lists = {directory / unfinished_directory / removing_list,
                                  directory / unfinished_directory / moving_list};
@@ -69,7 +69,7 @@ void move_file(const fs::path& from, const fs::path& to) {
   if (error) throw FileError(fmt::format("{}: cannot move it to {}: {}", from.string(), to.string(), error.message()));
 }
 
-/// Calls visit(path, whether it is a directory) for all that is below a directory. Links are not followed, since their
+/// Calls visit(path, whether it is a directory) for everything below a directory. Links are not followed, since their
 /// targets may be anywhere.
 template <class Visit>
 void visit_below(const fs::path& directory, const Visit& visit) {

@@ -21,7 +21,8 @@
 namespace breccia {
 namespace {
 
-/// The seal of an HDF5 file is possible since HDF5 ignores bytes beyond the end in its header.
+/// The beginning of the line. An HDF5 file can be sealed, too, since HDF5 ignores bytes beyond the end that its header
+/// gives.
 constexpr std::string_view mark = "\nbreccia seal, xxh64 of all above: ";
 constexpr std::size_t hash_digits = 16;
 constexpr std::size_t seal_length = mark.size() + hash_digits + 1;
@@ -62,7 +63,7 @@ std::uintmax_t size_of(const std::filesystem::path& path) {
   return size;
 }
 
-/// The last bytes of a file, as many as a seal has; empty if it has fewer.
+/// The last bytes of a file, as many as a seal has; empty if the file has fewer.
 std::string end_of(const std::filesystem::path& path) {
   const auto size = size_of(path);
   if (size < seal_length) return {};

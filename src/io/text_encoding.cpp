@@ -135,7 +135,7 @@ TableText read_table_text(const std::filesystem::path& path) {
     text = from_latin1(text);
   }
   if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
-  // Lines that end with a carriage return alone, as on old systems.
+  // On old systems lines end with a carriage return alone.
   if (text.find('\n') == std::string::npos) std::ranges::replace(text, '\r', '\n');
   return table;
 }

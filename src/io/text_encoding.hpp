@@ -12,7 +12,7 @@ enum class TextEncoding { utf8, latin1, utf16 };
 /// A table as UTF-8 text without a byte order mark, whose lines end with a line feed.
 struct TableText {
   std::string text;
-  TextEncoding encoding = TextEncoding::utf8;  ///< of the file
+  TextEncoding encoding = TextEncoding::utf8;  ///< encoding of the file
 };
 
 /// Throws InputError if a file is not a text of bytes but UTF-16, a picture or the binary format of a spreadsheet.

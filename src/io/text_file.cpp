@@ -136,7 +136,7 @@ void remove_partial_files(const std::filesystem::path& directory,
     auto name = entry->path().filename().string();
     const auto whole = whole_name(name);
     if (whole.empty() || !is_known(whole)) continue;
-    // A link of such a name would have a file elsewhere written.
+    // A link with such a name would cause a file elsewhere to be written.
     if (!std::filesystem::is_directory(entry->symlink_status(is_missing))) names.push_back(std::move(name));
   }
   remove_files(directory, names);

@@ -126,10 +126,10 @@ std::string hint(const NumberAndUnit& quantity, Dimension dimension) {
   std::optional<std::string> meant;
   const bool is_temperature = dimension == Dimension::temperature || dimension == Dimension::temperature_difference;
   if (is_temperature && (unit == "C" || unit == "F")) {
-    meant = "deg" + unit;  // UDUNITS-2 reads them as coulomb and farad
+    meant = "deg" + unit;  // UDUNITS-2 reads C and F as coulomb and farad
   } else {
     const auto same = std::ranges::find_if(common, [&](const auto& one) { return are_equal_but_for_case(one, unit); });
-    constexpr std::size_t fewest_letters = 3;  // shorter names are all near to each other
+    constexpr std::size_t fewest_letters = 3;  // shorter names are too similar to each other
     if (same != common.end()) {
       meant = *same;
     } else if (unit.size() >= fewest_letters) {

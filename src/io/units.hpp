@@ -38,7 +38,7 @@ double parse_quantity(std::string_view text, Dimension dimension);
 /// The number and the unit of a quantity such as "3.6 GPa".
 struct NumberAndUnit {
   double number;
-  std::string unit;  ///< empty without one
+  std::string unit;  ///< unit; empty if there is none
 };
 
 /// Splits a text into number and unit. Returns nothing when it has no finite number or a second number follows

@@ -13,7 +13,7 @@ std::size_t length_of_character(std::string_view text) {
   for (std::size_t i = 1; i < length; ++i) {
     if ((byte(i) & 0xc0U) != 0x80) return 0;
   }
-  // Overlong encodings, surrogates of UTF-16, or code points beyond the last one.
+  // These are overlong encodings, surrogates of UTF-16, or code points beyond the last one.
   const bool is_none = (first == 0xe0 && byte(1) < 0xa0) || (first == 0xed && byte(1) > 0x9f) ||
                        (first == 0xf0 && byte(1) < 0x90) || (first == 0xf4 && byte(1) > 0x8f);
   return is_none ? 0 : length;

@@ -26,7 +26,7 @@ ConflictingResults refusal(const std::string& problem, Remedy remedy) {
   return ConflictingResults(std::vector{ResultConflict{problem, remedy}});
 }
 
-/// Throws ConflictingResults if there are mistakes, which say themselves what helps.
+/// Throws ConflictingResults if there are mistakes; their texts contain the remedies.
 void refuse_all(const std::vector<std::string>& mistakes) {
   std::vector<ResultConflict> conflicts;
   for (const auto& mistake : mistakes) conflicts.push_back({mistake, Remedy::none});
@@ -79,7 +79,7 @@ WholeResults::~WholeResults() {
     // Once old files are being removed, the new ones must be kept: the next command completes the replacement.
     if (is_being_replaced(directory_)) return;
   } catch (const Error&) {
-    return;  // nothing is removed where that is unknown
+    return;  // no file is removed where the state of the replacement is unknown
   }
   remove_place();
 }

@@ -15,14 +15,14 @@ namespace breccia {
 struct ResultsOrigin {
   std::string command;             ///< "fit", for example: the record of the results is then `fit.json`
   std::string source;              ///< a description of the source, such as the name of a file
-  std::string identity;            ///< distinguishes sources, such as a hash
+  std::string identity;            ///< text that distinguishes sources, such as a hash
   std::vector<std::string> files;  ///< names of all files that the command may write
   bool overwrite = false;          ///< whether results from another source may be replaced
 };
 
-/// Writes the results of such a command to a directory. The files are written to place(); commit() moves them into the
-/// directory and removes the earlier results of the command. Without commit() no file is left. The directory is locked
-/// during the lifetime of this object.
+/// Writes the results of a command (ResultsOrigin) to a directory. The files are written to place(); commit() moves
+/// them into the directory and removes the earlier results of the command. Without commit() no file is left. The
+/// directory is locked during the lifetime of this object.
 class WholeResults {
  public:
   /// Throws ConflictingResults where the directory is in `unfinished` or has the results of a study or a sweep, files

@@ -31,7 +31,7 @@ void visit_close_pairs(double side, Walls walls, const std::vector<Ball<dim>>& b
 }
 
 /// Smallest distance between the surfaces of two balls [m], or of a ball and its own image in a periodic box. Infinite
-/// if there are no two.
+/// if there are no two balls.
 template <int dim>
 [[nodiscard]] double smallest_gap(double side, Walls walls, const std::vector<Ball<dim>>& balls) {
   double smallest = std::numeric_limits<double>::infinity();

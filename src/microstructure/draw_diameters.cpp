@@ -68,7 +68,7 @@ double largest_deviation(const SizeDistribution& distribution, std::span<const d
   std::ranges::sort(rising);
   double total_volume = 0.0;
   for (const double diameter : rising) total_volume += ball_volume<dim>(diameter);
-  // The drawn distribution is a staircase, so the largest difference is just below or at one of its steps.
+  // The drawn distribution is a step function, so the largest difference is just below or at one of its steps.
   double deviation = 0.0;
   double volume = 0.0;
   for (auto step = rising.begin(); step != rising.end();) {

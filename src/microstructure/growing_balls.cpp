@@ -30,7 +30,8 @@ GrowingBalls<dim>::GrowingBalls(double side, Walls walls, const std::vector<doub
       lists_(side, walls, {}, {}),
       events_per_epoch_(events_per_ball_and_epoch * diameters.size()) {
   for (std::size_t ball = 0; ball < diameters.size(); ++ball) {
-    bodies_[ball].mass = diameters[ball];  // equal masses and mass ~ volume both need more events at wide size ranges
+    // Equal masses, and masses in proportion to the volume, both need more events at wide size ranges.
+    bodies_[ball].mass = diameters[ball];
     bodies_[ball].radius = 0.5 * diameters[ball];
   }
 }
@@ -104,12 +105,12 @@ void GrowingBalls<dim>::cool() {
 
 template <int dim>
 void GrowingBalls<dim>::make_lists(double largest_scale) {
-  double cubes = 0.0;  // around the balls
+  double cubes = 0.0;  // volume of cubes around the balls
   for (const Body& body : bodies_) cubes += std::pow(2.0 * scale_ * body.radius, dim);
   const double room = std::max(0.0, 1.0 - cubes / std::pow(side_, dim));
   const double spacing = side_ * std::pow(static_cast<double>(bodies_.size()), -1.0 / dim);
-  // Wide domains in a dilute packing, narrow ones in a dense one, where neighbours are many; the exact width matters
-  // little.
+  // Domains are wide in a dilute packing and narrow in a dense one, where a ball has many neighbours; the exact width
+  // matters little.
   skin_ = std::min((0.15 + 0.5 * room) * spacing, 0.1 * side_);
   std::vector<Vector<dim>> anchors;
   std::vector<double> domains;

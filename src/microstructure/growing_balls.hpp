@@ -22,7 +22,7 @@ namespace breccia {
 template <int dim>
 class GrowingBalls {
  public:
-  /// Starts with points at random positions with random velocities. `diameters` are the final ones, at scale 1.
+  /// Starts with points at random positions with random velocities. `diameters` are the final diameters, at scale 1.
   GrowingBalls(double side, Walls walls, const std::vector<double>& diameters, std::uint64_t seed);
   /// Continues from a state between two epochs.
   GrowingBalls(double side, Walls walls, const std::vector<double>& diameters, const PackingState<dim>& state);
@@ -32,8 +32,8 @@ class GrowingBalls {
   [[nodiscard]] std::uint64_t events() const noexcept { return events_; }
   [[nodiscard]] const Vector<dim>& centre(std::size_t ball) const noexcept { return bodies_[ball].position; }
 
-  /// One epoch: the scale grows at `rate` (per time) until it is exactly 1, or has grown by more than a tenth, or some
-  /// twenty events have come to each ball.
+  /// Runs one epoch: the scale grows at `rate` (per time) until it is exactly 1, or has grown by more than a tenth, or
+  /// each ball has had some twenty events.
   void grow(double rate);
   /// Makes the balls smaller by a factor.
   void shrink(double factor) noexcept { scale_ *= factor; }
@@ -46,25 +46,25 @@ class GrowingBalls {
   struct Body {  // one cache line in 2D
     Vector<dim> position;
     Vector<dim> velocity;
-    double time;    // at which the ball is at `position`
-    double radius;  // at scale 1
+    double time;    // time at which the ball is at `position`
+    double radius;  // radius at scale 1
     double mass;
-    double next_event;  // time
+    double next_event;  // time of the next event of the ball
   };
   enum class EventKind : std::uint8_t {
-    none,       // the partner has found another one: look for the next event again
-    contact,    // with another ball
-    low_wall,   // at 0
-    high_wall,  // at the side
+    none,       // no event is known, because the partner has found another one: the next event must be searched again
+    contact,    // contact with another ball
+    low_wall,   // contact with the wall at 0
+    high_wall,  // contact with the wall at the side of the box
     leave       // the ball leaves its domain
   };
   struct Event {
     EventKind kind = EventKind::none;
-    std::uint32_t partner = 0;  // ball or axis
+    std::uint32_t partner = 0;  // number of the other ball, or of the axis of the wall
     Image image = 0;            // the image of the partner
   };
 
-  /// Points at rest in a corner.
+  /// Starts with points at rest in a corner.
   GrowingBalls(double side, Walls walls, const std::vector<double>& diameters);
 
   void cool();
@@ -89,9 +89,9 @@ class GrowingBalls {
   EventQueue queue_;
   NeighbourLists<dim> lists_;
   double now_ = 0.0;
-  double skin_ = 0.0;   // how far a ball may go from the anchor of its domain
-  double scale_ = 0.0;  // at time 0
-  double rate_ = 0.0;   // of the scale
+  double skin_ = 0.0;   // distance that a ball may move from the anchor of its domain
+  double scale_ = 0.0;  // scale at time 0
+  double rate_ = 0.0;   // growth rate of the scale
   std::uint64_t events_ = 0;
   std::uint64_t events_per_epoch_ = 0;
 };

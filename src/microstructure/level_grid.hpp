@@ -22,7 +22,7 @@ class LevelGrid {
  public:
   using Image = typename PeriodicImages<dim>::Image;
 
-  /// An empty grid over the box [0, side]^dim for balls with these (positive) radii [m].
+  /// Makes an empty grid over the box [0, side]^dim for balls with these (positive) radii [m].
   LevelGrid(double side, Walls walls, std::span<const double> radii);
 
   [[nodiscard]] std::size_t levels() const noexcept { return levels_.size(); }
@@ -34,7 +34,7 @@ class LevelGrid {
   void remove(std::uint32_t ball);
 
   /// Calls visit(ball, image) for every ball of the grid whose surface is nearer than `reach` [m] to `centre`, and for
-  /// some others. `centre` is in the box; in a periodic box the images next to the box are visited, too.
+  /// some other balls. `centre` is in the box; in a periodic box the images next to the box are visited, too.
   template <class Visit>
   void visit_near(const Vector<dim>& centre, double reach, Visit&& visit) const;
 
@@ -42,13 +42,13 @@ class LevelGrid {
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
   struct Level {
-    double radius = 0.0;      // of the largest ball [m]
-    std::size_t members = 0;  // balls that belong here
-    std::size_t present = 0;  // balls that are in the grid
-    std::int64_t cells = 1;   // per side
-    std::size_t first = 0;    // cell of this level
+    double radius = 0.0;      // radius of the largest ball [m]
+    std::size_t members = 0;  // number of balls that belong to the level
+    std::size_t present = 0;  // number of these balls that are in the grid
+    std::int64_t cells = 1;   // cells per side
+    std::size_t first = 0;    // first cell of this level
   };
-  struct Links {  // links of a ball to the others of its cell
+  struct Links {  // links of a ball to the other balls of its cell
     std::size_t cell = 0;
     std::uint32_t previous = none;
     std::uint32_t next = none;

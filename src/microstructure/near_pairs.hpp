@@ -15,7 +15,7 @@ namespace breccia {
 
 /// Calls visit(particle, other, seen) for pairs of particles in balls of these (positive) radii [m] around centres in
 /// the box, at least for those whose balls are nearer than `reach` [m]; once for each image in a periodic box. `seen`
-/// is the centre of the other one or of its image [m].
+/// is the centre of the other particle or of its image [m].
 template <int dim, class Visit>
 void visit_near_pairs(double side, Walls walls, const std::vector<Vector<dim>>& centres,
                       const std::vector<double>& radii, double reach, Visit&& visit) {

@@ -55,7 +55,7 @@ NeighbourLists<dim>::NeighbourLists(double side, Walls walls, std::vector<Vector
       domains_(std::move(domains)),
       grid_(side, walls, domains_),
       lists_(anchors_.size()) {
-  // Large balls first: a ball then looks for larger ones alone, which are few.
+  // Large balls come first: a ball then searches only among larger ones, which are few.
   std::vector<std::uint32_t> order(anchors_.size());
   std::iota(order.begin(), order.end(), 0U);
   std::ranges::stable_sort(order, {}, [this](std::uint32_t ball) { return grid_.level(ball); });

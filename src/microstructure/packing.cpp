@@ -69,14 +69,14 @@ std::vector<double> outer_diameters(const PackingRequest& request) {
 /// Volume fraction of balls of these diameters [m] in the box of a request.
 template <int dim>
 double fraction(const PackingRequest& request, const std::vector<double>& diameters) {
-  double cubes = 0.0;  // around the balls
+  double cubes = 0.0;  // volume of cubes around the balls
   for (const double diameter : diameters) cubes += std::pow(diameter / request.side, dim);
   return cubes * std::numbers::pi / (2.0 * dim);
 }
 
 /// Upper bound of the area fraction of discs whose diameters have at least this ratio, smallest to largest: Florian,
-/// Rendiconti del Circolo Matematico di Palermo 9 (1960) 300. For equal discs it is that of the hexagonal packing, pi /
-/// sqrt(12).
+/// Rendiconti del Circolo Matematico di Palermo 9 (1960) 300. For equal discs it is the fraction of the hexagonal
+/// packing, pi / sqrt(12).
 double densest_packing_of_discs(double ratio) {
   return (std::numbers::pi * ratio * ratio + 2.0 * (1.0 - ratio * ratio) * std::asin(ratio / (1.0 + ratio))) /
          (2.0 * ratio * std::sqrt(1.0 + 2.0 * ratio));
@@ -131,7 +131,8 @@ std::vector<double> inflated_diameters(const PackingRequest& request) {
   return inflated;
 }
 
-/// True if a queue of events holds every ball once, and no ball earlier than its parent in the heap.
+/// Whether a queue of events holds every ball once, and no ball with an event earlier than that of its parent in the
+/// heap.
 bool is_queue_of(std::size_t count, const std::vector<std::uint32_t>& balls, const std::vector<double>& times) {
   if (balls.size() != count || times.size() != count) return false;
   std::vector<bool> is_there(count, false);
@@ -143,7 +144,8 @@ bool is_queue_of(std::size_t count, const std::vector<std::uint32_t>& balls, con
   return true;
 }
 
-/// True if balls of their present size overlap each other or hard walls. The box is in the same unit of length.
+/// Whether balls of their present size overlap each other or hard walls. The side of the box is in the unit of length
+/// of the balls.
 template <int dim>
 bool overlap(double side, Walls walls, const PackingState<dim>& state, const std::vector<double>& diameters) {
   constexpr double roundoff = 1e-6;
@@ -161,7 +163,7 @@ bool overlap(double side, Walls walls, const PackingState<dim>& state, const std
   return smallest_gap<dim>(side, walls, balls) < -roundoff;
 }
 
-/// Returns the state, if it is one that a run with this request may have left. Throws InputError otherwise.
+/// Returns the state, if a run with this request may have saved it. Throws InputError otherwise.
 template <int dim>
 const PackingState<dim>& sound(const PackingState<dim>& state, const PackingRequest& request) {
   const auto count = request.diameters.size();
@@ -184,7 +186,7 @@ const PackingState<dim>& sound(const PackingState<dim>& state, const PackingRequ
   return state;
 }
 
-/// Balls in their first state, or in a later one.
+/// Makes the growing balls, in their first state or in a later one.
 template <int dim, class Start>
 std::unique_ptr<GrowingBalls<dim>> growing_balls(const PackingRequest& request, const Start& start) {
   require_meaning(request);
@@ -245,7 +247,7 @@ void PackingRun<dim>::advance() {
   const double before = balls_->scale();
   balls_->grow(rate);
   const double scale = balls_->scale();
-  // Near jamming an epoch brings only a constant part of the growth that is left, with more and more collisions.
+  // Near jamming an epoch achieves only a constant part of the remaining growth, with more and more collisions.
   if (is_done() || scale - before >= 0.01 * rate * (1.0 - scale)) return;
   largest_scale_ = std::max(largest_scale_, scale);
   if (jams_ + 1 < growth_rate_shares.size()) {

@@ -109,7 +109,7 @@ SizeDistribution SizeDistribution::truncated(double from, double to) const {
     result.below_ = untruncated(std::nextafter(result.smallest_, 0.0));
     result.within_ = untruncated(result.largest_) - result.below_;
   }
-  // below 1e-9 F(to) - F(from) has lost half of its digits
+  // a difference F(to) - F(from) below 1e-9 has lost half of its digits
   if (result.largest_ < result.smallest_ || !(result.within_ > 1e-9)) {
     throw InputError(
         fmt::format("size distribution: nothing of it (less than 1e-9) has diameters from {} m to {} m", from, to));

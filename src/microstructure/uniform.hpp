@@ -4,7 +4,7 @@
 
 namespace breccia {
 
-/// Uniform in [0, 1), the same on every platform.
+/// A random number, uniform in [0, 1), which is the same on every platform.
 [[nodiscard]] inline double uniform(std::mt19937_64& engine) {
   return static_cast<double>(engine() >> 11) * 0x1p-53;
 }

@@ -20,7 +20,7 @@ namespace breccia {
 
 namespace {
 
-constexpr double roundoff = 1e-12;  // of a diameter or the side
+constexpr double roundoff = 1e-12;  // tolerance as a share of a diameter or of the side
 
 template <int dim>
 constexpr const char* ball_word = dim == 2 ? "disc" : "sphere";
@@ -43,7 +43,7 @@ double distance_from_sides(const Ball<dim>& ball, double side) {
   return smallest - 0.5 * ball.diameter;
 }
 
-/// Mistakes that a ball makes by itself.
+/// The mistakes in a single ball.
 template <int dim>
 std::vector<std::string> mistakes_of_balls(const Microstructure<dim>& microstructure) {
   const double side = microstructure.side;
@@ -64,7 +64,7 @@ std::vector<std::string> mistakes_of_balls(const Microstructure<dim>& microstruc
   return mistakes;
 }
 
-/// Balls that overlap, in the order of their numbers.
+/// A message for each pair of balls that overlap, in the order of their numbers.
 template <int dim>
 std::vector<std::string> overlaps(const Microstructure<dim>& microstructure) {
   struct Overlap {

@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 
 /// Cubic blocks of the cells of a cube; the last ones along an axis may have fewer.
 struct CellBlocks {
-  std::size_t cells = 0;  ///< of the cube along an axis
+  std::size_t cells = 0;  ///< cells of the cube along an axis
   std::size_t side = 1;   ///< cells along the side of a block
 
   [[nodiscard]] std::size_t along() const { return (cells + side - 1) / side; }
@@ -43,8 +43,8 @@ CellBlocks blocks_of(const std::filesystem::path& path, const Hdf5Reader& file, 
   return {.cells = cells, .side = (cells + most_along - 1) / most_along};
 }
 
-/// Means of a tensor over the blocks, in the order xx, yy, zz, yz, zx, xy. The file is read layer by layer, since all
-/// of it may be larger than the memory.
+/// Means of a tensor over the blocks, in the order xx, yy, zz, yz, zx, xy. The file is read layer by layer, since it
+/// may be larger than the memory.
 std::vector<CellTensor> block_means(const Hdf5Reader& file, const std::string& name, const CellBlocks& blocks) {
   constexpr std::array<std::size_t, 6> from_vtk = {0, 1, 2, 4, 5, 3};
   std::vector<CellTensor> means(blocks.count());

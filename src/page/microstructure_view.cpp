@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// More would take megabytes of a page each, and could not be told apart.
+/// More particles would take megabytes of a page, and could not be distinguished in it.
 constexpr std::size_t most_drawn_particles = 200000;
 
 /// The rows of the largest particles, in the order of the table.
@@ -48,7 +48,7 @@ Json particles_of(const CsvTable& table) {
   return {{"count", rows.size()}, {"listed", table.rows()}, {"columns", std::move(columns)}};
 }
 
-/// Every point of a raster, or every second, third, ... one, so that at most so many remain along each axis.
+/// Every point of a raster, or every second or third one, and so on, so that a limited number remains along each axis.
 Json phases_of(const Raster& raster) {
   constexpr std::size_t most_along = 128;
   const auto longest = std::ranges::max(raster.extents);

@@ -12,10 +12,10 @@ std::string study_page(std::string_view title, std::string_view data);
 /// The page of a study with rotatable views of the stages of three dimensions, which `data` has as `views`.
 std::string study_page_with_views(std::string_view title, std::string_view data);
 
-/// The report of a sweep, in the same way.
+/// The report of a sweep as an HTML document, like study_page().
 std::string sweep_page(std::string_view title, std::string_view data);
 
-/// The report of a fit (docs/fitting.md), in the same way.
+/// The report of a fit (docs/fitting.md) as an HTML document, like study_page().
 std::string fit_page(std::string_view title, std::string_view data);
 
 }  // namespace breccia

@@ -8,7 +8,7 @@ namespace breccia {
 struct PageData {
   std::string title;
   std::string json;
-  bool has_views = false;  ///< whether there are `views` of three dimensions in it
+  bool has_views = false;  ///< whether the data contain `views` of three dimensions
 };
 
 }  // namespace breccia

@@ -4,7 +4,8 @@
 
 namespace breccia {
 
-/// Pages with their style, their scripts and the plotting library in them. Made when the program is built.
+/// The texts of pages that contain their style, their scripts and the plotting library. They are made when the program
+/// is built.
 
 /// `page/fit.html`
 std::string_view fit_page_template();

@@ -17,7 +17,7 @@ namespace breccia {
 void write_report(const std::filesystem::path& directory) {
   const bool has_study = std::filesystem::is_regular_file(directory / "study.json");
   const auto sweep = directory / "sweep.json";
-  // Beside the results of a study it may be a file of their user.
+  // Next to the results of a study, such a file may be one of the user's own.
   const bool is_sweep = has_study ? is_record_of_breccia(sweep) : std::filesystem::is_regular_file(sweep);
   if (!is_sweep && !has_study) {
     throw InputError(fmt::format("{}: no study.json or sweep.json, which `breccia run` leaves with its results",

@@ -17,8 +17,8 @@ struct TitledData {
   nlohmann::ordered_json data;
 };
 
-/// The data of a page from a function that makes them of the results that a record names. Throws FileError when one of
-/// their files does not have the format of this version.
+/// The data of a page, made by a function from the results that a record names. Throws FileError when one of the files
+/// does not have the format of this version.
 PageData page_data(const std::filesystem::path& record, const std::function<TitledData()>& make);
 
 /// Reads the record of a run, which has a `title`, and makes the data of its page by a function. Throws FileError when

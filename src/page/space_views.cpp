@@ -17,14 +17,14 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// A file of fields, and the test that has left it.
+/// A file of fields, and the test that wrote it.
 struct FieldsOfTest {
   fs::path file;
   Load load;
   Boundary boundary;
 };
 
-/// The files of fields of a stage that are there.
+/// The existing files of fields of a stage.
 std::vector<FieldsOfTest> fields_of(const fs::path& directory, const StageEntry& stage) {
   std::vector<FieldsOfTest> files;
   for (const auto& test : stage.tests) {
@@ -36,7 +36,7 @@ std::vector<FieldsOfTest> fields_of(const fs::path& directory, const StageEntry&
   return files;
 }
 
-/// So many cells along an axis of each of these files that all of them take a few megabytes of a page.
+/// Number of cells along an axis of each file with which all files together take a few megabytes of a page.
 std::size_t most_cells_along(std::size_t files) {
   constexpr double bytes_of_cell = 3.0, most_bytes = 6e6;
   constexpr std::size_t most = 64, fewest = 16;

@@ -56,7 +56,7 @@ Json upper_triangle_of(const Eigen::MatrixXd& matrix) {
   return rows;
 }
 
-/// Adds the parts of the phases other than the matrix, and what the error estimate takes: with several phases moduli
+/// Adds the parts of the phases other than the matrix, and the data for the error estimate: with several phases, moduli
 /// that are covered one by one may not be covered together.
 void add_phases(const ReducedResponse& response, const std::map<std::string, Material>& other_phases, Json& json) {
   const auto names = response.phases();

@@ -6,11 +6,11 @@
 
 namespace breccia {
 
-/// The data of the study whose results are in a directory, complete or not. Throws FileError when one of them cannot be
-/// read, is not as this program writes it, or belongs to another study.
+/// The data for the page of the study whose results are in a directory, complete or not. Throws FileError when a file
+/// cannot be read, is not as this program writes it, or belongs to another study.
 PageData study_page_data(const std::filesystem::path& directory);
 
-/// Writes the page of these data, `report.html`, to the directory. Throws FileError.
+/// Writes the page of study_page_data(), `report.html`, to the directory. Throws FileError.
 void write_study_report(const std::filesystem::path& directory);
 
 }  // namespace breccia

@@ -39,7 +39,7 @@ double left_on_machine() {
 double left_of_address_space() {
   rlimit limit{};
   if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return unlimited;
-  // With less memory the libraries for MPI and linear algebra fail, or wait forever.
+  // Memory that is left to the libraries for MPI and linear algebra [B]: with less they fail, or wait forever.
   constexpr double of_libraries = 4e8;
   const auto used = number_after("/proc/self/status", "VmSize:");
   return static_cast<double>(limit.rlim_cur) - kibibyte * used.value_or(0.0) - of_libraries;
@@ -49,7 +49,7 @@ double left_of_address_space() {
 struct GroupFiles {
   const char* limit;
   const char* used;
-  const char* inactive;  // line of memory.stat: files that the kernel gives back
+  const char* inactive;  // line of memory.stat with the memory of files that the kernel can free
 };
 
 double left_in_group(const fs::path& group, const GroupFiles& files) {
@@ -76,7 +76,7 @@ double left_in_control_groups(const fs::path& membership, const fs::path& root) 
   double least = unlimited;
   std::ifstream stream(membership);
   for (std::string line; std::getline(stream, line);) {
-    // number:controllers:name, and in version 2 no controllers
+    // The line has the form number:controllers:name, in version 2 without controllers.
     const auto first = line.find(':');
     const auto second = line.find(':', first + 1);
     if (first == std::string::npos || second == std::string::npos) continue;

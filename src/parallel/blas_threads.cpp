@@ -16,7 +16,7 @@ Function function_named(const char* name) noexcept {
     void* const library = dlopen(here.dli_fname, RTLD_LAZY | RTLD_NOLOAD);
     if (library != nullptr) {
       address = dlsym(library, name);
-      dlclose(library);  // it stays loaded
+      dlclose(library);  // the library stays loaded
     }
   }
   // The address of a function comes as an object pointer, which must be converted.

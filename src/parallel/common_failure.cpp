@@ -15,7 +15,8 @@
 namespace breccia::parallel {
 namespace {
 
-/// What of a failure goes to other processes: its kind, an exit code or one of the values below 0, and its message.
+/// The description of a failure that is sent to other processes: its kind, which is an exit code or one of the values
+/// below 0, and its message.
 struct Failure {
   int kind;
   std::string message;
@@ -54,7 +55,7 @@ Failure description_of(const std::exception_ptr& failure) {
   }
 }
 
-/// The failure of one process of the group, on all of them.
+/// Sends the failure of one process of the group to all processes, and returns it.
 Failure failure_of(int process, const std::exception_ptr& own) {
   auto failure = rank() == process ? description_of(own) : Failure{};
   auto length = static_cast<int>(failure.message.size());

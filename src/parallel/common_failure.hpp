@@ -7,8 +7,8 @@
 namespace breccia::parallel {
 
 /// Throws on all processes of the group where one of them has failed: its own failure on a process that has one, and on
-/// the others an Error of the same kind and with the same message as that of the first that has failed. So none waits
-/// for a process that has stopped. Each process must call the function; MPI is started under mpirun.
+/// the other processes an Error with the kind and the message of the first failure. So no process waits for one that
+/// has stopped. Each process must call the function; MPI is started under mpirun.
 void throw_together(const std::exception_ptr& failure);
 
 /// Runs an action that may fail on some processes of the group only, and fails on all if it fails on one. Each process
@@ -24,8 +24,8 @@ void do_together(const Action& action) {
   throw_together(failure);
 }
 
-/// What make() returns on each process of the group; fails on all if it fails on one. Each process must call the
-/// function.
+/// Calls make() on each process of the group and returns its value; fails on all processes if it fails on one. Each
+/// process must call the function.
 template <class Make>
 [[nodiscard]] auto made_by_all(const Make& make) {
   std::optional<decltype(make())> made;

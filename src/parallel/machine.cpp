@@ -61,8 +61,8 @@ int file_in_memory(std::size_t bytes) {
   return descriptor;
 }
 
-/// The file of another process; -1 where the system does not allow it, or where processes have other numbers for this
-/// one, as in a container of its own.
+/// The file of another process; -1 where the system does not allow it, or where the number of this process differs
+/// between processes, as in a container of its own.
 int file_of_other(const FileIdentity& identity) {
   const auto& [process, number, device, inode] = identity;
   if (process == 0) return -1;
@@ -106,7 +106,7 @@ std::shared_ptr<std::byte> common_memory(std::size_t bytes) {
   const OpenFile opened(is_first ? -1 : file_of_other(identity));
   const int file = is_first ? made.descriptor() : opened.descriptor();
   void* memory = file < 0 ? MAP_FAILED : mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
-  // The first process keeps its file open until all have it.
+  // The first process keeps its file open until all processes have opened it.
   const bool is_common = agree(memory != MAP_FAILED);
   if (memory == MAP_FAILED) return nullptr;
   std::shared_ptr<std::byte> common(static_cast<std::byte*>(memory),

@@ -14,10 +14,10 @@ namespace breccia::parallel {
 [[nodiscard]] int ranks_on_machine();
 
 /// Memory of this number of bytes, all zero, that the processes on this machine share; each releases it by itself, at
-/// any time. All of them must call the function. Writes of others are visible after a barrier. Null on all of them
-/// where the system does not let one process map the memory of another, or has not as much.  It is a file in memory
-/// without a name, which the others open through /proc. A window of MPI would have to be released by all processes at
-/// once, and Open MPI keeps it in /dev/shm, which has 64 MB in many containers.
+/// any time. All of them must call the function. Writes of other processes are visible after a barrier. Null on all of
+/// them where the system does not let one process map the memory of another, or does not have as much memory. The
+/// memory is a file without a name, which the other processes open through /proc. A window of MPI would have to be
+/// released by all processes at once, and Open MPI keeps it in /dev/shm, which has 64 MB in many containers.
 [[nodiscard]] std::shared_ptr<std::byte> common_memory(std::size_t bytes);
 
 }  // namespace breccia::parallel

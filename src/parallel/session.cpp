@@ -25,8 +25,9 @@ namespace {
 struct Division {
   int group = 0;
   int groups = 1;
-  MPI_Comm communicator = MPI_COMM_NULL;  ///< of this group; null while the processes are not divided
-  MPI_Comm on_machine = MPI_COMM_NULL;    ///< of its processes on this machine; null until it is first used
+  MPI_Comm communicator = MPI_COMM_NULL;  ///< communicator of this group; null while the processes are not divided
+  /// Communicator of the processes of the group on this machine; null until it is first used.
+  MPI_Comm on_machine = MPI_COMM_NULL;
 };
 
 void free_communicator(MPI_Comm& of_processes) noexcept {
@@ -167,7 +168,8 @@ std::vector<std::string> unused_petsc_options() {
 void stop() noexcept {
   int is_finalised = 0;
   MPI_Finalized(&is_finalised);
-  if (is_finalised != 0) return;  // by the host program, before its end: PETSc cannot be finalised any more
+  if (is_finalised != 0)
+    return;  // the host program has finalised MPI before its end: PETSc cannot be finalised any more
   if (std::exchange(started().petsc, false) && PetscFinalize() != 0) return;
   free_communicator(division().on_machine);
   free_communicator(division().communicator);

@@ -62,7 +62,7 @@ std::vector<std::string> dataset_names(const std::filesystem::path& path, const 
   return links;
 }
 
-/// The data set of this name or, without one, the only one.
+/// The data set of this name or, without a name, the only data set.
 std::string chosen_dataset(const std::filesystem::path& path, const Hdf5Handle& file, const std::string& name) {
   if (!name.empty() && is_dataset(file, name)) return name;
   constexpr std::size_t most_listed = 10;

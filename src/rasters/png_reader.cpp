@@ -96,7 +96,7 @@ Raster read_png(const std::filesystem::path& file, std::string_view bytes) {
   if (!png.read_header()) refuse();
   std::vector<std::size_t> extents{png.width(), png.height()};
   const auto pixels = pixel_count(file, extents);
-  require_plausible_size(file, pixels / 8, bytes.size());  // of the least depth, one bit
+  require_plausible_size(file, pixels / 8, bytes.size());  // number of bytes with the least depth, one bit
 
   std::string samples(png.bytes_per_row() * png.height(), '\0');
   std::vector<png_bytep> rows;

@@ -14,7 +14,7 @@ struct ElementType {
   enum class Kind { signed_integer, unsigned_integer, floating_point };
 
   Kind kind = Kind::unsigned_integer;
-  std::size_t bytes = 1;  ///< 1, 2, 4 or 8; 4 or 8 for floating point
+  std::size_t bytes = 1;  ///< number of bytes: 1, 2, 4 or 8; for floating point 4 or 8
   std::endian order = std::endian::native;
 };
 
@@ -23,7 +23,7 @@ struct ElementType {
 void append_elements(std::vector<std::int32_t>& values, const std::filesystem::path& file, std::string_view bytes,
                      const ElementType& type);
 
-/// The value of a raster for a number that is not of the types above, by the same rules.
+/// The value of a raster for a number of another type, by the rules of append_elements().
 std::int32_t raster_value(const std::filesystem::path& file, double number);
 
 /// Appends the first `count` numbers of `bits` (1, 2 or 4) each in some bytes; the first is in the highest bits.

@@ -17,7 +17,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
-/// Bytes at the beginning of the files of a format.
+/// The bytes with which the files of a format begin.
 template <class Meaning>
 struct Signature {
   std::string_view bytes;

@@ -13,7 +13,7 @@ namespace breccia {
 
 namespace {
 
-/// The order of rows from the bottom for one from the top, in each layer, and back.
+/// Reverses the order of the rows in each layer: from the top to the bottom, or back.
 void reverse_rows(std::span<const std::size_t> extents, std::span<std::int32_t> values) {
   const auto width = extents[0], height = extents[1];
   for (auto layer = values; !layer.empty(); layer = layer.subspan(width * height)) {
@@ -41,7 +41,7 @@ std::size_t pixel_count(const std::filesystem::path& file, std::span<const std::
 }
 
 void require_plausible_size(const std::filesystem::path& file, std::size_t bytes, std::size_t file_size) {
-  constexpr std::size_t strongest_compression = 1032;  // of deflate
+  constexpr std::size_t strongest_compression = 1032;  // largest ratio of compression by deflate
   constexpr auto always_possible = std::size_t{1} << 24;
   if (bytes <= always_possible || bytes / strongest_compression <= file_size) return;
   throw InputError(fmt::format("{}: the image would take {} bytes, which a file of {} bytes cannot hold: it is damaged",

@@ -54,9 +54,9 @@ class TiffFile {
 
   std::filesystem::path path_;
   std::string_view bytes_;
-  std::size_t place_ = 0;  ///< of the next byte that is read
+  std::size_t place_ = 0;  ///< position of the next byte that is read
   std::size_t page_ = 1;
-  std::string message_;  ///< the first one of libtiff
+  std::string message_;  ///< the first message of libtiff
   std::unique_ptr<TIFF, decltype(&TIFFClose)> handle_;
 };
 

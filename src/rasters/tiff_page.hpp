@@ -12,9 +12,9 @@ namespace breccia {
 /// The storage of the pixels in the present page of a TIFF file.
 struct TiffPage {
   std::size_t width = 0, height = 0;
-  unsigned bits = 0;            ///< of a sample
+  unsigned bits = 0;            ///< bits of a sample
   std::size_t channels = 0;     ///< samples of a pixel
-  ElementType type;             ///< of samples of whole bytes
+  ElementType type;             ///< type of samples of whole bytes
   bool is_from_the_top = true;  ///< the first row is the top one
 };
 

@@ -39,7 +39,7 @@ std::optional<double> resolution_unit(const TiffFile& tiff, const std::optional<
   }
 }
 
-/// Side of a pixel [m], if the page has it. Throws InputError if the pixel is no square, or the voxel no cube.
+/// Side of a pixel [m], if the page has it. Throws InputError if the pixel is not a square, or the voxel not a cube.
 std::optional<double> pixel_side(const TiffFile& tiff, const std::optional<ImagejDescription>& imagej) {
   constexpr double tolerance = 1e-3;
   const auto unit = resolution_unit(tiff, imagej);
@@ -92,7 +92,7 @@ Raster read_tiff(const std::filesystem::path& file, std::string_view bytes) {
     static_cast<void>(pixel_count(file, extents));
     append_page(values, tiff, page);
   } while (tiff.next_page());
-  static_cast<void>(pixel_count(file, extents));  // of all pages, should they be thumbnails
+  static_cast<void>(pixel_count(file, extents));  // the extents of all pages are checked, even if these are thumbnails
   if (imagej) require_all_pages(tiff, *imagej, extents[2]);
   auto raster = first.is_from_the_top ? raster_from_top(std::move(extents), std::move(values))
                                       : raster_from_bottom(std::move(extents), std::move(values));

@@ -21,8 +21,8 @@ void append_header_number(std::string& bytes, std::uint64_t number) {
   for (unsigned shift = 0; shift < 64; shift += 8) bytes += static_cast<char>(number >> shift);
 }
 
-/// An array as VTK stores it: number of blocks, their size, size of a last one that is smaller, compressed size of
-/// each, and the blocks.
+/// An array in the form that VTK stores: number of blocks, their size, size of a smaller last block, compressed size of
+/// each block, and the blocks.
 std::string vti_blocks(std::string_view bytes) {
   constexpr std::size_t block_size = 1 << 18;
   std::string sizes, data;

@@ -106,7 +106,8 @@ std::size_t VtiDocument::header_number(std::string_view bytes, std::size_t index
   return number;
 }
 
-/// Compressed data: number of blocks, their size, size of a last one that is smaller (or 0), compressed size of each.
+/// Decompresses data whose header has the number of blocks, their size, the size of a smaller last block (or 0), and
+/// the compressed size of each block.
 std::string VtiDocument::inflated(std::string_view stored, std::size_t count) const {
   const auto blocks = header_number(stored, 0), block_size = header_number(stored, 1), last = header_number(stored, 2);
   const auto whole_blocks = last == 0 ? blocks : blocks - 1;

@@ -10,7 +10,7 @@
 
 namespace breccia {
 
-/// A .vti file: its XML, and binary data that may follow it, which are no XML.
+/// A .vti file: its XML, and binary data that may follow it, which are not XML.
 class VtiDocument {
  public:
   /// Throws InputError if it is no VTK XML file of type ImageData, or damaged. The bytes must live as long as this

@@ -41,7 +41,7 @@ std::array<double, count> attribute_numbers(const VtiDocument& document, const p
   return numbers;
 }
 
-/// The one piece of the image.
+/// The only piece of the image.
 pugi::xml_node only_piece(const VtiDocument& document) {
   const auto pieces = document.image().children("Piece");
   const auto count = std::distance(pieces.begin(), pieces.end());
@@ -66,7 +66,7 @@ void require_cubes_along_axes(const VtiDocument& document) {
   }
 }
 
-/// Arrays of the cells and of the points, but for those of VTK's own (vtkGhostType).
+/// Arrays of the cells and of the points, except those of VTK's own (vtkGhostType).
 std::vector<pugi::xml_node> arrays_of(const pugi::xml_node& piece) {
   std::vector<pugi::xml_node> arrays;
   for (const auto* const place : {"CellData", "PointData"}) {

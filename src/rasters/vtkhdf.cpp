@@ -54,20 +54,20 @@ std::uint8_t vtk_type(std::int64_t corners) {
   return corners == 4 ? quadrilateral : polygon;
 }
 
-/// Cells of any kind in space, as VTK lists them: functions return the entries of the lists from one index to before
-/// another.
+/// Cells of any kind, in the lists of VTK. The functions return the entries of a list in a range of indices [first,
+/// end).
 struct CellMesh {
   template <class Number>
   using Part = std::function<std::vector<Number>(std::size_t begin, std::size_t end)>;
 
   std::size_t points = 0, cells = 0, corners = 0;
-  Part<double> coordinates;   ///< of the points, three each [m]
-  Part<std::int64_t> corner;  ///< of the cells, one cell after the other
-  Part<std::int64_t> offset;  ///< of the corners of each cell, and the number of all
+  Part<double> coordinates;   ///< coordinates of the points, three each [m]
+  Part<std::int64_t> corner;  ///< corners of the cells, one cell after the other
+  Part<std::int64_t> offset;  ///< offsets of the corners of each cell, and the number of all corners
   Part<std::uint8_t> cell_type;
 };
 
-/// The values of a function of the index, from one index to before another.
+/// The values of a function of the index in a range of indices [first, end).
 template <class ValueAt>
 auto values_between(std::size_t begin, std::size_t end, const ValueAt& value_at) {
   std::vector<std::decay_t<decltype(value_at(begin))>> values;
@@ -135,7 +135,7 @@ struct Lattice {
     for (std::size_t axis = 0; axis < point.size(); ++axis) point[axis] += static_cast<double>(index[axis]) * spacing;
     return point;
   }
-  /// A corner of a cell: those of its lower face anticlockwise, then those of the upper one.
+  /// A corner of a cell: the corners of its lower face anticlockwise, then those of the upper face.
   [[nodiscard]] std::int64_t corner(std::size_t cell, std::size_t number) const noexcept {
     constexpr std::array<std::size_t, 4> x = {0, 1, 1, 0}, y = {0, 0, 1, 1};
     const auto index = index_of(cell, cells);

@@ -22,16 +22,17 @@ struct PlaneLattice {
 
 /// A regular lattice of equal cubes.
 struct CubeLattice {
-  std::array<std::size_t, 3> cubes{};  ///< along each axis
+  std::array<std::size_t, 3> cubes{};  ///< number of cubes along each axis
   std::array<double, 3> origin{};      ///< the corner with the lowest coordinates [m]
   double spacing = 0.0;                ///< side of a cube [m]
 };
 
 /// Polygons in the plane.
 struct PolygonMesh {
-  std::vector<std::array<double, 2>> points;  ///< their positions [m]
-  std::vector<std::int64_t> corners;          ///< points of the polygons, one polygon after the other, anticlockwise
-  std::vector<std::int64_t> corner_counts;    ///< of each polygon, at least three
+  std::vector<std::array<double, 2>> points;  ///< positions of the points [m]
+  std::vector<std::int64_t>
+      corners;  ///< indices of the points of the polygons, one polygon after the other, anticlockwise
+  std::vector<std::int64_t> corner_counts;  ///< number of corners of each polygon, at least three
 };
 
 /// A field on the squares or cubes of a lattice, or on the polygons or points of a mesh: a scalar (1), a vector (3) or
@@ -39,8 +40,8 @@ struct PolygonMesh {
 struct MeshField {
   std::string name;
   std::size_t components = 1;
-  /// Values in the order: components fastest, then those of the mesh, or the squares or cubes of a row along x, the
-  /// rows along y and the layers along z.
+  /// Values, with the components fastest, then the polygons or points of the mesh, or the squares or cubes of a row
+  /// along x, the rows along y and the layers along z.
   std::variant<std::vector<float>, std::vector<std::uint8_t>> values;
 };
 
@@ -76,8 +77,8 @@ class VtkhdfFile {
   std::size_t cells_;
 };
 
-/// Writes fields of the polygons of a mesh, and of its points, as such a file. Throws FileError, and InputError when a
-/// field does not fit the mesh, or its numbers of corners do not fit its corners.
+/// Writes fields of the polygons of a mesh, and of its points, as a VTKHDF file. Throws FileError, and InputError when
+/// a field does not fit the mesh, or its numbers of corners do not fit its corners.
 void write_vtkhdf(const std::filesystem::path& path, const PolygonMesh& mesh,
                   const std::vector<MeshField>& polygon_fields, const std::vector<MeshField>& point_fields,
                   const std::vector<FieldNumber>& numbers);

@@ -9,7 +9,7 @@ namespace breccia {
 
 /// A mark at a colour bar.
 struct BarTick {
-  double share;  ///< of the bar, 0 at its lowest colour and 1 at its highest
+  double share;  ///< position on the bar, 0 at its lowest colour and 1 at its highest
   std::string label;
 };
 

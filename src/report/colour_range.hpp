@@ -12,7 +12,7 @@ namespace breccia {
 /// The range of values from the lowest to the highest colour of a map: the 1st to the 99th percentile of its values.
 class ColourRange {
  public:
-  /// `values` are those that the map shows.
+  /// `values` are the values that the map shows.
   ColourRange(ColourScale scale, const std::vector<double>& values);
 
   /// The range of colours of some values, with a diverging scale instead of a linear one where the range has values of
@@ -21,7 +21,8 @@ class ColourRange {
 
   /// The value at a share of the scale, 0 to 1.
   [[nodiscard]] double value_at(double share) const;
-  /// The index of the colour of a value, 0 to 255. On a logarithmic scale values that are not positive have the lowest.
+  /// The index of the colour of a value, 0 to 255. On a logarithmic scale values that are not positive have the lowest
+  /// colour.
   [[nodiscard]] std::uint8_t index_of(double value) const;
 
   /// The colours by their numbers.

@@ -86,7 +86,7 @@ std::string field_cuts_picture(const FieldCutsPicture& picture) {
     values.insert(values.end(), rasters[normal].values.begin(), rasters[normal].values.end());
   }
   const ColourRange colours(picture.scale, values);
-  // Two above, and one below on the left.
+  // Two of the maps are above, and one is below on the left.
   constexpr double side = 460.0, first = 30.0, second = 530.0;
   const auto place = [&](std::size_t normal, double x, double y, const char* caption) {
     return PlacedMap{encoded_map(rasters[normal], colours), x, y, side, caption};

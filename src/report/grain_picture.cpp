@@ -12,7 +12,7 @@
 namespace breccia {
 namespace {
 
-/// The corners of a grain, or of its image that is this far away [m].
+/// The corners of a grain, or of its image at this distance [m].
 std::vector<Vector<2>> corners_of(const Tessellation<2>& tessellation, std::size_t grain, double film,
                                   const Vector<2>& image) {
   const auto& site = tessellation.sites().sites[grain].position;

@@ -30,7 +30,7 @@ Rgb parse_colour(std::string_view text) {
   return {part(1), part(3), part(5)};
 }
 
-/// The label of most pixels of the square with this lower left corner, of at most `side` pixels on a side.
+/// The most frequent label in the square with this lower left corner and a side of at most `side` pixels.
 Label most_frequent_label(const LabelImage<2>& image, std::size_t column, std::size_t row, std::size_t side,
                           std::vector<std::size_t>& counts) {
   const auto columns = static_cast<std::size_t>(image.pixels[0]);

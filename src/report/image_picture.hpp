@@ -10,8 +10,8 @@ namespace breccia {
 
 /// SVG picture of a square image of labels: the box, y upwards, with a scale bar. `colours` holds for each label the
 /// number of its colour (colour_of_phase), or 0 for the colour of the matrix. The picture has at most 1000 x 1000
-/// pixels; of more it shows equal squares in the colour of most of their pixels. Throws InputError when the image is
-/// not valid or not square, or a label has no colour.
+/// pixels. A larger image is shown as equal squares, each in the most frequent colour of its pixels. Throws InputError
+/// when the image is not valid or not square, or a label has no colour.
 std::string image_picture(const LabelImage<2>& image, std::span<const std::size_t> colours);
 
 /// SVG picture of a plane through a microstructure of three dimensions, whose labels are the numbers of their colours;

@@ -9,7 +9,7 @@ namespace breccia {
 struct Tick {
   double at;
   std::string label;     ///< "0.2", "500"; the base and its factor where there is a power: "10", "2×10"
-  std::string exponent;  ///< of that power, empty without one
+  std::string exponent;  ///< exponent of a power of ten; empty for other labels
 };
 
 /// A logarithmic axis from begin to end.

@@ -72,7 +72,7 @@ std::array<std::array<double, 2>, 4> deformed(DrawnLoad load) {
   return {};
 }
 
-/// The load: the square as it was, dashed, and as it is deformed.
+/// The load as a small picture: the undeformed square, dashed, and the deformed one.
 std::string drawn_load(DrawnLoad load) {
   if (load == DrawnLoad::none) return {};
   constexpr double left = 900.0, bottom = 1140.0, side = 64.0;

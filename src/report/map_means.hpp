@@ -26,11 +26,11 @@ class MapMeans {
   [[nodiscard]] std::vector<double> values() const;
 
  private:
-  /// Length of the side of a square, in values; that of the last one may be shorter.
+  /// Length of the side of a square, in values; the last square may be smaller.
   [[nodiscard]] std::size_t side_of(std::size_t square) const noexcept;
 
   std::size_t columns_, side_, means_;
-  std::size_t row_ = 0, column_ = 0;  ///< of the next value
+  std::size_t row_ = 0, column_ = 0;  ///< row and column of the next value
   std::vector<double> sums_;
 };
 

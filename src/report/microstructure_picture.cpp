@@ -22,7 +22,7 @@ namespace {
 
 /// Whether any part of the disc lies inside the box [0, side]^2.
 bool shows_in_box(const Disc& disc, double side) {
-  double squared_distance = 0.0;  // from the centre to the box
+  double squared_distance = 0.0;  // squared distance from the centre to the box
   for (const double x : disc.centre) {
     const double outside = x < 0.0 ? -x : (x > side ? x - side : 0.0);
     squared_distance += outside * outside;

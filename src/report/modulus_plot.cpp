@@ -63,13 +63,13 @@ std::vector<VisibleCurve> visible_curves(const ModulusPlot& plot) {
   return curves;
 }
 
-/// The part of a window that the axis of times shows, and where its label goes, in the drawing.
+/// The part of a window that the axis of times shows, and the position of its label in the drawing.
 struct Band {
   std::string label;
   double begin;
   double end;
   double middle_of_label;
-  std::size_t row;  ///< of the label, from the top: the first in which it does not touch the one before
+  std::size_t row;  ///< row of the label, from the top: the first row in which it does not touch the label before
 };
 
 std::vector<Band> bands_of(const std::vector<PlotWindow>& windows, const PlotArea& area) {

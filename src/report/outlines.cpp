@@ -7,7 +7,7 @@
 namespace breccia {
 namespace {
 
-/// Squares of phases, those of a larger map that count.
+/// The phases of the squares of a map; of a larger map only every second or third square, and so on, is used.
 class PhaseSquares {
  public:
   PhaseSquares(const std::vector<std::uint8_t>& phases, std::size_t columns, std::size_t most)
@@ -35,7 +35,7 @@ std::string outlines_of(const std::vector<std::uint8_t>& phases, std::size_t col
   const double side = 1.0 / static_cast<double>(count);
   std::string path;
   const auto out = std::back_inserter(path);
-  /// Adds the runs along a line of those sides of squares that part two phases.
+  /// Adds the runs, along a line, of sides of squares between two phases.
   const auto add_runs = [&](const auto& parts, const auto& add) {
     for (std::size_t begin = 0, end = 0; begin < count; begin = end + 1) {
       for (end = begin; end < count && parts(end);) ++end;

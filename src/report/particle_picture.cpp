@@ -33,7 +33,7 @@ struct Element {
 
   std::string operator()(const Ellipse& ellipse) const {
     const double x = pose.centre()[0] * scale, y = drawn_side - pose.centre()[1] * scale;
-    const double turn = -pose.angle() * 180.0 / std::numbers::pi;  // y is downwards
+    const double turn = -pose.angle() * 180.0 / std::numbers::pi;  // the y axis of SVG points downwards
     return fmt::format(
         "<ellipse cx=\"{0:.6g}\" cy=\"{1:.6g}\" rx=\"{2:.5g}\" ry=\"{3:.5g}\" transform=\"rotate({4:.5g} "
         "{0:.6g} {1:.6g})\"",
@@ -50,7 +50,7 @@ struct Element {
   }
 };
 
-/// A particle above its coating, whose outline is that of the particle drawn with a broad pen.
+/// A particle above its coating. The coating is the outline of the particle, drawn with a broad pen.
 std::string drawn(const Shape& shape, const Pose& pose, const DrawnFiller& filler, double scale) {
   const auto element = std::visit(Element{pose, scale}, shape);
   std::string text;

@@ -10,8 +10,8 @@ namespace breccia {
 namespace {
 
 constexpr double long_tick = 10.0, short_tick = 5.0;
-constexpr double exponent_size = 0.8;  // of the size of the label
-constexpr double x_of_name = 24.0;     // of the ordinate, left of the longest labels
+constexpr double exponent_size = 0.8;  // size of an exponent as a share of the size of the label
+constexpr double x_of_name = 24.0;     // position of the name of the ordinate, left of the longest labels
 
 double share_along(const LogAxis& axis, double value) {
   return std::log(value / axis.begin) / std::log(axis.end / axis.begin);

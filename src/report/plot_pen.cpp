@@ -12,7 +12,7 @@ namespace {
 constexpr std::array<std::string_view, 7> plot_palette{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                                        "#e69f00", "#56b4e9", "#000000"};
 
-/// Dashes of lines, and of those for lower bounds, in each round of the palette.
+/// Dashes of lines, and of lines for lower bounds, in each round of the palette.
 constexpr std::array<std::string_view, 4> line_dashes{"", "18 6 4 6", "18 6 4 6 4 6", "40 6"};
 constexpr std::array<std::string_view, 4> lower_dashes{"10 6", "5 7", "12 6 3 6", "12 6 3 6 3 6"};
 

@@ -15,12 +15,12 @@ struct PlotPoint {
   double y;
 };
 
-/// How a curve and its sample in the legend are drawn.
+/// The pen with which a curve and its sample in the legend are drawn.
 struct PlotPen {
   std::string_view colour;
-  std::string_view dashes;  ///< of the line, as the attribute of SVG; empty for one without gaps
+  std::string_view dashes;  ///< dashes of the line, as the attribute of SVG; empty for a line without gaps
   bool has_line;
-  bool has_marks;  ///< small circles at the points
+  bool has_marks;  ///< whether small circles are drawn at the points
 };
 
 /// The pen of a curve. Curves of one colour differ by their dashes: each round of the palette has its own.

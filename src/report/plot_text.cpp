@@ -9,7 +9,7 @@
 namespace breccia {
 
 double plot_text_width(std::string_view text, double font_size) {
-  constexpr double width_of_a_sign = 0.6;  // of the size of the font
+  constexpr double width_of_a_sign = 0.6;  // width as a share of the size of the font
   constexpr unsigned continuation = 0x80, continuation_mask = 0xc0;
   // The bytes of UTF-8 that begin a sign.
   const auto signs = std::ranges::count_if(

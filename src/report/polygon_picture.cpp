@@ -65,7 +65,7 @@ class Canvas {
 
  private:
   /// The first pixel whose middle is at most half a pixel below a coordinate, and the number of pixels whose middles
-  /// are at most half a pixel above one.
+  /// are at most half a pixel above a coordinate.
   static std::size_t first_pixel(double coordinate) { return clamped(std::ceil(coordinate - 1.0)); }
   static std::size_t pixels_below(double coordinate) { return clamped(std::floor(coordinate) + 1.0); }
   static std::size_t clamped(double pixel) {

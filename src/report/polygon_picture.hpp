@@ -11,8 +11,8 @@ namespace breccia {
 
 /// A convex polygon in a map.
 struct MapPolygon {
-  std::vector<std::array<double, 2>> corners;  ///< [m]
-  std::optional<double> value = {};            ///< without one it is grey
+  std::vector<std::array<double, 2>> corners;  ///< corners [m]
+  std::optional<double> value = {};            ///< value; a polygon without a value is grey
 };
 
 /// A map of one quantity on polygons in a square box.
@@ -21,10 +21,10 @@ struct PolygonPicture {
   std::string quantity = {};  ///< with the unit of the labels
   double unit_size = 1.0;     ///< unit of the labels in the unit of the values
   ColourScale scale = ColourScale::linear;
-  double side = 0.0;         ///< of the box [m], from the origin to (side, side)
+  double side = 0.0;         ///< side of the box [m], which reaches from the origin to (side, side)
   bool is_periodic = false;  ///< whether the parts beyond a side are drawn again at the opposite one
   DrawnLoad load = DrawnLoad::none;
-  std::vector<MapPolygon> polygons = {};  ///< later ones are drawn above earlier ones
+  std::vector<MapPolygon> polygons = {};  ///< polygons; later ones are drawn above earlier ones
 };
 
 /// SVG with a map of the polygons, a colour bar, and the smallest and largest value of its pixels. The map has 1000 x

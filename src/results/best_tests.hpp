@@ -6,7 +6,7 @@
 
 namespace breccia {
 
-/// Of each load and boundary condition of a stage the preferred test (is_preferred), in the order of the tests.
+/// The preferred test (is_preferred) for each load and boundary condition of a stage, in the order of the tests.
 std::vector<const TestResult*> best_tests(const StageFindings& stage);
 
 }  // namespace breccia

@@ -19,10 +19,10 @@ namespace fs = std::filesystem;
 
 constexpr auto file_of_checksums = "checksums.txt";
 
-/// What is between the hash and the name of a file in a line.
+/// The text between the hash and the name of a file in a line.
 constexpr std::string_view gap = "  ";
 
-/// Whether a file has the hash that it had.
+/// Whether a file still has this hash.
 bool is_unchanged(const fs::path& file, std::string_view hash) {
   std::error_code is_missing;
   return fs::is_regular_file(file, is_missing) && content_hash_of(file) == hash;
@@ -39,7 +39,7 @@ bool is_whole(const fs::path& checksums) {
   }
 }
 
-/// A file of the results and the hash that it had.
+/// A file of the results and its hash when the list was written.
 struct Checksum {
   std::string hash, name;
 };
@@ -51,7 +51,7 @@ std::vector<Checksum> lines_of(const fs::path& checksums) {
     const auto end = line.find(gap);
     if (end == std::string::npos) continue;
     auto name = line.substr(end + gap.size());
-    // No file beyond the directory is read for a list from someone else.
+    // The list may be from someone else: no file outside of the directory is read because of it.
     if (is_file_of_a_study(name)) all.push_back({line.substr(0, end), std::move(name)});
   }
   return all;

@@ -12,12 +12,12 @@ namespace breccia {
 /// Throws FileError.
 void write_checksums(const std::filesystem::path& directory, const std::vector<std::string>& stages);
 
-/// The names of the files that are missing or have other bytes than when `checksums.txt` was written, and that of this
-/// file itself if it was changed; nothing if there is no such file. Throws FileError where a file cannot be read.
+/// The names of the files that are missing or have other bytes than when `checksums.txt` was written, and the name of
+/// that file itself if it was changed; nothing if it does not exist. Throws FileError where a file cannot be read.
 std::optional<std::vector<std::string>> damaged_files(const std::filesystem::path& directory);
 
-/// The names of the files that have the bytes of then, that of `checksums.txt` among them; none if it is missing or was
-/// changed itself. Throws FileError where a file cannot be read.
+/// The names of the files that have the same bytes as when `checksums.txt` was written, including that file; none if it
+/// is missing or was changed itself. Throws FileError where a file cannot be read.
 std::vector<std::string> unchanged_files(const std::filesystem::path& directory);
 
 }  // namespace breccia

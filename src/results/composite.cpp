@@ -34,7 +34,7 @@ class Chooser {
   Chooser(std::string place, const std::vector<StageSeries>& series, CompositeChoice choice)
       : place_(std::move(place)), series_(series), choice_(std::move(choice)) {}
 
-  /// The choice with nothing left open.
+  /// The complete choice, with defaults for what was not chosen.
   CompositeChoice resolved() {
     choose_stage();
     if (!mistakes_.empty()) refuse();
@@ -77,7 +77,7 @@ class Chooser {
       return;
     }
     if (loads.empty()) {
-      if (!mistakes_.empty()) return;  // of the boundary condition
+      if (!mistakes_.empty()) return;  // a mistake in the boundary condition
       mistakes_.push_back(fmt::format("{}: stage {} was not tested in shear", place_, choice_.stage));
       return;
     }
@@ -130,7 +130,7 @@ std::string binder_of_chain(const StudyContent& content, std::string name) {
   return name;
 }
 
-/// Density and temperature shift of the composite.
+/// Adds the density and the temperature shift of the composite.
 void add_materials(const StudyContent& content, const StageContent& stage, const std::string& place,
                    Composite& composite) {
   const auto& binder = material_of(content, binder_of_chain(content, stage.name), place);

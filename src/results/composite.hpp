@@ -17,43 +17,44 @@
 
 namespace breccia {
 
-/// Which of the results of a study are meant. What is not chosen is taken where there is no choice: the last stage that
-/// was tested, the only boundary condition, the shear under the load `shear` or else the only one.
+/// A choice among the results of a study. The defaults are the last stage that was tested, the only boundary condition,
+/// and the shear modulus under the load `shear` or else the only one.
 struct CompositeChoice {
-  std::string stage = {};  ///< empty: the last one
+  std::string stage = {};  ///< name of the stage; empty: the last one
   std::optional<Boundary> boundary = {};
   std::optional<Load> shear_load = {};
 };
 
 /// The moduli of a composite.
 struct Composite {
-  std::string title;  ///< of the study
+  std::string title;  ///< title of the study
   std::string stage;
   Boundary boundary = Boundary::displacement;
   Load shear_load = Load::shear;
   int dimensions = 2;
-  double density = 0.0;                     ///< of the stage with all that is in its matrix [kg/m^3]
+  double density = 0.0;                     ///< density of the stage with everything in its matrix [kg/m^3]
   PronySeries shear;                        ///< G(t) [Pa]
-  std::optional<PronySeries> dilatational;  ///< of the bulk test: K(t), in plane strain K(t) + G(t)/3 [Pa]
-  std::optional<TemperatureShift> shift;    ///< of the binder, where nothing else of the composite relaxes
-  TimeWindow times;                         ///< of the study [s]
+  std::optional<PronySeries> dilatational;  ///< modulus of the bulk test: K(t), in plane strain K(t) + G(t)/3 [Pa]
+  std::optional<TemperatureShift> shift;    ///< shift of the binder, if no other material of the composite relaxes
+  TimeWindow times;                         ///< first and last time of the study [s]
 
-  /// K(t) [Pa], where there was a bulk test; in plane strain a difference, whose terms may be negative.
+  /// K(t) [Pa], where there was a bulk test. In plane strain it is a difference, whose terms may be negative.
   [[nodiscard]] std::optional<PronySeries> bulk() const;
 };
 
-/// "displacement boundary (upper bound)", "periodic boundary".
+/// A boundary condition in words: "displacement boundary (upper bound)", "periodic boundary".
 std::string boundary_in_words(Boundary boundary);
 
-/// What a stage is made of.
+/// The content of a stage.
 struct StageContent {
   std::string name;
-  std::string matrix;  ///< an earlier stage or a material
+  std::string matrix;  ///< name of an earlier stage or a material
   int dimensions = 2;
-  std::vector<FillerShare> shares = {};  ///< of the fillers and coatings, with those of the stages in its matrix
+  /// Shares of the fillers and coatings, including those of the stages in its matrix.
+  std::vector<FillerShare> shares = {};
 };
 
-/// What is known of a study beside its moduli.
+/// The content of a study, apart from its moduli.
 struct StudyContent {
   std::string title;
   TimeWindow times = {};  ///< [s]
@@ -72,12 +73,12 @@ struct StageSeries {
   PronySeries series = {};
 };
 
-/// Of each load and boundary condition of a stage the series of the preferred test (is_preferred).
+/// The series of the preferred test (is_preferred) for each load and boundary condition of a stage.
 std::vector<StageSeries> series_of(const StageFindings& stage);
 
-/// The composite that a choice among the series of a study means. Throws InputError with every mistake in the choice,
-/// with what there is to choose from; each line begins with `place`, the name of the results. Throws FileError where
-/// the content lacks a stage or a material.
+/// The composite that is chosen among the series of a study. Throws InputError with every mistake in the choice and
+/// with the possible choices; each line begins with `place`, the name of the results. Throws FileError where the
+/// content lacks a stage or a material.
 Composite composite_of(const StudyContent& content, const std::vector<StageSeries>& series,
                        const CompositeChoice& choice, const std::string& place);
 

@@ -7,8 +7,8 @@
 
 namespace breccia {
 
-/// Writes the storage and loss moduli of the series of prony.csv, at the frequencies of `rows`;
-/// no file where there is no series. Throws FileError.
+/// Writes the storage and loss moduli of the series of prony.csv, at the frequencies of `rows`. Writes no file if there
+/// is no series. Throws FileError.
 void write_dynamic_curves(const std::filesystem::path& file, const StudyResult& result, const FrequencyRows& rows);
 
 }  // namespace breccia

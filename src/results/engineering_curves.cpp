@@ -15,7 +15,7 @@ struct TestPair {
   const TestResult* bulk;
 };
 
-/// Of each boundary condition the pair with the load `shear`, or else with the first load of shear.
+/// The pairs for each boundary condition: with the load `shear`, or else with the first load of shear.
 std::vector<TestPair> pairs_of(const StageFindings& stage) {
   const auto best = best_tests(stage);
   std::vector<TestPair> pairs;

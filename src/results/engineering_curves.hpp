@@ -29,9 +29,9 @@ struct ComplexEngineeringSample {
 
 /// The moduli of a stage under one boundary condition.
 struct EngineeringCurves {
-  TestId test;                                         ///< in shear
-  std::vector<EngineeringSample> in_time;              ///< at the times of this test
-  std::vector<ComplexEngineeringSample> in_frequency;  ///< at the frequencies that were asked for, rising
+  TestId test;                                         ///< the test in shear
+  std::vector<EngineeringSample> in_time;              ///< samples at the times of this test
+  std::vector<ComplexEngineeringSample> in_frequency;  ///< samples at the requested frequencies, rising
 };
 
 /// The curves of each boundary condition under which a stage was tested in shear and in bulk by the same method on the

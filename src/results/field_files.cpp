@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A map of the points, and the sum over them of the value that tells the unit of its labels.
+/// A map of the points, and the sum over them of the value that determines the unit of its labels.
 struct PointMap {
   explicit PointMap(std::size_t columns) : means(columns, most_map_columns) {}
 
@@ -85,7 +85,7 @@ class FieldsOfSquare {
     for (const auto& u : piece.displacement) append(displacement, {u[0], u[1], 0.0});
     for (const auto& e : piece.strain) append(strain, {e[0], e[1], 0.0, e[2], 0.0, 0.0});
     for (const auto& s : piece.stress) append(stress, {s[0], s[1], s[2], s[3], 0.0, 0.0});
-    // The phases of points are those of a stage, which are few: mixtures have been told apart by their largest part.
+    // The phases of points fit into a byte, because a stage has few: a mixture counts as its largest part.
     file_.write("material", first, std::vector<std::uint8_t>(piece.phase.begin(), piece.phase.end()));
     file_.write("displacement_m", first, displacement);
     file_.write("strain", first, strain);
@@ -108,7 +108,7 @@ class FieldsOfSquare {
   std::size_t columns_;
   VtkhdfFile file_;
   PointMap stress_, strain_;
-  std::vector<std::uint8_t> phases_;  ///< of the first point of each square of the maps
+  std::vector<std::uint8_t> phases_;  ///< phases of the first point of each square of the maps
 };
 
 /// Whether a name is this stem, alone or with a dash and a number.

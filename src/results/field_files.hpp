@@ -11,9 +11,9 @@
 
 namespace breccia {
 
-/// Names of the files of the fields that a test of the first load leaves at some times [s]. Those of the first boundary
-/// and method at the last time are `fields.vtkhdf`; the names of others tell their boundary and method, and the place
-/// of an earlier time.
+/// Names of the files of the fields that a test of the first load saves at some times [s]. The file for the first
+/// boundary and method at the last time is `fields.vtkhdf`; other names contain the boundary and the method, and the
+/// number of an earlier time.
 std::vector<FieldRecord> field_records(const Study& study, const TestId& test, const std::vector<double>& times);
 
 /// Writes the fields of a test to the directory of its stage, as VTKHDF and as pictures of stress and strain, to files
@@ -25,7 +25,7 @@ std::vector<FieldRecord> write_fields(const std::filesystem::path& directory, co
 /// Copies the files of the fields of a stage from one directory to another. Throws FileError.
 void copy_fields(const std::filesystem::path& from, const std::filesystem::path& to, const StageRecord& stage);
 
-/// Whether this is the name of such a file.
+/// Whether this is the name of a file of fields.
 bool is_of_fields(std::string_view name);
 
 }  // namespace breccia

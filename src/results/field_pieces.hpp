@@ -11,10 +11,10 @@
 
 namespace breccia {
 
-/// Brings fields, of which each process has those of its cells, to the first process in pieces, in the order of the
-/// lattice, so that no process holds all of them. Calls begin() there, then take(place of the first value, piece) for
-/// one piece after the other, then finish(). Every process must call it; what these functions throw is thrown at the
-/// end, on all processes.
+/// Brings fields, whose values are spread over the processes cell by cell, to the first process in pieces, in the order
+/// of the lattice, so that no process holds all of them. Calls begin() there, then take(index of the first value,
+/// piece) for one piece after the other, then finish(). Every process must call the function; exceptions of these
+/// functions are thrown at the end, on all processes.
 template <int dim, class Begin, class Take, class Finish>
 void collect_fields(const Grid<dim>& grid, const LatticeFields<dim>& own, const Begin& begin, const Take& take,
                     const Finish& finish) {

@@ -32,7 +32,7 @@ Strain<2> in_plane_strain(const FilmCell& cell) {
   return {.xx = cell.strain[0], .yy = cell.strain[1], .xy = cell.strain[2]};
 }
 
-/// The mean over the box of what a cell has.
+/// The mean over the box of a value of the cells.
 double mean_of(const FilmFields& fields, const std::function<double(const FilmCell&)>& of_cell) {
   double sum = 0.0, area = 0.0;
   for (const auto& cell : fields.cells) {
@@ -78,7 +78,7 @@ void write_vtkhdf(const fs::path& path, const TimedFilmFields& timed) {
                         {{"displacement_m", 3, std::move(displacement)}}, {{"time_s", time}});
 }
 
-/// What a map shows in each cell, which is grey where that is nothing.
+/// The value that a map shows in each cell; a cell without a value is grey.
 struct MapOfCells {
   std::function<std::optional<double>(const FilmCell&)> value_of;
   FieldQuantity quantity;

@@ -20,8 +20,8 @@ constexpr auto times_dataset = "/history/time_s";
 constexpr auto modulus_dataset = "/history/modulus_Pa";
 constexpr auto compliance_dataset = "/history/compliance_1_per_Pa";
 
-/// Numbers of intervals of an outline, with two samples each: before time zero, and after it on a linear and on a
-/// logarithmic axis.
+/// Numbers of the intervals of an outline, which have two samples each: before time zero, and after it on a linear and
+/// on a logarithmic axis.
 constexpr int parts_before = 30;
 constexpr int parts_after = 250;
 constexpr int parts_per_decade = 60;

@@ -15,7 +15,7 @@ namespace breccia {
 /// domains are numbered from 1.
 std::string history_file(std::string_view load, std::string_view boundary, int cells, std::size_t number);
 
-/// Whether this is the name of such a file.
+/// Whether this is the name of a file with a history.
 bool is_history(std::string_view name);
 
 /// Writes the history of one time domain to the directory of its stage (docs/results.md). Throws FileError.
@@ -29,7 +29,7 @@ void write_histories(const std::filesystem::path& directory, const Study& study,
 /// A history from a file.
 struct StoredHistory {
   std::string deck_hash;
-  std::vector<double> times;   ///< since the middle of the ramp [s]
+  std::vector<double> times;   ///< times since the middle of the ramp [s]
   std::vector<double> values;  ///< modulus [Pa], or compliance under a traction boundary [1/Pa]
 };
 

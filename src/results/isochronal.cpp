@@ -38,10 +38,10 @@ double celsius(double kelvin) {
   return kelvin - zero_celsius;
 }
 
-/// Those covered that are within 100 K of the temperature of the study, from a multiple of the step in degrees Celsius.
-/// Where all that are covered are further away, all of them.
+/// The covered temperatures within 100 K of the temperature of the study, from a multiple of the step in degrees
+/// Celsius; all covered temperatures if they are further away.
 TemperatureRange default_temperatures(const Composite& composite, const TemperatureRange& covered, double step) {
-  constexpr double near = 100.0;  // [K]; a law of shift is measured over less
+  constexpr double near = 100.0;  // distance [K]; shift laws are measured over smaller ranges
   TemperatureRange range = {std::max(covered.begin, composite.shift->temperature - near),
                             std::min(covered.end, composite.shift->temperature + near)};
   if (range.begin >= range.end) range = covered;
@@ -56,7 +56,8 @@ double hertz(double omega) {
 
 TemperatureRange temperatures_covered(const Composite& composite, double omega) {
   const auto law = law_of(composite);
-  constexpr double hottest = 2000.0;  // beyond any polymer; the law may never reach the slowest frequency
+  // Temperature beyond the use of any polymer [K]; the law may never reach the slowest frequency.
+  constexpr double hottest = 2000.0;
   const TemperatureRange covered = {temperature_at(law, -std::log10(omega * composite.times.begin)),
                                     std::min(temperature_at(law, -std::log10(omega * composite.times.end)), hottest)};
   if (covered.begin < covered.end) return covered;

@@ -24,7 +24,7 @@ template <class Struct, class Value>
 struct Field {
   const char* key;
   Value Struct::*member;
-  bool is_left_out_if_empty;  ///< an optional member that is empty; otherwise the file has a null
+  bool is_left_out_if_empty;  ///< whether a file leaves out an optional member that is empty; otherwise it has a null
 };
 
 template <class Struct, class Value>
@@ -32,7 +32,7 @@ constexpr Field<Struct, Value> field(const char* key, Value Struct::*member) {
   return {key, member, false};
 }
 
-/// A field that a file does not have where it is empty.
+/// A field that a file leaves out where it is empty.
 template <class Struct, class Value>
 constexpr Field<Struct, std::optional<Value>> field_if_any(const char* key, std::optional<Value> Struct::*member) {
   return {key, member, true};
@@ -46,7 +46,8 @@ inline constexpr std::nullptr_t fields = nullptr;
 template <class Struct>
 concept HasFields = !std::is_same_v<decltype(fields<Struct>), const std::nullptr_t>;
 
-/// Writes and reads a type that is no struct of fields; a type defines its own `write(value)` and `read(json)`.
+/// Writes and reads a type that is not a struct of fields: a specialisation for the type defines `write(value)` and
+/// `read(json)`.
 template <class Value>
 struct JsonForm {};
 
@@ -55,7 +56,7 @@ concept HasJsonForm = requires(const Value& value) {
   JsonForm<Value>::write(value);
 };
 
-/// A value into which fields are read; a type without a default value defines its own.
+/// A value into which fields are read; a type without a default value specialises it.
 template <class Value>
 [[nodiscard]] Value blank_value() {
   return {};
@@ -76,8 +77,8 @@ void add_fields(nlohmann::ordered_json& object, const Struct& value) {
   std::apply([&](const auto&... field) { (add(field), ...); }, fields<Struct>);
 }
 
-/// Reads the fields of a struct from an object. Throws an exception of nlohmann::json, or InputError, where one is
-/// missing or is of another type.
+/// Reads the fields of a struct from an object. Throws an exception of nlohmann::json, or InputError, where a field is
+/// missing or has another type.
 template <HasFields Struct>
 void read_fields(const nlohmann::ordered_json& object, Struct& value) {
   const auto read = [&](const auto& field) {

@@ -69,10 +69,10 @@ bool has_shift(CardFormat format) {
   return true;
 }
 
-/// The bulk modulus of a card, and where it is from.
+/// The bulk modulus of a card, and its origin.
 struct BulkOfCard {
   PronySeries series;
-  bool is_computed = false;  ///< by a bulk test
+  bool is_computed = false;  ///< whether it comes from a bulk test
   std::string origin;
 };
 
@@ -138,9 +138,9 @@ std::string percent(double share) {
   return fmt::format("{:.2g} %", 100.0 * share);
 }
 
-/// The modulus that a card keeps for ever is at least this share of the tolerance times the modulus at the last time.
-/// Shares of a modulus that relaxes to nothing would sum to one and, when they are read, to a little more: a solid of
-/// negative stiffness.
+/// The equilibrium modulus of a card is at least this share of the tolerance times the modulus at the last time. The
+/// shares of a modulus that relaxes to zero would add up to one and, when they are read, to a little more: to a solid
+/// of negative stiffness.
 constexpr double share_that_stays = 1e-2;
 
 PronySeries with_equilibrium(const PronySeries& series, double last_time, double share) {
@@ -173,7 +173,7 @@ void refuse_terms(const PronyReduction& terms, const BulkOfCard& bulk, const Car
                   percent(settings.tolerance)));
 }
 
-/// The rows of a table of shift factors, which no format has a place for.
+/// Appends the rows of a table of shift factors as text, since no format has a place for them.
 void append_shift_table(const ShiftTable& shift, double temperature, std::vector<std::string>& lines) {
   const auto table = with_reference(shift, temperature);
   lines.push_back(
@@ -216,7 +216,7 @@ std::vector<std::string> origin_of(const Composite& composite, const CardSetting
   return lines;
 }
 
-/// What is hardly meant by the one who gives a bulk modulus or Poisson's ratio.
+/// Warnings about a given bulk modulus or Poisson's ratio that is implausible.
 std::vector<std::string> warnings_on(const MaterialCard& card) {
   std::vector<std::string> warnings;
   const auto check = [&](double bulk, double shear, const char* when) {
@@ -251,7 +251,7 @@ MaterialCard in_units(MaterialCard card, CardUnits units) {
 
 std::size_t most_terms(CardFormat format) {
   constexpr std::size_t of_ansys = 100;
-  constexpr std::size_t of_ls_dyna = 18 - 1;  // one is the modulus at infinite time
+  constexpr std::size_t of_ls_dyna = 18 - 1;  // one of the terms is the modulus at infinite time
   if (format == CardFormat::ansys) return of_ansys;
   return format == CardFormat::ls_dyna ? of_ls_dyna : std::numeric_limits<std::size_t>::max();
 }

@@ -36,29 +36,31 @@ template <>
 inline constexpr auto words<CardUnits> = std::to_array<Word<CardUnits>>({{"m-kg-s", CardUnits::m_kg_s},
                                                                          {"mm-t-s", CardUnits::mm_t_s}});
 
-/// How a card is made.
+/// The settings of a card.
 struct CardSettings {
   CardFormat format = CardFormat::csv;
   CardUnits units = CardUnits::m_kg_s;
   double tolerance = 0.01;               ///< largest relative deviation of G(t) and K(t) from the results [-]
-  std::optional<TimeWindow> times = {};  ///< in which it holds [s]; by default the times of the study
+  std::optional<TimeWindow> times = {};  ///< times in which the card holds [s]; by default the times of the study
   std::optional<double> bulk = {};       ///< an elastic bulk modulus [Pa], in place of that of the bulk test
-  std::optional<double> poisson = {};    ///< or a constant Poisson's ratio
+  std::optional<double> poisson = {};    ///< a constant Poisson's ratio [-], in place of the bulk test
 };
 
 /// An isotropic viscoelastic solid for a finite element program.
 struct MaterialCard {
   std::string name;                  ///< of letters, digits and "_", beginning with a letter
-  std::string pressure_unit = "Pa";  ///< of the moduli; other quantities are in the same system
+  std::string pressure_unit = "Pa";  ///< unit of the moduli; other quantities are in the same system of units
   double density = 0.0;
-  PronySeries shear;                              ///< G(t), without negative terms
-  PronySeries bulk;                               ///< K(t), the same, with relaxation times of the same list
-  std::optional<WilliamsLandelFerry> shift = {};  ///< its reference is the temperature of the moduli; no table
-  TimeWindow times;                               ///< in which the moduli hold [s]
-  double shear_deviation = 0.0;                   ///< largest relative one of G(t) from the results [-]
-  std::optional<double> bulk_deviation = {};      ///< of K(t); nothing where it was given
-  std::vector<std::string> origin = {};           ///< lines that say where it is from and what it assumes
-  std::vector<std::string> warnings = {};         ///< on what is hardly meant, such as a wrong unit; in `origin`, too
+  PronySeries shear;  ///< G(t), without negative terms
+  PronySeries bulk;   ///< K(t), without negative terms, with relaxation times of the same list
+  /// Shift law, whose reference is the temperature of the moduli; tables have no place in a card.
+  std::optional<WilliamsLandelFerry> shift = {};
+  TimeWindow times;                           ///< times in which the moduli hold [s]
+  double shear_deviation = 0.0;               ///< largest relative deviation of G(t) from the results [-]
+  std::optional<double> bulk_deviation = {};  ///< largest relative deviation of K(t) [-]; nothing where K was given
+  std::vector<std::string> origin = {};       ///< lines about the origin of the card and its assumptions
+  /// Warnings about implausible values, such as those with a wrong unit; in `origin`, too.
+  std::vector<std::string> warnings = {};
 };
 
 /// The largest number of Maxwell terms of a card.

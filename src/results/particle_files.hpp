@@ -12,7 +12,7 @@ namespace breccia {
 /// are any, to `polygons.csv`. Throws FileError.
 void write_particles(const std::filesystem::path& directory, const Stage& stage, const ParticleBox& box);
 
-/// The same for ellipsoids, to `microstructure.csv`.
+/// Writes ellipsoids to `microstructure.csv` in the form that an explicit packing reads. Throws FileError.
 void write_ellipsoids(const std::filesystem::path& directory, const Stage& stage, const EllipsoidBox& box);
 
 }  // namespace breccia

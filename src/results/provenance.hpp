@@ -9,8 +9,8 @@
 
 namespace breccia {
 
-/// Writes `study.json` to a directory: what was asked for, how every number was made, and what the directory tells of
-/// the stages beside it. Throws FileError.
+/// Writes `study.json` to a directory: the request, the origin of every number, and further records of the stages.
+/// Throws FileError.
 void write_provenance(const std::filesystem::path& directory, const Study& study, const StudyResult& result,
                       const StageRecords& records = {});
 

@@ -14,7 +14,7 @@ struct ResponseDestination {
   std::string matrix;                         ///< description of the new matrix
   std::string study;                          ///< hash of the study with the reduced responses
   std::vector<std::filesystem::path> inputs;  ///< the files that the curves were computed from
-  bool overwrite = false;  ///< whether curves of another matrix, study, stage or time window may be replaced
+  bool overwrite = false;  ///< whether curves with another matrix, study, stage or time window may be replaced
 };
 
 /// Writes `curves.csv`, `prony.csv`, `quality.csv`, `compliance.csv` (for creep tests) and `respond.json`, with the

@@ -22,10 +22,11 @@
 namespace breccia {
 namespace {
 
-/// Format of a file in which the moduli of the matrix alone vary, and of one with other phases that vary.
+/// The number of the format of a file in which the moduli of the matrix alone vary, and of a file with other varying
+/// phases.
 constexpr std::int64_t format_of_matrix = 4, format_of_phases = 5;
 
-/// The attribute of a file that ends with a seal; files of older versions have neither.
+/// The name of the attribute of a file that ends with a seal; files of older versions have neither.
 constexpr auto sealed_attribute = "sealed";
 
 void write_matrix(Hdf5Writer& file, const std::string& name, const Eigen::MatrixXd& matrix) {
@@ -206,7 +207,7 @@ std::map<std::string, Material> read_materials(const Hdf5Reader& file, const std
   return by_phase;
 }
 
-/// Throws FileError unless every response has a material for each phase that varies beside the matrix.
+/// Throws FileError unless every response has a material for each varying phase other than the matrix.
 void require_materials(const StageResponses& stored, const Group& root) {
   for (const auto& [grid, response] : stored.entries) {
     auto names = response.phases();
@@ -231,7 +232,7 @@ std::vector<StageResponses::Entry> read_entries(const Group& group, Boundary bou
   return entries;
 }
 
-/// What the attributes of the file tell of the stage, all but its responses.
+/// The stage from the attributes of the file, without its responses.
 StageResponses read_stage(const Group& root) {
   const auto number = [&root](const char* name) { return root.file.attribute<double>("/", name); };
   const auto text = [&root](const char* name) { return root.file.attribute<std::string>("/", name); };
@@ -246,7 +247,7 @@ StageResponses read_stage(const Group& root) {
   stored.filler_fraction = number("filler_fraction");
   stored.side = number("box_m");
   root.require(stored.side > 0.0 && std::isfinite(stored.side), "the side of a box");
-  // Files from before there were three have no such number.
+  // Files of versions that had no three dimensions lack this number.
   if (root.file.has_attribute("/", "dimensions")) {
     const auto dimensions = root.file.attribute<std::int64_t>("/", "dimensions");
     root.require(accepts(allowed::dimensions, static_cast<double>(dimensions)), "2 or 3 dimensions");

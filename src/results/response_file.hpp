@@ -11,11 +11,11 @@ namespace breccia {
 /// Writes the reduced responses of a stage to `response.h5` in a directory, unless there are none. Throws FileError.
 void write_responses(const std::filesystem::path& directory, const StageResponses& responses);
 
-/// Reads such a file. Throws FileError when it cannot be read or does not have this format, and DamagedFile
-/// (io/seal.hpp) when it has changed since it was written.
+/// Reads the reduced responses of a stage from a file. Throws FileError when it cannot be read or does not have the
+/// format of write_responses(), and DamagedFile (io/seal.hpp) when it has changed since it was written.
 StageResponses read_responses(const std::filesystem::path& file);
 
-/// A note for the user where such a file has no checksum, as those of older versions. Throws FileError.
+/// A note for the user where a file of responses has no checksum, like those of older versions. Throws FileError.
 std::optional<std::string> note_on_responses(const std::filesystem::path& file);
 
 }  // namespace breccia

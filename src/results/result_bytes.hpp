@@ -8,8 +8,9 @@
 
 namespace breccia {
 
-// Results as bytes, from which the same bits are made again, for what keeps them beside the files of a run. Fields of
-// tests and the records of their computation are left out. Reading throws FileError where the bytes are none of these.
+// Results as bytes, from which bitwise identical results can be made again, for callers that keep results in another
+// form than the files of a run. Fields of tests and the records of their computation are left out. Reading throws
+// FileError where the bytes do not have this form.
 
 std::string bytes_of(const TestResult& test);
 std::string bytes_of(const StageFindings& stage);

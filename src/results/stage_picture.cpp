@@ -37,7 +37,7 @@ std::string picture_of_plane(const LabelImage<2>& plane, const std::string& cont
                                           names[static_cast<std::size_t>(normal)]));
 }
 
-/// The picture of a box by what fills it; of a cube that of the plane through its middle with this normal.
+/// The picture of a box: a visitor of its content. For a cube it shows the plane through its middle with this normal.
 struct PictureOf {
   const Stage& stage;
   Axis normal;

@@ -8,8 +8,8 @@
 
 namespace breccia {
 
-/// SVG picture of what is in the box of a stage, seen from above; of a box of three dimensions the plane through its
-/// middle with this normal.
+/// SVG picture of the content of the box of a stage, seen from above; in three dimensions a picture of the plane
+/// through its middle with this normal.
 std::string stage_picture(const Stage& stage, const StageMicrostructure& microstructure, Axis normal = Axis::z);
 
 }  // namespace breccia

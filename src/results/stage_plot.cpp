@@ -16,15 +16,16 @@
 namespace breccia {
 namespace {
 
-/// A relaxation modulus that stands beside those of the tests.
+/// A relaxation modulus that is drawn for comparison with those of the tests.
 struct ReferenceCurve {
   std::string label;
   Curve modulus;
-  std::optional<Boundary> boundary;  ///< of the tests that it belongs to; none: of no test, but measured
+  std::optional<Boundary>
+      boundary;  ///< boundary condition of the tests to which it belongs; nothing for a measured modulus
 };
 
-/// Places in the palette: blue, red and green for the boundaries, others for the second shear test, black for what was
-/// measured.
+/// Index in the palette: blue, red and green for the boundaries, other colours for the second shear test, black for
+/// measured moduli.
 std::size_t colour_of(Boundary boundary, Load load) {
   return static_cast<std::size_t>(boundary) + (load == Load::diagonal_shear ? 3U : 0U);
 }
@@ -46,7 +47,7 @@ std::string label_of(const Study& study, const TestResult& test) {
   return label;
 }
 
-/// The curves of a stage that `shown` accepts, of each load, boundary and method that of the preferred test.
+/// The curves of a stage that `shown` accepts; for each load, boundary and method the curve of the preferred test.
 template <class Shown>
 ModulusPlot plot_of(const Study& study, const Stage& stage, const StageResult& result, const Shown& shown) {
   ModulusPlot plot;
@@ -71,7 +72,7 @@ ModulusPlot plot_of(const Study& study, const Stage& stage, const StageResult& r
   return plot;
 }
 
-/// The matrix of a stage, for every boundary its own where an earlier stage made it, and what was measured.
+/// The moduli of the matrix of a stage, one for every boundary where it is an earlier stage, and the measured moduli.
 std::vector<ReferenceCurve> references(const Study& study, const Stage& stage, const StudyResult& result) {
   std::vector<ReferenceCurve> curves;
   const bool is_one = std::holds_alternative<Material>(stage.matrix);

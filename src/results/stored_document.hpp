@@ -12,7 +12,7 @@ namespace breccia {
 /// The materials of a study from its record.
 std::vector<ShiftedMaterial> materials_of(const StudyDocument& document);
 
-/// What is known of a study beside its moduli.
+/// The content of a study, apart from its moduli, from its record.
 StudyContent content_of(const StudyDocument& document);
 
 }  // namespace breccia

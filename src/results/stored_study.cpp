@@ -26,7 +26,8 @@ namespace fs = std::filesystem;
   throw FileError(fmt::format("{}: not as `breccia run` writes it{}", place, reason));
 }
 
-/// The test of a stage with this identity. Throws FileError, with the place that names it, where there is none.
+/// The test of a stage with this identity. Throws FileError, with the location that names the test, where there is
+/// none.
 TestResult& test_in(std::vector<StageFindings>& stages, const std::string& stage, const TestId& id,
                     const std::string& place) {
   for (auto& one : stages) {
@@ -36,7 +37,8 @@ TestResult& test_in(std::vector<StageFindings>& stages, const std::string& stage
   refuse(place, ": curves.csv has no such test");
 }
 
-/// What a row of a table of samples tells of its test; the table of extrapolated curves has no column of grids.
+/// The identity of the test to which a row of a table of samples belongs. The table of extrapolated curves has no
+/// column of grids.
 TestId id_of_row(const CsvTable& table, std::size_t row) {
   const auto load = table.has("load") ? value_named<Load>(table.text("load")[row]) : Load::shear;
   const auto boundary = value_named<Boundary>(table.text("boundary")[row]);
@@ -104,7 +106,7 @@ void add_series(const fs::path& directory, std::vector<StageFindings>& stages) {
   }
 }
 
-/// Error and wall time of the computation of a test.
+/// Takes the error and the wall time of the computation of a test from its record.
 struct TakeRecord {
   TestResult& test;
 

@@ -11,14 +11,14 @@
 
 namespace breccia {
 
-/// The results of a study as its directory has them.
+/// The results of a study, read from its directory.
 struct StoredStudy {
   StudyContent content = {};
-  /// Without fields, the stages as materials, and records of the computation. Of the series there are those of the
-  /// preferred tests (is_preferred); those of others are empty.
+  /// The results of the stages, without fields, the stages as materials, and records of the computation. Only the
+  /// preferred tests (is_preferred) have series; those of other tests are empty.
   std::vector<StageFindings> stages = {};
   std::optional<double> seconds = {};          ///< wall time of the complete study [s]
-  std::vector<StageResponses> responses = {};  ///< of the stages that have left some
+  std::vector<StageResponses> responses = {};  ///< responses of the stages that have stored some
 };
 
 /// Reads `study.json`, the tables of curves and the reduced responses in a directory of results, complete or not.

@@ -36,7 +36,7 @@ ShiftLaw law_of(ShiftEntry entry) {
   return ShiftTable(*std::move(entry.temperatures), *std::move(entry.log10_factors), entry.reference);
 }
 
-/// Throws InputError if study.json contains a name that no run gives: it could refer to any file that the user of the
+/// Throws InputError if study.json contains a name that no run writes: it could refer to any file that the user of the
 /// results can read.
 void require_written(const std::string& name, bool is_as_written) {
   if (!is_as_written) {

@@ -47,7 +47,7 @@ inline constexpr auto fields<LinearEffort> = std::tuple(field("unknowns", &Linea
                                                         field("iterations", &LinearEffort::iterations),
                                                         field("most_iterations", &LinearEffort::most_iterations),
                                                         field("largest_residual", &LinearEffort::largest_residual));
-/// With the method of the solver.
+/// The object in the file also has the method of the solver.
 template <>
 struct JsonForm<LinearEffort> {
   static nlohmann::ordered_json write(const LinearEffort& effort);
@@ -152,7 +152,7 @@ inline constexpr auto fields<FieldRecord> = std::tuple(field("time_s", &FieldRec
                                                        field("file", &FieldRecord::file),
                                                        field("stress_picture", &FieldRecord::stress_picture),
                                                        field("strain_picture", &FieldRecord::strain_picture));
-/// With the picture of the work, where there is one.
+/// The object in the file also has the picture of the work, where there is one.
 template <>
 struct JsonForm<FieldRecord> {
   static nlohmann::ordered_json write(const FieldRecord& files);
@@ -323,8 +323,8 @@ struct StudyDocument {
   std::string deck_text = {};
   TimeWindow times = {};  ///< [s]
   std::vector<MaterialEntry> materials = {};
-  std::vector<std::string> stage_names = {};  ///< of all stages
-  std::vector<StageEntry> stages = {};        ///< those that are packed
+  std::vector<std::string> stage_names = {};  ///< names of all stages
+  std::vector<StageEntry> stages = {};        ///< the stages that are packed
 };
 template <>
 inline constexpr auto fields<StudyDocument> = std::tuple(

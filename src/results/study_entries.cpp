@@ -22,7 +22,7 @@
 namespace breccia {
 namespace {
 
-/// A number that a file may have; nothing where it is infinite, as the gap without two particles.
+/// A number for a file; nothing where it is infinite, like the gap of a box without two particles.
 std::optional<double> if_finite(double value) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
@@ -31,7 +31,7 @@ MaterialEntry entry_of(const Material& material) {
   return {.name = material.name, .density = material.density, .bulk = material.bulk, .shear = material.shear};
 }
 
-/// The moduli of the first phase, the matrix, then those of the others by name.
+/// The moduli of the first phase, the matrix, then those of the other phases by name.
 SnapshotEntry entry_of(const Snapshot& snapshot, const std::vector<std::string>& phases) {
   const auto& [moduli, error] = snapshot;
   SnapshotEntry entry{.shear = moduli.front().shear, .bulk = moduli.front().bulk};
@@ -55,11 +55,11 @@ DomainEntry entry_of(const TimeDomain& domain, std::size_t points) {
           .point_steps_per_second = domain.point_steps_per_second(points)};
 }
 
-/// The settings and the accuracy of a test, by how it was computed.
+/// The settings and the accuracy of a test: a visitor of its record.
 struct RecordEntry {
   const Tests& options;
   const TestResult& test;
-  std::size_t points;  ///< material points of the grid
+  std::size_t points;  ///< number of material points of the grid
   TestEntry& entry;
 
   void operator()(std::monostate /*unknown*/) const {}
@@ -111,7 +111,7 @@ TestEntry entry_of(const TestResult& test, const Study& study, const Stage& stag
   return entry;
 }
 
-/// All grids, or the films.
+/// All grids of a stage, or the model of films.
 std::vector<TestGrid> grids_of(const Tests& tests, const Stage& stage) {
   if (model_of(tests, stage) == Model::films) return {TestGrid::films()};
   std::vector<TestGrid> grids;
@@ -173,7 +173,7 @@ std::vector<FillerEntry> entries_of_fillers(const Stage& stage, const std::vecto
   return entries;
 }
 
-/// Adds what study.json has of the content of a box, beside the statistics that every content has.
+/// Adds the entries of study.json on the content of a box, in addition to the statistics of every content.
 struct AddContent {
   const Stage& stage;
   const StageMicrostructure& packed;
@@ -200,7 +200,7 @@ struct AddContent {
   }
   template <int dim>
   void operator()(const SharedImage<dim>& image) const {
-    entry.particles.reset();  // pixels do not tell one particle from another
+    entry.particles.reset();  // pixels do not distinguish particles
     entry.pixels.emplace(image->pixels.begin(), image->pixels.end());
     entry.pixel_side = image->pixel_side;
   }
@@ -258,7 +258,7 @@ StageEntry entry_of(const Stage& stage, const StageResult& result, const Study& 
   return entry;
 }
 
-/// Nothing without a filler.
+/// The entry on the filler of the whole composite; nothing without a filler.
 std::optional<WholeFillerEntry> entry_of(const WholeFiller& filler) {
   if (!(filler.fraction > 0.0)) return std::nullopt;
   WholeFillerEntry entry{filler.fraction, filler.mass_fraction, filler.materials, std::nullopt};

@@ -8,7 +8,8 @@
 
 namespace breccia {
 
-/// What study.json has of a study and its result so far. `records` are those of its stages, by their names.
+/// The content of study.json for a study and its result so far. `records` are the records of its stages, by their
+/// names.
 StudyDocument document_of(const Study& study, const StudyResult& result, const StageRecords& records);
 
 }  // namespace breccia

@@ -126,7 +126,7 @@ std::string difference(const StudyRecord& before, const Study& now) {
     return fmt::format("their hash is {}, that of this study {}, and not both are as a deck gives them", before.hash,
                        provenance.hash);
   }
-  // Texts may differ in comments alone, and in the sweep.
+  // The texts may differ only in comments and in the sweep.
   if (!before.deck_content_hash.empty() && before.deck_content_hash == provenance.deck_content_hash) {
     return differing_files(before.file_hashes, provenance.file_hashes);
   }

@@ -31,7 +31,7 @@ inline constexpr auto words<TaskState> = std::to_array<Word<TaskState>>({{"waiti
 /// The result of a task of a sweep.
 struct TaskResult {
   TaskState state = TaskState::waiting;
-  std::vector<TaskCurve> curves = {};  ///< of a finished task
+  std::vector<TaskCurve> curves = {};  ///< curves of a finished task
   double seconds = 0.0;                ///< wall time of its run [s]
   std::string error = {};              ///< message of a failed task
 };
@@ -48,11 +48,11 @@ std::vector<TaskCurve> read_curves(const std::filesystem::path& directory);
 /// The names of the stages that the tasks have tested, in the order of the stages.
 std::vector<std::string> tested_stages(const SweepResult& result);
 
-/// The results reduced to one curve for each boundary of a stage: under shear if that was tested, and of the tests that
-/// differ in method or grid the preferred one (is_preferred).
+/// The results reduced to one curve for each boundary of a stage: under shear if that was tested, and from the
+/// preferred test (is_preferred) where tests differ in method or grid.
 SweepResult stage_of(const SweepResult& result, const std::string& stage);
 
-/// The same for the last stage of each task.
+/// The results reduced to one curve for each boundary, as by stage_of(), of the last stage of each task.
 SweepResult last_stage_of(const SweepResult& result);
 
 }  // namespace breccia

@@ -14,9 +14,9 @@ namespace breccia {
 /// Statistics over the tasks that differ only in their seeds: the modulus of one test at one time.
 struct SeedSpread {
   double time = 0.0;                ///< [s]
-  std::size_t tasks = 0;            ///< two or more
+  std::size_t tasks = 0;            ///< number of tasks, two or more
   double mean = 0.0;                ///< [Pa]
-  double standard_deviation = 0.0;  ///< of the sample, with n - 1 in the denominator [Pa]
+  double standard_deviation = 0.0;  ///< standard deviation of the sample, with n - 1 in the denominator [Pa]
   double smallest = 0.0;            ///< [Pa]
   double largest = 0.0;             ///< [Pa]
 };

@@ -9,7 +9,7 @@
 
 namespace breccia {
 
-/// The columns of a table that tell the stage and the test of each row.
+/// The columns of a table with the stage and the test of each row.
 struct TestColumns {
   std::vector<std::string> stages, loads, boundaries, methods, cells;
 

@@ -38,7 +38,7 @@ CubeLattice lattice_of(const Grid<3>& grid) {
 }
 
 /// Values in the cells just above the middle planes, by the axis along which these are seen (FieldCutsPicture), and the
-/// mean over all cells of the value that tells the unit of their labels.
+/// mean over all cells of the value that determines the unit of their labels.
 class MiddleCuts {
  public:
   explicit MiddleCuts(const Grid<3>& grid) : grid_(grid) {
@@ -81,7 +81,7 @@ class FieldsOfCube {
   void take(std::size_t first, const CellFields<3>& piece) {
     std::vector<float> displacement;
     for (const auto& u : piece.displacement) displacement.insert(displacement.end(), u.begin(), u.end());
-    // The phases are those of a stage, which are few: mixtures have been told apart by their largest part.
+    // The phases fit into a byte, because a stage has few: a mixture counts as its largest part.
     file_.write("material", first, std::vector<std::uint8_t>(piece.phase.begin(), piece.phase.end()));
     file_.write("displacement_m", first, displacement);
     file_.write("strain", first, in_order_of_vtk(piece.strain));

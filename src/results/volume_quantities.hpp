@@ -11,12 +11,12 @@
 
 namespace breccia {
 
-/// What is drawn of a field of cells in a cube.
+/// The quantity of a field of cells in a cube that is drawn.
 struct VolumeQuantity {
-  std::string words;       ///< with the unit of the labels
+  std::string words;       ///< name of the quantity, with the unit of the labels
   double unit_size = 1.0;  ///< unit of the labels in the unit of the values
   ColourScale scale = ColourScale::linear;
-  std::vector<double> values;  ///< by cell
+  std::vector<double> values;  ///< values by cell
 };
 
 /// Components of a symmetric tensor: xx, yy, zz, yz, zx, xy.

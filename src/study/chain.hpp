@@ -15,7 +15,8 @@ const Stage* stage_of_matrix(const Study& study, const Stage& stage);
 /// The binder of a stage: its matrix if that is a material, or else the binder of the stage that is its matrix.
 const Material& binder_of(const Study& study, const Stage& stage);
 
-/// Whether the result of a stage is the matrix of another one. `Stages` is a list of what has a `matrix` (StageMatrix).
+/// Whether the result of a stage is the matrix of another one. `Stages` is a list of objects that have a `matrix`
+/// (StageMatrix).
 template <class Stages>
 bool serves_as_matrix(const Stages& stages, const std::string& stage) {
   return std::ranges::any_of(stages, [&stage](const auto& other) {

@@ -24,7 +24,7 @@ std::optional<DiameterRange> diameters_of(const Filler& filler);
 /// there are none.
 std::optional<DiameterRange> diameters_of(const Stage& stage);
 
-/// The area fraction of all fillers that a stage asks for [-]; nothing where it has none, or a filler without a
+/// The requested area fraction of all fillers of a stage [-]; nothing where the stage has no fillers, or one without a
 /// fraction.
 std::optional<double> fraction_asked_of(const Stage& stage);
 

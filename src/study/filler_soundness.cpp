@@ -35,7 +35,7 @@ bool has_ordered_cuts(const Filler& filler) {
   return !filler.smallest || !filler.largest || *filler.smallest < *filler.largest;
 }
 
-/// The bounds at which a distribution of sizes is cut; nothing else has any.
+/// Checks the bounds at which a distribution of sizes is cut; other sizes must not have any.
 void check_cuts(const Filler& filler, const std::string& part, StudyMistakes& mistakes) {
   const bool is_lognormal = std::holds_alternative<LognormalSizes>(*filler.sizes);
   const bool is_distribution = is_lognormal || std::holds_alternative<TabulatedSizes>(*filler.sizes);
@@ -53,7 +53,7 @@ void check_cuts(const Filler& filler, const std::string& part, StudyMistakes& mi
   if (!has_ordered_cuts(filler)) mistakes.add(part, "expected a smallest size below the largest size");
 }
 
-/// Which of sizes and fraction go with a packing that draws or arranges particles.
+/// Checks that a filler has the sizes and the fraction that a packing needs which draws or arranges particles.
 void check_amount(const Filler& filler, PackingName packing, const std::string& part, StudyMistakes& mistakes) {
   if (packing == PackingName::regular) {
     if (!std::holds_alternative<SingleSize>(*filler.sizes)) {
@@ -108,7 +108,7 @@ void check_shape(const Filler& filler, const Stage& stage, const std::string& pa
   }
 }
 
-/// The sizes and the fraction of grains that fill the box.
+/// Checks the sizes and the fraction of grains that fill the box.
 template <int dim>
 void check_grains(const Filler& filler, const LaguerrePacking<dim>& grains, const std::string& part,
                   StudyMistakes& mistakes) {
@@ -155,7 +155,7 @@ void check_sites(const Stage& stage, const LaguerrePacking<dim>& grains, const s
   }
 }
 
-/// A filler whose pixels are labelled.
+/// Checks a filler whose pixels are labelled.
 void check_labelled(const Filler& filler, const std::string& part, StudyMistakes& mistakes) {
   if (filler.sizes || filler.fraction || filler.smallest || filler.largest) {
     mistakes.add(part, "expected neither sizes nor a fraction: both follow from the image");
@@ -184,7 +184,7 @@ void check_image(const Stage& stage, const SharedImage<dim>& image, const std::s
   });
 }
 
-/// Checks which of sizes and fraction a filler has, by the packing.
+/// Checks whether a filler has the sizes and the fraction that its packing needs: a visitor of the packing.
 struct CheckAmount {
   const Filler& filler;
   const Stage& stage;
@@ -270,7 +270,7 @@ struct CheckPacking {
     mistakes.check_integer(part, "repeats", cubic.repeats, allowed::repeats);
     refuse_several_fillers(stage, "regular packing", part, mistakes);
   }
-  /// Any walls and seeds are fine. An image is checked even where a stage has no filler.
+  /// All walls and seeds are allowed. An image is checked even where a stage has no filler.
   template <class Packing>
   void operator()(const Packing&) const {}
 };

@@ -13,7 +13,7 @@ inline constexpr double default_gap_share = 0.1;
 /// cells of 6.67 um, from 6 points)".
 std::string gap_in_words(const Stage& stage, const Filler& filler);
 
-/// The gaps of all fillers of a stage with a random packing in words; a gap of several fillers once.
+/// The gaps of all fillers of a stage with a random packing in words; a gap that several fillers have occurs once.
 std::string gaps_in_words(const Stage& stage);
 
 }  // namespace breccia

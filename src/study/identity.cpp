@@ -15,8 +15,8 @@
 namespace breccia {
 namespace {
 
-/// The bytes of a study. Each struct is taken apart by a structured binding, so that a member that is added to it does
-/// not compile until it is added here.
+/// The bytes of a study. Each struct is decomposed by a structured binding, so that a new member causes a compilation
+/// error until it is added here.
 class Content {
  public:
   void add(const Study& study) {
@@ -237,7 +237,7 @@ class Content {
         tests;
     add_all(loads, boundaries, methods, model, films, mixing, volumetric, first_time, last_time, points_per_decade,
             field_times, fit_tolerance, quasistatic, varied, dynamic);
-    // How a deck words its times; the results are the same.
+    // The two members hold the wording of the times in the deck, on which no result depends.
     static_cast<void>(by_frequency);
     static_cast<void>(lists_field_times);
   }
@@ -265,7 +265,7 @@ class Content {
     const auto& [method, most_unknowns_direct, most_unknowns_direct_in_3d, tolerance, energy_tolerance, threads] =
         options;
     add_all(method, most_unknowns_direct, most_unknowns_direct_in_3d, tolerance, energy_tolerance);
-    static_cast<void>(threads);  // the results are the same for any number of them
+    static_cast<void>(threads);  // results are the same for any number of threads
   }
   void add(const DynamicOptions& options) {
     const auto& [formulation, start, courant, ramp_transits, creep_ramp_transits, ramp_time, mass_scaling_factors,

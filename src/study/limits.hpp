@@ -7,27 +7,28 @@
 /// The numbers that a study may have, for the deck reader and for require_sound.
 namespace breccia::allowed {
 
-inline constexpr Range side = {.lower = 1e-12, .upper = 1e6};                ///< of a box [m]
-inline constexpr Range dimensions = {.lower = 2.0, .upper = 3.0};            ///< of a box
-inline constexpr Range cells = {.lower = 2.0, .upper = 1048576.0};           ///< per side
-inline constexpr std::size_t most_grids = 3;                                 ///< of a stage
-inline constexpr std::size_t most_fillers = 100;                             ///< of a stage
-inline constexpr Range fraction = Range::between(0.0, 1.0);                  ///< of a random packing [-]
-inline constexpr Range aspect = {.lower = 0.05, .upper = 20.0};              ///< of ellipses [-]
-inline constexpr Range repeats = {.lower = 1.0, .upper = 100.0};             ///< of a cubic lattice
-inline constexpr Range rows = {.lower = 1.0, .upper = 1e4};                  ///< and columns, of a regular packing
-inline constexpr Range points_per_decade = {.lower = 1.0, .upper = 1000.0};  ///< of the curves
+inline constexpr Range side = {.lower = 1e-12, .upper = 1e6};       ///< side of a box [m]
+inline constexpr Range dimensions = {.lower = 2.0, .upper = 3.0};   ///< number of dimensions of a box
+inline constexpr Range cells = {.lower = 2.0, .upper = 1048576.0};  ///< number of cells per side
+inline constexpr std::size_t most_grids = 3;                        ///< number of grids of a stage
+inline constexpr std::size_t most_fillers = 100;                    ///< number of fillers of a stage
+inline constexpr Range fraction = Range::between(0.0, 1.0);         ///< fraction of a random packing [-]
+inline constexpr Range aspect = {.lower = 0.05, .upper = 20.0};     ///< aspect of ellipses [-]
+inline constexpr Range repeats = {.lower = 1.0,
+                                  .upper = 100.0};           ///< number of cells of a cubic lattice along each axis
+inline constexpr Range rows = {.lower = 1.0, .upper = 1e4};  ///< number of rows, or of columns, of a regular packing
+inline constexpr Range points_per_decade = {.lower = 1.0, .upper = 1000.0};  ///< samples per decade of the curves
 inline constexpr Range fit_tolerance = Range::above_and_up_to(0.0, 1.0);     ///< [-]
 
-/// Tolerances of the quasi-static method: of the reduced basis and of the linear systems [-].
+/// Tolerances of the quasi-static method, for the reduced basis and for the linear systems [-].
 inline constexpr Range accuracy = Range::between(0.0, 0.1);
-inline constexpr Range snapshots = {.lower = 2.0, .upper = 10000.0};  ///< of the reduced basis
+inline constexpr Range snapshots = {.lower = 2.0, .upper = 10000.0};  ///< number of snapshots of the reduced basis
 inline constexpr Range steps_per_decade = {.lower = 2.0, .upper = 1000.0};
 
 /// Length of the elements along films over the size of a grain [-].
 inline constexpr Range face_share = {.lower = 0.005, .upper = 1.0};
 
-inline constexpr Range layers = {.lower = 1.0, .upper = 16.0};  ///< of elements across a film
+inline constexpr Range layers = {.lower = 1.0, .upper = 16.0};  ///< number of layers of elements across a film
 
 inline constexpr Range courant = Range::above_and_up_to(0.0, 1.0);      ///< time step over the stable limit [-]
 inline constexpr Range ramp = Range::not_negative();                    ///< [s], or in transits of a wave [-]

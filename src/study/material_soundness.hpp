@@ -11,7 +11,7 @@ namespace breccia {
 /// Checks a material, which is the given part of a study.
 void check_material(const Material& material, const std::string& part, StudyMistakes& mistakes);
 
-/// Checks the materials that a study has by name, and the shifts to the temperature of each.
+/// Checks the named materials of a study, and the shift of each to its temperature.
 void check_materials(const Study& study, StudyMistakes& mistakes);
 
 }  // namespace breccia

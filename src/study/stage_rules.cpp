@@ -19,7 +19,7 @@
 namespace breccia {
 namespace {
 
-/// The largest particle of a filler whose particles are known one by one; 0 where they are drawn from a distribution.
+/// The diameter of the largest particle of a filler whose sizes are listed; 0 where they are drawn from a distribution.
 double largest_known_diameter(const Filler& filler) {
   if (!filler.sizes) return 0.0;
   if (const auto* single = std::get_if<SingleSize>(&*filler.sizes)) return single->diameter;
@@ -30,7 +30,7 @@ double largest_known_diameter(const Filler& filler) {
   return largest;
 }
 
-/// Distance of nearest particles of a regular packing [m]; nothing for any other.
+/// Distance between neighbouring particles of a regular packing [m]; nothing for any other packing.
 struct SpacingIn {
   double side;
 
@@ -100,7 +100,7 @@ std::vector<std::string> mistakes_of_diameters(const Filler& filler, const Stage
 std::vector<std::string> mistakes_of_fractions(const Stage& stage) {
   double sum = 0.0;
   for (const auto& filler : stage.fillers) sum += filler.fraction.value_or(0.0);
-  // A single fraction has been checked by itself.
+  // A single fraction has been checked already.
   if (stage.fillers.size() < 2 || !(sum >= 1.0)) return {};
   return {fmt::format("the fractions of all fillers add up to {:.6g}: expected less than 1", sum)};
 }

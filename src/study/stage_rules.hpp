@@ -9,8 +9,8 @@
 
 namespace breccia {
 
-// Rules for a stage that the deck reader and require_sound share. Each function returns what is wrong, one line for
-// each mistake, without saying where.
+// Rules for a stage that the deck reader and require_sound share. Each function returns the mistakes, a line each,
+// without their locations.
 
 /// A name must be fit for a directory and not be the name of a file of results, an earlier stage or a material. An
 /// empty name makes no mistake here.
@@ -27,7 +27,7 @@ std::vector<std::string> mistakes_of_diameters(const Filler& filler, const Stage
 /// The fractions of the fillers of a stage must add up to less than 1.
 std::vector<std::string> mistakes_of_fractions(const Stage& stage);
 
-/// The phases of a stage are told apart by the names of their materials where there are several fillers or coatings
+/// The phases of a stage are distinguished by the names of their materials where there are several fillers or coatings
 /// (phase_names), so that no such material may have the name of another phase.
 std::vector<std::string> mistakes_of_phases(const Stage& stage);
 

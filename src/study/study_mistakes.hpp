@@ -19,7 +19,7 @@ class StudyMistakes {
   /// Adds a number that is out of range: "tests: points per decade: expected an integer from 1 to 1000, got 0".
   void check_number(std::string_view part, std::string_view what, double value, const Range& range);
   void check_integer(std::string_view part, std::string_view what, int value, const Range& range);
-  /// The same for a quantity in its SI unit.
+  /// Adds a quantity, in its SI unit, that is out of range.
   void check_quantity(std::string_view part, std::string_view what, double value, const Range& range,
                       Dimension dimension);
   /// Adds a name that is missing, or that has control characters.

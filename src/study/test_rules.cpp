@@ -24,7 +24,8 @@ bool uses(const Tests& tests, Method method) {
   return std::ranges::find(tests.methods, method) != tests.methods.end();
 }
 
-/// A film along the walls spoils the lower bound: it is so soft that the box moves in it as a whole.
+/// Mistakes where films run along walls under another boundary than displacement. Such a film makes the lower bound
+/// useless: it is so soft that the box moves in it as a whole.
 std::vector<std::string> films_along_walls(const Study& study) {
   const auto is_other = [](Boundary boundary) { return boundary != Boundary::displacement; };
   if (std::ranges::none_of(study.tests.boundaries, is_other)) return {};
@@ -39,7 +40,7 @@ std::vector<std::string> films_along_walls(const Study& study) {
   return mistakes;
 }
 
-/// What the model of films does not have in one stage of grains.
+/// The requests of the tests that the model of films does not support in one stage of grains, a line each.
 std::vector<std::string> lacking_in_films(const Tests& tests, const Stage& stage) {
   std::vector<std::string> mistakes;
   const auto lacks = [&](const std::string& what) {
@@ -60,7 +61,7 @@ std::vector<std::string> lacking_in_films(const Tests& tests, const Stage& stage
   return mistakes;
 }
 
-/// The model of films is quasi-static and for grains.
+/// The requests that the model of films, which is quasi-static and for grains, does not support, a line each.
 std::vector<std::string> lacking_in_films(const Study& study) {
   const auto& tests = study.tests;
   if (tests.model == Model::cells) return {};
@@ -84,14 +85,14 @@ std::vector<std::string> lacking_in_films(const Study& study) {
   return mistakes;
 }
 
-/// What tests in three dimensions do not have.
+/// The requests that tests in three dimensions do not support, a line each.
 std::vector<std::string> lacking_in_space(const Study& study) {
   if (study.stages.empty() || study.stages.front().dimensions() == 2) return {};
   if (study.tests.model == Model::films) return {R"(three dimensions: expected model "cells")"};
   return {};
 }
 
-/// Only a reduced basis samples over moduli.
+/// A mistake where moduli vary without a reduced basis, since no other solver samples over moduli.
 std::optional<std::string> vary_without_samples(const Tests& tests) {
   if (tests.varied.empty()) return std::nullopt;
   const auto takes_one_value = [](std::string_view wanted, std::string_view present) {
@@ -102,15 +103,15 @@ std::optional<std::string> vary_without_samples(const Tests& tests) {
   return takes_one_value("solver \"reduced\"", name_of(Solver::stepping));
 }
 
-/// Mixed cells have averaged volumetric strains.
+/// A mistake where mixed cells do not have averaged volumetric strains.
 std::optional<std::string> mixing_of_points(const Tests& tests) {
   if (tests.mixing == Mixing::points || tests.volumetric == Volumetric::averaged) return std::nullopt;
   return fmt::format(R"(mixing "{}" takes the volumetric strains "{}": expected these, or mixing "{}")",
                      name_of(Mixing::series), name_of(Volumetric::averaged), name_of(Mixing::points));
 }
 
-/// Whether series are fits, for which there may be too few times: all are, except those of the reduced solver on a
-/// single grid or in mixed cells, where the finest grid gives the result.
+/// Whether series are fits, for which there may be too few times. All series are fits, except those of the reduced
+/// solver on a single grid or with mixed cells, where the finest grid gives the result.
 bool has_fits(const Study& study) {
   const bool is_extrapolated = study.tests.mixing == Mixing::points;
   return uses(study.tests, Method::dynamic) || study.tests.quasistatic.solver == Solver::stepping ||
@@ -120,7 +121,8 @@ bool has_fits(const Study& study) {
          });
 }
 
-/// Nothing where there are enough, or where their number is not known because of another mistake.
+/// A mistake where there are too few times for fits; nothing where their number is not known because of another
+/// mistake.
 std::optional<std::string> too_few_times(const Study& study) {
   constexpr std::size_t fewest = 3;
   const auto& tests = study.tests;

@@ -20,7 +20,7 @@ bool is_rising_window(const TimeWindow& window) {
          window.begin < window.end;
 }
 
-/// A list of what is to be tested: not empty, and nothing in it twice.
+/// Checks a list in the tests: it must not be empty, and must not have an element twice.
 template <class T>
 void check_list(const std::vector<T>& values, const char* noun, StudyMistakes& mistakes) {
   if (values.empty()) mistakes.add(tests_part, fmt::format("expected a {}", noun));

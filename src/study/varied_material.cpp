@@ -37,7 +37,7 @@ std::vector<Material> samples_of(const VariedMaterial& varied, const Material& m
   return samples;
 }
 
-/// What is wrong with an interval in which the modulus of the material should lie.
+/// The mistakes in an interval in which the modulus of the material should lie.
 std::vector<std::string> mistakes_of_interval(const ModulusInterval& interval, const PronySeries& modulus,
                                               std::string_view name) {
   const auto pascals = [](double value) { return readable(value, Dimension::pressure); };

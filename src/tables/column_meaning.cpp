@@ -166,7 +166,7 @@ bool has_one_of(const std::vector<std::string>& words, std::span<const std::stri
   return std::ranges::any_of(words, [&](const auto& word) { return std::ranges::find(wanted, word) != wanted.end(); });
 }
 
-/// Whether the words before "modulus" make it another quantity than a modulus, as in "log modulus".
+/// Whether the words before "modulus" denote another quantity than a modulus, as in "log modulus".
 bool say_something_else(const std::vector<std::string>& words) {
   constexpr std::array<std::string_view, 8> others{"log",        "log10",      "lg",       "ln",
                                                    "normalised", "normalized", "relative", "error"};

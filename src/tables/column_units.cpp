@@ -26,7 +26,7 @@ Conversion reciprocal(const Conversion& conversion) {
 }
 
 Conversion by_unit(std::string_view unit, Dimension dimension) {
-  // UDUNITS-2 has the dyne under its full name only.
+  // UDUNITS-2 knows the dyne by its full name only.
   if (unit.starts_with("dyn/")) return by_unit(fmt::format("dyne{}", unit.substr(3)), dimension);
   return by_factor(parse_quantity(fmt::format("1 {}", unit), dimension));
 }
@@ -92,7 +92,7 @@ Conversion number_without_unit(std::string_view unit) {
   throw InputError(fmt::format("expected none, got \"{}\"", unit));
 }
 
-/// Quantities without a unit.
+/// Whether a quantity has no unit.
 bool is_number(Quantity quantity) {
   return quantity == Quantity::filler || quantity == Quantity::particle || quantity == Quantity::film_share ||
          quantity == Quantity::shift_factor || quantity == Quantity::log10_shift_factor ||

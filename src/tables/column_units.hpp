@@ -4,8 +4,8 @@
 
 namespace breccia::detail {
 
-/// SI value = value * factor / divisor + offset. Either the factor or the divisor is 1, so that 7 in um becomes the
-/// same bits as 7e-6 in m.
+/// SI value = value * factor / divisor + offset. Either the factor or the divisor is 1, so that 7 in um becomes exactly
+/// the same number as 7e-6 in m.
 struct Conversion {
   double factor = 1.0;
   double divisor = 1.0;

@@ -33,8 +33,8 @@ namespace detail {
 using IsOfQuantity = std::function<bool(Quantity)>;
 
 /// The columns to read of a file that has columns of some quantities: M' and M'' if it has both, or else one of M', M''
-/// and |M*|, in this order, with delta or tan(delta). Two columns that a user has chosen come before one, and one
-/// before none.
+/// and |M*|, in this order, with delta or tan(delta). A pair with two columns that a user has chosen is preferred to
+/// one with a single chosen column, and that to a pair without any.
 std::optional<ComplexModulusColumns> preferred_columns(const IsOfQuantity& has, const IsOfQuantity& is_chosen);
 
 /// Whether a quantity is a part of a complex modulus: M', M'', |M*|, delta or tan(delta).

@@ -113,8 +113,8 @@ class MeasuredTableReader {
     leave_out_what_follows(has);
   }
 
-  /// Leaves out redundant columns: two columns determine a complex modulus, so others of it, such as a loss tangent
-  /// beside storage and loss moduli, may have any content.
+  /// Leaves out redundant columns: two columns determine a complex modulus, so further columns of it, such as a loss
+  /// tangent beside storage and loss moduli, may have any content.
   void leave_out_what_follows(const detail::IsOfQuantity& has) {
     const auto is_chosen = [&](Quantity quantity) {
       return std::ranges::find(choices_, quantity, &ColumnChoice::quantity) != choices_.end();
@@ -162,7 +162,7 @@ class MeasuredTableReader {
     return tells_units;
   }
 
-  /// The rows of all tables; reports those of other columns or units.
+  /// The rows of all tables; reports tables with other columns or units.
   detail::RepeatedTables read_tables(detail::CsvRecords& records, std::optional<detail::CsvRecord> record,
                                      const std::vector<std::string>& units) {
     std::vector<detail::CsvRecord> below;
@@ -207,7 +207,7 @@ class MeasuredTableReader {
     }
   }
 
-  /// Selects the columns with known units; the others are left out.
+  /// Selects the columns with known units; other columns are left out.
   void make_columns() {
     for (std::size_t i = 0; i < meanings_.size(); ++i) {
       if (!meanings_[i]) continue;

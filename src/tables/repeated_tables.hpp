@@ -12,7 +12,7 @@ namespace breccia::detail {
 /// The rows of a file that has tables of the same columns one below the other, as rheometers write one for each
 /// temperature.
 struct RepeatedTables {
-  std::vector<CsvRecord> rows;           ///< of all tables, without names and units
+  std::vector<CsvRecord> rows;           ///< rows of all tables, without names and units
   std::vector<std::size_t> other_names;  ///< lines with the names of a table of other columns
   std::vector<std::size_t> other_units;  ///< lines with other units than those of the first table
   std::size_t count = 1;                 ///< number of tables
@@ -20,9 +20,9 @@ struct RepeatedTables {
 
 /// The rules that distinguish the lines of a file.
 struct TableLines {
-  const std::vector<std::string>& names;                       ///< of the first table
-  const std::vector<std::string>& units;                       ///< in the row below them; empty if there is none
-  const std::function<bool(const CsvRecord&)>& may_be_row;     ///< whether a line may be a row, if not a whole one
+  const std::vector<std::string>& names;  ///< names of the columns of the first table
+  const std::vector<std::string>& units;  ///< units in the row below the names; empty if there is none
+  const std::function<bool(const CsvRecord&)>& may_be_row;  ///< whether a line may be a row, possibly an incomplete one
   const std::function<bool(const CsvRecord&)>& names_columns;  ///< whether a line names columns
 };
 

@@ -17,7 +17,8 @@ struct TableLayout {
   CsvRecord header;  ///< the first row that names two known columns, or else such a comment, or the likely names
   std::size_t known_columns = 0;  ///< number of known columns in the header
   bool has_decimal_commas = false;
-  bool is_aligned_by_blanks = false;  ///< columns are parted by two blanks and more; `separator` is that of with_tabs()
+  /// Columns are separated by two blanks and more; `separator` is the tab of with_tabs().
+  bool is_aligned_by_blanks = false;
 };
 
 /// The text with a tab instead of every two or more blanks within a line.

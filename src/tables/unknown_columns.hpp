@@ -4,7 +4,7 @@
 
 namespace breccia {
 
-/// Error: the names of a table's columns do not say what it has. A choice of columns (ColumnChoice) helps.
+/// Error: the names of a table's columns do not reveal its quantities. A choice of columns (ColumnChoice) helps.
 class UnknownColumns : public InputError {
  public:
   using InputError::InputError;

@@ -22,7 +22,7 @@ namespace breccia {
 /// The modulus of the bulk test as a formula: "K", "K + G/3".
 [[nodiscard]] std::string_view symbol_of_bulk_test(int dimensions);
 
-/// The same with its argument: "K(t)", "K(t) + G(t)/3".
+/// The modulus of the bulk test as a function of time: "K(t)", "K(t) + G(t)/3".
 [[nodiscard]] std::string_view formula_of_bulk_test(int dimensions);
 
 }  // namespace breccia

@@ -36,7 +36,7 @@ Sample averaged_sample(const DynamicTest<dim>& test, const std::vector<Averages<
   return {first_time + 0.5 * (count - 1.0) * time_step, creeps ? 1.0 / mean : mean};
 }
 
-/// Time after the midpoint of the ramp, in ramp durations, from which on the response is that to a step [-].
+/// Time after the midpoint of the ramp, in ramp durations, from which on the response equals that to a step [-].
 double ramps_to_wait(Boundary boundary) {
   return boundary == Boundary::traction ? 1.0 : 1.5;
 }
@@ -64,7 +64,7 @@ DomainRules rules_of(const DynamicTest<dim>& test) {
 struct ReducedMaterial {
   Material material;
   std::size_t terms = 0;
-  double error_bound = 0.0;  ///< of the reduction, relative [-]
+  double error_bound = 0.0;  ///< relative error bound of the reduction [-]
 };
 
 ReducedMaterial reduced(const Material& material, const TimeWindow& window, double tolerance) {

@@ -40,8 +40,8 @@ template <int dim>
 PreparedDomain<dim> prepare(const DynamicTest<dim>& test, const DomainRules& rules, const ShearModulusBounds& bounds,
                             const DomainSequence& sequence);
 
-/// Passes a sample of a domain to DomainSequence::observe() if it is late enough after the ramp. False when the domain
-/// is finished.
+/// Passes a sample of a domain to DomainSequence::observe() if it is late enough after the ramp. Returns false when the
+/// domain is finished.
 template <int dim>
 bool goes_on(const DynamicTest<dim>& test, const ShearModulusBounds& bounds, const TimeDomain& domain,
              const Sample& sample, DomainSequence& sequence);

@@ -8,7 +8,7 @@
 
 namespace breccia {
 
-/// Writes one time domain, with its history, to a group of a state, or reads it.
+/// Writes one time domain, with its history, to a group of a state, or reads it from there.
 void save_domain(StateWriter& state, const std::string& group, const TimeDomain& domain);
 TimeDomain read_domain(const StateReader& state, const std::string& group);
 

@@ -44,7 +44,8 @@ std::size_t memory_of(const DynamicTest<2>& test, const Grid<2>& grid, std::size
 std::size_t memory_of(const DynamicTest<3>& test, const Grid<3>& grid, std::size_t terms) {
   const auto cells = grid.cell_count(), points = cells * Discretisation<3>::points_per_cell;
   const auto nodes = grid.node_count();
-  // The phases of the points, of the stage, of the test and of its run, and the fields of the cells.
+  // The memory has three lists of the phases of the points (of the stage, of the test and of its run), and the fields
+  // of the cells.
   constexpr std::size_t numbers_of_fields = 15;
   const std::size_t rest = points * 3 * sizeof(PhaseIndex) +
                            cells * test.field_times.size() * (sizeof(PhaseIndex) + numbers_of_fields * sizeof(double));
@@ -90,7 +91,7 @@ double least_modulus(const DynamicTest<dim>& test, const ShearModulusBounds& bou
 template <int dim>
 std::vector<TimeDomain> plan_dynamic_test(const DynamicTest<dim>& coarse, double refinement) {
   require_complete(coarse);
-  // The time step is in proportion to the side of a cell.
+  // The time step is proportional to the side of a cell.
   auto test = coarse;
   test.options.courant /= refinement;
   const auto rules = rules_of(test);
@@ -220,7 +221,7 @@ class DynamicRun {
     return std::move(domain.domain());
   }
 
-  /// Passes the history of a restored domain to the sequence. False when the domain is finished.
+  /// Passes the history of a restored domain to the sequence. Returns false when the domain is finished.
   bool show(const TimeDomain& domain) {
     return std::ranges::all_of(
         domain.history, [&](const Sample& sample) { return goes_on(test_, bounds_, domain, sample, sequence_); });
@@ -265,7 +266,7 @@ class DynamicRun {
   DomainSequence sequence_;
   double furthest_;               // latest time that a domain has reached [s]
   std::vector<TimeDomain> past_;  // domains that the earlier run has finished
-  GridFields<dim> fields_;        // those that the finished domains have left
+  GridFields<dim> fields_;        // fields from the finished domains
   DynamicTestResult result_;
 };
 

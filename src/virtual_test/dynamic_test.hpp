@@ -23,12 +23,12 @@ class Checkpoint;
 template <int dim>
 struct DynamicTest {
   Discretisation<dim> discretisation;
-  std::vector<Material> materials;  ///< by PhaseIndex
+  std::vector<Material> materials;  ///< materials by PhaseIndex
   Volumetric volumetric = Volumetric::averaged;
   Boundary boundary = Boundary::displacement;
   Load load = Load::shear;
   TimeWindow times;                      ///< times of the curve [s]
-  int points_per_decade = 20;            ///< of the stitched curve
+  int points_per_decade = 20;            ///< samples per decade of the stitched curve
   std::vector<double> field_times = {};  ///< rising times at which fields are wanted [s]
   DynamicOptions options = {};
   int threads = 0;  ///< number of threads; 0: all cores
@@ -37,12 +37,12 @@ struct DynamicTest {
 /// The result of a dynamic test.
 struct DynamicTestResult {
   std::vector<TimeDomain> domains;
-  std::vector<Overlap> overlaps;  ///< of neighbouring domains, in their order
+  std::vector<Overlap> overlaps;  ///< overlaps of neighbouring domains, in the order of the domains
   /// Largest relative deviation of the fit by which the compliance is converted; under a traction boundary only [-].
   std::optional<double> fit_error = {};
   Curve curve;       ///< stitched relaxation modulus at logarithmic times; under a traction boundary by interconversion
   Creep compliance;  ///< stitched creep compliance at the same times, under a traction boundary only
-  /// By field time: the state after the steps whose mean is the first sample at or after that time.
+  /// Fields at each field time: the state after the steps whose mean is the first sample at or after that time.
   TestFields fields;
 };
 
@@ -50,8 +50,8 @@ struct DynamicTestResult {
 using DomainObserver = std::function<void(const TimeDomain&)>;
 
 /// Plans the time domains of a test, without histories and wall times, by an estimate of the composite's modulus
-/// (ShearModulusBounds). Throws the errors of run_dynamic_test(). The plan is that of the test with `refinement` times
-/// as many cells along each axis, so that a large grid is planned by a small one in little time and memory.
+/// (ShearModulusBounds). Throws the errors of run_dynamic_test(). The plan holds for the test with `refinement` times
+/// as many cells along each axis, so that a large grid is planned by means of a small one in little time and memory.
 /// Instantiated, as the functions below, for 2 and 3 dimensions.
 template <int dim>
 std::vector<TimeDomain> plan_dynamic_test(const DynamicTest<dim>& test, double refinement = 1.0);
@@ -61,10 +61,9 @@ template <int dim>
 double dynamic_memory(const DynamicTest<dim>& test, double refinement = 1.0);
 
 /// Runs the time domains that the test needs and stitches their curves. The share of the progress is estimated on the
-/// logarithmic time axis. With a checkpoint, the state is saved when that
-/// is due, and an earlier state is resumed, with the same bits as in one run.
-/// Throws InputError for an incomplete test or a load that does not exist in this number of dimensions, NumericalError
-/// when a run is unstable or the times cannot be covered.
+/// logarithmic time axis. With a checkpoint, the state is saved when that is due, and an earlier state is resumed, with
+/// results that are bitwise identical to those of one run. Throws InputError for an incomplete test or a load that does
+/// not exist in this number of dimensions, NumericalError when a run is unstable or the times cannot be covered.
 template <int dim>
 DynamicTestResult run_dynamic_test(const DynamicTest<dim>& test, const ProgressObserver& observer = {},
                                    const DomainObserver& finished = {}, Checkpoint* checkpoint = nullptr);

@@ -18,7 +18,7 @@ Extrapolated extrapolate(std::span<const double> cell_sides, std::span<const dou
       throw InputError("extrapolation: expected cell sides that fall");
     }
   }
-  // v(h) = v(0) + slope h
+  // The value is linear in the cell side: v(h) = v(0) + slope h.
   const auto limit = [&](std::size_t coarse) {
     const double slope = (values[coarse] - values[coarse + 1]) / (cell_sides[coarse] - cell_sides[coarse + 1]);
     return values[coarse + 1] - slope * cell_sides[coarse + 1];

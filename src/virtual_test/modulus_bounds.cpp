@@ -8,13 +8,13 @@ namespace breccia {
 
 namespace {
 
-/// Theory, Eq. 15: G kappa / (kappa + 2 G), kappa = K + G / 3 of the medium around.
+/// The term G kappa / (kappa + 2 G) of the surrounding medium with kappa = K + G / 3 (theory, Eq. 15).
 double surrounding_in_plane_strain(double bulk, double shear) {
   const double plane_bulk = bulk + shear / 3.0;
   return shear * plane_bulk / (plane_bulk + 2.0 * shear);
 }
 
-/// Theory, Eq. 15a.
+/// The term of the surrounding medium in three dimensions (theory, Eq. 15a).
 double surrounding_in_space(double bulk, double shear) {
   return shear * (9.0 * bulk + 8.0 * shear) / (6.0 * (bulk + 2.0 * shear));
 }
@@ -32,7 +32,7 @@ ShearModulusBounds::ShearModulusBounds(const Discretisation<dim>& discretisation
 }
 
 double ShearModulusBounds::surrounded_by(double bulk, double shear, double time) const {
-  // Sum of fraction / (G + G*) = 1 / (G_eff + G*).
+  // The equation is: sum of fraction / (G + G*) = 1 / (G_eff + G*).
   const double surrounding = surrounding_(bulk, shear);
   double sum = 0.0;
   for (const auto& phase : phases_) sum += phase.fraction / (phase.shear.at(time) + surrounding);

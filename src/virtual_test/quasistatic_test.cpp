@@ -36,7 +36,7 @@ QuasistaticProblem<dim> problem_of(const QuasistaticTest& test, const Discretisa
           .linear = test.options.linear};
 }
 
-/// Materials of the phases that vary, in their order.
+/// Materials of the phases that vary, in the order of these phases.
 std::vector<Material> varying_materials(const QuasistaticTest& test) {
   std::vector<Material> materials;
   for (const auto& [index, name] : test.varying) materials.push_back(test.materials[index]);
@@ -61,7 +61,8 @@ bool is_beyond_the_path(const std::vector<Moduli>& moduli) {
   return std::ranges::any_of(moduli, is_like_softer);
 }
 
-/// Whether one point has the larger shear modulus: that of the first phase, if equal that of the second, and so on.
+/// Whether one point has the larger shear modulus of the first phase or, if these are equal, of the second one, and so
+/// on.
 bool is_stiffer(const std::vector<Moduli>& one, const std::vector<Moduli>& other) {
   return std::ranges::lexicographical_compare(one, other, std::ranges::greater(), &Moduli::shear, &Moduli::shear);
 }
@@ -85,13 +86,13 @@ TrainingPath training_set(const QuasistaticTest& test, const std::vector<Materia
   return path;
 }
 
-/// Grains and films under the boundary of the test.
+/// The problem of grains and films under the boundary of the test.
 FilmProblem problem_of(const QuasistaticTest& test, FilmProblem films) {
   films.boundary = test.boundary;
   return films;
 }
 
-/// Samples the reduced responses of grains and films by load, and takes the fields of the first.
+/// Samples the reduced responses of grains and films by load, and takes the fields of the first load.
 std::vector<ReducedResponse> sample(const FilmProblem& films, const QuasistaticTest& test,
                                     const std::vector<Material>& materials, const TrainingPath& path,
                                     const ProgressObserver& follow, Checkpoint* checkpoint,
@@ -107,7 +108,7 @@ std::vector<ReducedResponse> sample(const FilmProblem& films, const QuasistaticT
   return std::move(sampled.responses);
 }
 
-/// Samples the reduced responses of cells by load, and takes the fields of the first.
+/// Samples the reduced responses of cells by load, and takes the fields of the first load.
 template <int dim>
 std::vector<ReducedResponse> sample(const Discretisation<dim>& discretisation, const QuasistaticTest& test,
                                     const std::vector<Material>& materials, const TrainingPath& path,
@@ -160,7 +161,7 @@ std::vector<double> step_times(const QuasistaticTest& test) {
   return logarithmic_times({warm_up * test.times.begin, test.times.end}, per_decade);
 }
 
-/// Index of the first step at or after a time, but for rounding.
+/// Index of the first step at or after a time, apart from rounding.
 std::size_t step_at(const std::vector<double>& steps, double time) {
   constexpr double rounding = 1e-9;
   const auto found = std::lower_bound(steps.begin(), steps.end(), time * (1.0 - rounding));

@@ -25,21 +25,23 @@ using QuasistaticComposite = std::variant<Discretisation<2>, Discretisation<3>, 
 /// A quasi-static virtual test.
 struct QuasistaticTest {
   QuasistaticComposite composite;
-  std::vector<Material> materials;  ///< by PhaseIndex
-  /// The phases whose moduli vary in the reduced basis, the matrix first: all that relax, and any other. The stepping
-  /// solver of cells does not use them; that of films takes the first for the binder.
+  std::vector<Material> materials;  ///< materials by PhaseIndex
+  /// The phases whose moduli vary in the reduced basis, the matrix first: all phases that relax, and possibly others.
+  /// The stepping solver of cells does not use this list; that of films takes the first phase as the binder.
   std::vector<VaryingPhase> varying = {};
-  /// Other materials of these phases, each list in their order, for which the reduced response must be valid, too.
+  /// Alternative materials of the varying phases, for which the reduced response must be valid, too; each list is in
+  /// the order of these phases.
   std::vector<std::vector<Material>> variants = {};
-  /// Carson moduli [Pa] of these phases and of their variants, in their order, over their whole relaxation, from stiff
-  /// to soft, for a matrix that is itself a composite, whose series is a fit to some times alone. Empty: those of the
-  /// series. Used with SampledRange::matrix alone.
+  /// Carson moduli [Pa] of the varying phases and of their variants, in the order of the phases, over their whole
+  /// relaxation, from stiff to soft. They are given for a matrix that is itself a composite, whose series is a fit in a
+  /// limited range of times. If the list is empty, the moduli of the series are used. Used with SampledRange::matrix
+  /// alone.
   std::vector<std::vector<Moduli>> relaxation = {};
   Volumetric volumetric = Volumetric::averaged;
   Boundary boundary = Boundary::displacement;
   std::vector<Load> loads;
   TimeWindow times;                      ///< times of the curves [s]
-  int points_per_decade = 20;            ///< of the curves
+  int points_per_decade = 20;            ///< samples per decade of the curves
   std::vector<double> field_times = {};  ///< rising times at which fields of the first load are wanted [s]
   QuasistaticOptions options = {};
 };
@@ -58,16 +60,16 @@ struct QuasistaticResponse {
 
 /// The result of a quasi-static test.
 struct QuasistaticTestResult {
-  std::vector<QuasistaticResponse> responses;  ///< by load
-  TestFields fields;                           ///< under the first load
+  std::vector<QuasistaticResponse> responses;  ///< responses by load
+  TestFields fields;                           ///< fields under the first load
   LinearEffort effort;
   double seconds = 0.0;  ///< wall time [s]
 };
 
-/// Runs a test. With a checkpoint, the state is saved when that is due, and an earlier state is resumed, with the same
-/// bits as in one run; a finished test returns its result without the fields.
-/// Throws InputError for an incomplete test or field times outside its times, NumericalError when a linear system
-/// cannot be solved or the tolerance cannot be met.
+/// Runs a test. With a checkpoint, the state is saved when that is due, and an earlier state is resumed, with results
+/// that are bitwise identical to those of one run; a finished test returns its result without the fields. Throws
+/// InputError for an incomplete test or field times outside its times, NumericalError when a linear system cannot be
+/// solved or the tolerance cannot be met.
 QuasistaticTestResult run_quasistatic_test(const QuasistaticTest& test, const ProgressObserver& observer = {},
                                            Checkpoint* checkpoint = nullptr);
 

@@ -13,7 +13,7 @@
 namespace breccia {
 namespace {
 
-/// Pairs of numbers, such as times and moduli, in a group.
+/// Writes pairs of numbers, such as times and moduli, to a group.
 template <class Pairs>
 void save_group(StateWriter& state, const std::string& group, const Pairs& pairs) {
   save_pairs(state, group + "/first", group + "/second", pairs);

@@ -7,7 +7,7 @@ namespace breccia {
 
 /// Writes a result, without its fields, as the state of a finished test.
 void save_result(StateWriter& state, const QuasistaticTestResult& result);
-/// Reads such a result. Throws FileError when the state does not hold one.
+/// Reads the result of a finished test. Throws FileError when the state does not hold one.
 QuasistaticTestResult read_quasistatic_result(const StateReader& state);
 
 }  // namespace breccia

@@ -74,7 +74,7 @@ bool DomainSequence::observe(double time, double modulus) {
     complete_ = rules_.mass_scaling_factors.empty() || !next_admissible_;
     return false;
   }
-  // Earlier times are covered by the domain before.
+  // Earlier times are covered by the previous domain.
   if (time < expected_begin_) return true;
   // Far above its minimum the admissible factor rises again, as on a plateau after a steep fall of the modulus.
   lowest_admissible_ = std::min(lowest_admissible_, admissible);

@@ -9,7 +9,8 @@
 
 namespace breccia {
 
-/// There-and-back transits of the shear wave after which a dynamic run is taken as quasi-static (the paper's three).
+/// There-and-back transits of the shear wave after which a dynamic run is taken as quasi-static (three, as in the
+/// paper).
 constexpr double there_and_back_transits = 3.0;
 
 /// The parameters by which mass scaling factors are chosen for a curve.
@@ -25,7 +26,7 @@ struct DomainRules {
   /// Largest mass scaling factor with which a run is valid at a time when the composite's shear modulus is `modulus`
   /// [Pa]: (t / 6 L)^2 G(t) / density (theory, Eq. 14).
   [[nodiscard]] double admissible_factor(double time, double modulus) const;
-  /// Latest time [s] to which a run that is valid from a time on goes.
+  /// Latest time [s] to which a run is continued that is valid from a time on.
   [[nodiscard]] double last_time(double begin) const;
   /// Time [s] that the shear wave takes through the box.
   [[nodiscard]] double transit(double mass_scaling, double modulus) const;
@@ -68,8 +69,9 @@ class DomainSequence {
   DomainRules rules_;
   double factor_ = 1.0;
   double expected_begin_;
-  double lowest_admissible_ = std::numeric_limits<double>::infinity();  ///< in the present domain
-  double furthest_ = 0.0;                                               ///< end of the windows so far [s]
+  /// Lowest admissible factor in the present domain.
+  double lowest_admissible_ = std::numeric_limits<double>::infinity();
+  double furthest_ = 0.0;  ///< end of the windows so far [s]
   std::size_t given_ = 0;  ///< index of the present factor among the given ones
   bool rising_ = true;
   bool is_first_ = true;

@@ -9,9 +9,9 @@
 namespace breccia {
 namespace {
 
-/// Non-negative least squares, first by leaving out components as long as some are negative, which takes a few
-/// solutions where the active set is built up in one for each component. The result is the one sought where no
-/// component that is left out would gain by being positive.
+/// Non-negative least squares. First components are left out as long as some are negative; this takes a few solutions,
+/// whereas the active-set method takes one for each component. The result is the minimum if no component that is left
+/// out would decrease the sum of squares by being positive; otherwise the active-set method is used.
 Eigen::VectorXd non_negative_solution(const Eigen::MatrixXd& columns, const Eigen::VectorXd& right) {
   const Eigen::VectorXd scale = columns.colwise().norm().cwiseMax(1e-300);
   const Eigen::MatrixXd scaled = columns * scale.cwiseInverse().asDiagonal();
@@ -49,7 +49,7 @@ Eigen::Index CommonTimesFit::deviations_count() const {
   return samples_.times.size() * static_cast<Eigen::Index>(samples_.moduli.size());
 }
 
-/// exp(-t_i / tau_k), and a last column of 1.
+/// The matrix of exp(-t_i / tau_k), with a last column of 1.
 Eigen::MatrixXd CommonTimesFit::decays(const Eigen::VectorXd& relaxation_times) const {
   Eigen::MatrixXd columns(samples_.times.size(), relaxation_times.size() + 1);
   columns.leftCols(relaxation_times.size()) =
@@ -58,7 +58,7 @@ Eigen::MatrixXd CommonTimesFit::decays(const Eigen::VectorXd& relaxation_times) 
   return columns;
 }
 
-/// The roots of the weights of one modulus.
+/// The square roots of the weights of one modulus.
 Eigen::VectorXd CommonTimesFit::weights_of(std::size_t modulus) const {
   const auto rows = samples_.times.size();
   return roots_of_weights_.segment(static_cast<Eigen::Index>(modulus) * rows, rows);
@@ -89,8 +89,9 @@ Eigen::VectorXd CommonTimesFit::deviations(const Eigen::VectorXd& relaxation_tim
   return all;
 }
 
-/// The derivatives of the weighted deviations by the logarithms of the relaxation times, the strengths following: those
-/// at constant strengths less their projection onto the columns of the terms in use (Kaufman's variant).
+/// The derivatives of the weighted deviations with respect to the logarithms of the relaxation times, where the
+/// strengths are optimal for each of them: the derivatives at constant strengths minus their projection onto the
+/// columns of the terms in use (Kaufman's variant).
 Eigen::MatrixXd CommonTimesFit::projected_derivatives(const Eigen::VectorXd& relaxation_times) const {
   const auto rows = samples_.times.size();
   const auto terms = relaxation_times.size();

@@ -15,7 +15,7 @@ struct SampledModuli {
 };
 
 /// Fits of non-negative series with common relaxation times to several moduli (theory, Eq. 24): the strengths of each
-/// series make the weighted squares of its relative deviations from the modulus least.
+/// series minimise the sum of the weighted squares of its relative deviations from the modulus.
 class CommonTimesFit {
  public:
   /// Each sample has a weight of 1 until set_weights() is called.
@@ -29,8 +29,8 @@ class CommonTimesFit {
   /// Unweighted relative deviations of the series with these strengths, one modulus after the other.
   [[nodiscard]] Eigen::VectorXd deviations(const Eigen::VectorXd& relaxation_times,
                                            const Eigen::MatrixXd& strengths) const;
-  /// Moves the logarithms of relaxation times [ln s], within bounds, to the least sum of weighted squares, by variable
-  /// projection (theory, Eq. 33c).
+  /// Moves the logarithms of relaxation times [ln s], within bounds, so as to minimise the sum of weighted squares, by
+  /// variable projection (theory, Eq. 33c).
   void move(Eigen::VectorXd& logarithms, double least, double most, int most_evaluations) const;
 
   /// The series of each modulus, without terms of no strength.

@@ -56,7 +56,7 @@ CommonTimesFit fit_of(const std::vector<PronySeries>& moduli, const TimeWindow& 
 /// The relaxation times of the moduli themselves, and a dense list between them; rising [s].
 Eigen::VectorXd candidate_times(const std::vector<PronySeries>& moduli, const TimeWindow& window) {
   constexpr int per_decade = 8;
-  constexpr double same = 1e-3;  // relative distance of two relaxation times that are one
+  constexpr double same = 1e-3;  // relative distance below which two relaxation times count as one
   const TimeWindow wide = {window.begin / beyond_begin, window.end * beyond_end};
   auto times = sampled_times(wide, per_decade);
   for (const auto& one : moduli) {
@@ -70,8 +70,8 @@ Eigen::VectorXd candidate_times(const std::vector<PronySeries>& moduli, const Ti
   return as_vector(times);
 }
 
-/// Lists of relaxation times, by their number: those of the series, merged with the ratios of strength to modulus as
-/// weights.
+/// Lists of relaxation times, by their number: the times of the series, merged with the ratios of strength to modulus
+/// as weights.
 std::vector<Eigen::VectorXd> merged_times_of(const std::vector<PronySeries>& series,
                                              const std::vector<PronySeries>& moduli, const TimeWindow& window) {
   std::map<double, double> weights;
@@ -134,10 +134,11 @@ PronyReduction CommonTimesSearch::measured(const CommonTimesFit& fit, const Eige
 }
 
 /// The series with the least largest deviation among those of Lawson's iteration, which begins with least squares and
-/// multiplies the weights by the deviations that are left. `move` moves the relaxation times in each round.
+/// multiplies the weights by the remaining deviations. `move` moves the relaxation times in each round.
 PronyReduction CommonTimesSearch::evened(Eigen::VectorXd relaxation_times, const Mover& move) const {
   constexpr int rounds = 12;
-  constexpr double floor = 0.1;  // of the largest: a sample between two deviations of opposite sign keeps a weight
+  // Least weight over the largest one: a sample between two deviations of opposite sign keeps some weight.
+  constexpr double floor = 0.1;
   auto fit = fit_;
   auto best = measured(fit, relaxation_times);
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(fit.deviations_count());
@@ -146,7 +147,7 @@ PronyReduction CommonTimesSearch::evened(Eigen::VectorXd relaxation_times, const
   for (int round = 0; round <= rounds && in_vain < most_in_vain; ++round) {
     move(fit, relaxation_times, round);
     auto found = measured(fit, relaxation_times);
-    constexpr double gain = 0.01;  // relative
+    constexpr double gain = 0.01;  // least relative gain
     in_vain = found.worst_deviation() < (1.0 - gain) * best.worst_deviation() ? 0 : in_vain + 1;
     if (found.worst_deviation() < best.worst_deviation()) best = std::move(found);
     const Eigen::VectorXd deviations = fit.deviations(relaxation_times, fit.strengths(relaxation_times)).cwiseAbs();

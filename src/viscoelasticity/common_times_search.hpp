@@ -24,13 +24,13 @@ class CommonTimesSearch {
   /// The moduli must be above zero in the window.
   CommonTimesSearch(std::vector<PronySeries> moduli, const TimeWindow& window);
 
-  /// The number of relaxation times with a strength in a fit with all candidates; more are of no use.
+  /// The number of relaxation times with a positive strength in a fit with all candidates; more times are of no use.
   [[nodiscard]] std::size_t most() const { return merged_.size() - 1; }
   /// Series with all candidate relaxation times: by least squares, or, if these deviate by more than a tolerance, with
-  /// the least largest deviation found. Series with other relaxation times are hardly ever nearer.
+  /// the least largest deviation found. Series with other relaxation times are hardly ever closer to the moduli.
   [[nodiscard]] PronyReduction nearest(double tolerance) const;
-  /// The best series found with at most `count` relaxation times (fewer where some get no strength). They do not depend
-  /// on a tolerance.
+  /// The best series found with at most `count` relaxation times (fewer where some have a strength of zero). They do
+  /// not depend on a tolerance.
   [[nodiscard]] PronyReduction with(std::size_t count) const;
 
  private:
@@ -43,7 +43,7 @@ class CommonTimesSearch {
   std::vector<PronySeries> moduli_;
   TimeWindow window_;
   std::vector<double> checked_;                      ///< times of the check [s]
-  std::vector<std::vector<double>> checked_moduli_;  ///< the moduli there [Pa]
+  std::vector<std::vector<double>> checked_moduli_;  ///< moduli at these times [Pa]
   CommonTimesFit fit_;
   Eigen::VectorXd candidates_;  ///< relaxation times [s]
   PronyReduction dense_;

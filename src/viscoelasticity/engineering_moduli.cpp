@@ -9,7 +9,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// s times the Laplace transform of a modulus, at the Laplace variable s.
+/// The Carson transform of a modulus: s times its Laplace transform, at the Laplace variable s.
 Complex carson_transform(const PronySeries& modulus, Complex s) {
   Complex sum = modulus.equilibrium();
   for (const auto& [time, strength] : modulus.terms()) sum += strength * (s * time) / (1.0 + s * time);

@@ -20,9 +20,10 @@ class EngineeringModuli {
   /// Ratio of lateral contraction at time t [s], t > 0, and axial strain after a step of the axial strain [-], with an
   /// error below 1e-9.
   [[nodiscard]] double poisson_ratio(double t) const;
-  /// E' + i E'' [Pa] at angular frequency omega [rad/s].
+  /// The complex Young's modulus E' + i E'' [Pa] at angular frequency omega [rad/s].
   [[nodiscard]] std::complex<double> complex_youngs_modulus(double omega) const;
-  /// nu' + i nu'' [-]; the imaginary part is negative where the contraction lags behind.
+  /// The complex Poisson's ratio nu' + i nu'' [-] at angular frequency omega [rad/s]; the imaginary part is negative
+  /// where the contraction lags behind.
   [[nodiscard]] std::complex<double> complex_poisson_ratio(double omega) const;
 
  private:

@@ -14,8 +14,8 @@
 namespace breccia {
 namespace {
 
-/// exp(-t / tau) after a step at 0; after a ramp of duration T, its mean over the instants of the ramp (theory, Eq.
-/// 26).
+/// The decay exp(-t / tau) after a step at time 0; after a ramp of duration T, its mean over the instants of the ramp
+/// (theory, Eq. 26).
 double decay(double t, double tau, double ramp) {
   if (ramp == 0.0) return std::exp(-t / tau);
   if (t <= ramp) return -std::expm1(-t / tau) * tau / ramp;
@@ -90,7 +90,7 @@ Fit fit(const Eigen::MatrixXd& columns, const Eigen::VectorXd& data, const std::
   for (Eigen::Index j = 0; j < result.amplitudes.size(); ++j) {
     if (result.amplitudes[j] > 0.0) used.push_back(j);
   }
-  // With as many parts as data there is no degree of freedom left from which the scatter could be estimated.
+  // With as many parts as data no degree of freedom is left, from which the scatter could be estimated.
   const auto freedom = data.size() - static_cast<Eigen::Index>(used.size());
   const double scatter =
       freedom > 0 ? std::sqrt(deviations.squaredNorm() / static_cast<double>(freedom)) : std::nan("");

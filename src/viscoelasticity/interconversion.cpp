@@ -16,7 +16,7 @@ struct Rate {
   double offset = 0.0;
 
   [[nodiscard]] double value() const noexcept { return base + offset; }
-  /// other - this
+  /// The difference between the other rate and this one.
   [[nodiscard]] double distance_to(double other) const noexcept { return (other - base) - offset; }
 };
 
@@ -61,7 +61,7 @@ CreepCompliance creep_compliance(const PronySeries& modulus) {
   const double unrelaxed = modulus.unrelaxed(), equilibrium = modulus.equilibrium();
   if (!(unrelaxed > 0.0)) throw InputError("creep compliance: the modulus is zero at all times");
 
-  // Zeros of s G~(s) at s = -r: -G_inf + sum_i G_i r / (p_i - r) = 0.
+  // The rates are the zeros of s G~(s) at s = -r: -G_inf + sum_i G_i r / (p_i - r) = 0.
   const auto negative_modulus = [&](const Rate& rate) {
     double sum = -equilibrium;
     for (const auto& [pole, strength] : terms) sum += strength * rate.value() / rate.distance_to(pole);
@@ -94,7 +94,7 @@ PronySeries relaxation_modulus(const CreepCompliance& compliance) {
     total += strength;
   }
 
-  // Zeros of s J~(s) at s = -r: J_0 + sum_i J_i p_i / (p_i - r) - phi / r = 0.
+  // The rates are the zeros of s J~(s) at s = -r: J_0 + sum_i J_i p_i / (p_i - r) - phi / r = 0.
   const auto negative_compliance = [&](const Rate& rate) {
     double sum = instantaneous - fluidity / rate.value();
     for (const auto& [pole, strength] : terms) sum += strength * pole / rate.distance_to(pole);

@@ -6,7 +6,7 @@
 namespace breccia {
 namespace {
 
-/// A problem as Eigen's search takes it.
+/// A problem in the form that Eigen's search needs.
 class Functor {
  public:
   using Scalar = double;

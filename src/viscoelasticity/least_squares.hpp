@@ -7,19 +7,20 @@
 
 namespace breccia {
 
-// Least squares by Eigen. Its decompositions take seconds to compile, so they are compiled in one source.
+// Least squares by Eigen, whose decompositions take seconds to compile and are therefore compiled in one source.
 
-/// The x that makes |A x - b| least, by orthogonal factors with column pivoting.
+/// The x that minimises |A x - b|, by orthogonal factors with column pivoting.
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
-/// Orthonormal columns that span the columns of a matrix: as many rows as it has, as many columns as its rank.
+/// A matrix of orthonormal columns that span the columns of a matrix: it has the same number of rows, and as many
+/// columns as the rank.
 Eigen::MatrixXd orthonormal_basis(const Eigen::MatrixXd& columns);
 
 /// Diagonal of (J'J)^-1, the variances of the unknowns for deviations of unit variance. Returns nothing where J'J is
 /// singular.
 std::optional<Eigen::VectorXd> variances(const Eigen::MatrixXd& jacobian);
 
-/// Deviations f(x), whose sum of squares is to be made least.
+/// A problem of nonlinear least squares: the deviations f(x), whose sum of squares is to be minimised.
 struct NonlinearLeastSquares {
   Eigen::Index values;                                                           ///< number of deviations
   std::function<void(const Eigen::VectorXd& x, Eigen::VectorXd& f)> deviations;  ///< sets f(x), which has its size
@@ -27,15 +28,15 @@ struct NonlinearLeastSquares {
       jacobian;  ///< sets df_i / dx_j, values x unknowns
 };
 
-/// When a search ends.
+/// Criteria by which a search ends.
 struct SearchLimits {
-  double relative_step = 0.0;      ///< of x
-  double relative_decrease = 0.0;  ///< of the sum of squares
-  int most_evaluations = 400;      ///< of the deviations
+  double relative_step = 0.0;      ///< relative size of a step of x
+  double relative_decrease = 0.0;  ///< relative decrease of the sum of squares
+  int most_evaluations = 400;      ///< largest number of evaluations of the deviations
 };
 
-/// Moves x to the least sum of squares by the method of Levenberg and Marquardt. Returns whether it ended within the
-/// evaluations allowed; x is the best found in any case.
+/// Moves x to the minimum of the sum of squares by the method of Levenberg and Marquardt. Returns whether the search
+/// ended within the allowed number of evaluations; x is the best one found in any case.
 [[nodiscard]] bool search_least_squares(const NonlinearLeastSquares& problem, const SearchLimits& limits,
                                         Eigen::VectorXd& x);
 

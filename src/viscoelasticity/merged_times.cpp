@@ -8,7 +8,7 @@ namespace breccia {
 namespace {
 
 struct Cluster {
-  double logarithm;  ///< of the relaxation time [ln s]
+  double logarithm;  ///< logarithm of the relaxation time [ln s]
   double weight;
 };
 

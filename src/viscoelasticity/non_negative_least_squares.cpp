@@ -17,8 +17,8 @@ Eigen::VectorXd solve_for(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& 
   return least_squares(matrix(Eigen::all, variables), right);
 }
 
-/// Moves x towards the solution in the free variables until the first of them becomes zero, binds that one to zero, and
-/// repeats this until the solution is positive.
+/// Moves x towards the solution in the free variables until the first of them becomes zero, fixes that variable at
+/// zero, and repeats this until the solution is positive.
 void descend(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right, Indices& free, Eigen::VectorXd& x) {
   while (!free.empty()) {
     const Eigen::VectorXd target = solve_for(matrix, right, free);

@@ -23,8 +23,8 @@ double excess_of(const PronyReduction& reduction, double tolerance) {
   return excess;
 }
 
-/// Keeps the best of several reductions: the nearest to the tolerance; among those within it, the one with the fewest
-/// relaxation times; among these, the one with the least deviation.
+/// Keeps the best of several reductions: the one that exceeds the tolerance least; among reductions within the
+/// tolerance, the one with the fewest relaxation times; among these, the one with the least deviation.
 class BestReduction {
  public:
   explicit BestReduction(const PronyReductionOptions& options) : options_(options) {}
@@ -47,8 +47,8 @@ class BestReduction {
 /// A modulus and its range of values in a window of time.
 struct RelaxingModulus {
   PronySeries series;
-  double least;  ///< [Pa]
-  double most;   ///< [Pa]
+  double least;  ///< least value [Pa]
+  double most;   ///< largest value [Pa]
 
   RelaxingModulus(const PronySeries& modulus, const std::vector<double>& times) : series(modulus) {
     std::vector<double> values(times.size());
@@ -66,8 +66,8 @@ struct RelaxingModulus {
 
 /// Searches the fewest relaxation times with which series follow the moduli within the tolerance: 0, 4, 8, 16, ...,
 /// then by bisection. Calls `consider` with every reduction found on the way. A number that suffices for one tolerance
-/// suffices for a wider one, so that a wider one hardly ever takes more times. Where even a dense fit is far off, as
-/// from a modulus that rises, only the most terms are tried.
+/// suffices for a wider one, so that a wider one hardly ever takes more times. Where even a dense fit is far off, for
+/// example for a modulus that rises, only the largest number of terms is tried.
 void search_fewest_times(const CommonTimesSearch& times, const PronyReductionOptions& options,
                          const std::function<void(PronyReduction)>& consider) {
   const auto follows = [&](std::size_t count) {
@@ -78,7 +78,7 @@ void search_fewest_times(const CommonTimesSearch& times, const PronyReductionOpt
   };
   const auto most = std::min(times.most(), options.most_terms);
   constexpr std::size_t first = 4;
-  constexpr double rest = 1.05;  // moving the times of a dense fit lowers its deviation by hardly more
+  constexpr double rest = 1.05;  // factor by which moving the times of a dense fit lowers its deviation at most
   const auto nearest = times.nearest(options.tolerance);
   consider(nearest);
   if (nearest.worst_deviation() > rest * options.tolerance) {

@@ -10,7 +10,7 @@ ReducedSeries reduce_to_window(const PronySeries& series, const TimeWindow& wind
   const double softest = series.at(window.end);
   const auto& terms = series.terms();
 
-  // Walk inwards from both ends of the spectrum; each side may spend half of the tolerance.
+  // The search goes inwards from both ends of the spectrum; each side may use half of the tolerance.
   double slow_error = 0.0;
   auto first = terms.begin();
   for (; first != terms.end(); ++first) {

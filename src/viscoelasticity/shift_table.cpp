@@ -18,7 +18,7 @@
 namespace breccia {
 namespace {
 
-/// y at x on the polygon through points with rising x, at one of its sections that is given.
+/// The value y at x of the piecewise linear function through points with rising x, on the given section.
 double on_section(std::span<const double> x, std::span<const double> y, std::size_t section, double at) {
   const double share = (at - x[section]) / (x[section + 1] - x[section]);
   return (1.0 - share) * y[section] + share * y[section + 1];
@@ -61,7 +61,7 @@ ShiftTable::ShiftTable(std::vector<double> temperatures, std::vector<double> log
 }
 
 double ShiftTable::log10_factor(double temperature) const {
-  // A row may be written in another unit than the temperature that is meant to be the same.
+  // A row may be written in another unit than an equal temperature elsewhere.
   constexpr double rounding = 1e-6;  // [K]
   const auto is_row = [temperature](double row) { return std::abs(temperature - row) <= rounding; };
   if (const auto row = std::ranges::find_if(temperatures_, is_row); row != temperatures_.end()) {

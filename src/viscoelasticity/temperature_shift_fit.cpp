@@ -16,8 +16,8 @@
 namespace breccia {
 namespace {
 
-/// Deviations of log10 a_T from -S d / (1 + k d), d = T - T_ref. The unknowns, the slope S = c1 / c2 at the reference
-/// and the curvature k = 1 / c2, remain finite for factors nearly linear in T, where c1 and c2 diverge.
+/// The deviations of log10 a_T from -S d / (1 + k d) with d = T - T_ref. The unknowns, the slope S = c1 / c2 at the
+/// reference and the curvature k = 1 / c2, remain finite for factors nearly linear in T, where c1 and c2 diverge.
 class Deviations {
  public:
   Deviations(Eigen::VectorXd differences, Eigen::VectorXd factors)

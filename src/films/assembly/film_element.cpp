@@ -23,7 +23,7 @@ FilmElement film_element(const FilmStretch& stretch) {
   for (std::size_t i = 0; i < gauss_points.size(); ++i) {
     const double x = gauss_points[i];
     const auto along = quadratic(x), slope = quadratic_slope(x);
-    // The offset, along the film, of the point on the second side relative to that on the first.
+    // The offset, along the film, of the point on the second side relative to the point on the first side.
     const double ahead = linear(x).dot(
         Eigen::Vector2d((second[0] - first[0]).dot(stretch.direction), (second[1] - first[1]).dot(stretch.direction)));
     for (std::size_t j = 0; j < gauss_points.size(); ++j) {

@@ -34,8 +34,8 @@ double angle_between(const FilmEnd& from, const FilmEnd& to) {
 
 }  // namespace
 
-// The polynomial that tests/reference/film_end.py fits to the solutions of Stokes flow in 28 junctions of angles from
-// 75 to 170 degrees, within 0.005.
+// The polynomial was fitted by tests/reference/film_end.py to the solutions of Stokes flow in 28 junctions with angles
+// from 75 to 170 degrees; its error is less than 0.005.
 double end_length(const std::array<double, 2>& angles) {
   constexpr double even = 120.0, least = -0.25, most = 0.3;
   const double mean = std::clamp(0.5 * (angles[0] + angles[1]) / even - 1.0, least, most);

@@ -9,7 +9,7 @@ namespace breccia::films {
 inline constexpr int held = -1;
 
 /// The matrices of grains and films (theory, Eq. 65), in units of the side of the box. The unknowns are displacements
-/// and, of thin films, flows; the macroscopic strains xx, yy and the engineering shear follow them.
+/// and, for thin films, flows, followed by the macroscopic strains xx, yy and the engineering shear.
 struct FilmMatrices {
   using Sparse = Eigen::SparseMatrix<double>;
   static constexpr int macroscopic = 3;  ///< number of macroscopic strains
@@ -19,10 +19,11 @@ struct FilmMatrices {
   Sparse dilatation;                                   ///< volume change by pressure and unknown
   Sparse volume;                                       ///< lower triangle of the products of the pressures' functions
   Eigen::Matrix<double, Eigen::Dynamic, 3> tractions;  ///< forces of the stresses xx, yy and xy on the boundary
-  Eigen::Matrix<double, Eigen::Dynamic, 4> by_gradient;  ///< unknowns of the displacement gradients 11, 12, 21 and 22
+  Eigen::Matrix<double, Eigen::Dynamic, 4>
+      by_gradient;  ///< values of the unknowns in the displacement gradients 11, 12, 21 and 22
   /// Vector from the first node to the node whose second component a traction boundary holds at zero.
   Eigen::Vector2d farthest_held = Eigen::Vector2d::Zero();
-  double area = 0.0;  ///< of grains and binder, of a box of area 1
+  double area = 0.0;  ///< area of grains and binder in a box of area 1
 };
 
 }  // namespace breccia::films

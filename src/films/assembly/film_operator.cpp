@@ -51,7 +51,7 @@ FilmVector FilmOperator::load_forces(Load load) const {
 
 FilmVector FilmOperator::uniform_strain(Load load) const {
   if (boundary_ != Boundary::traction) return {1.0, Eigen::VectorXd::Zero(unknowns())};
-  // Rotated so that the held components are zero: a displacement gradient H with this symmetric part.
+  // The displacement gradient H has this symmetric part, and is rotated so that the held components are zero.
   const auto strain = unit_strain<2>(load);
   const double h21 = -strain.yy * matrices_.farthest_held.y() / matrices_.farthest_held.x();
   const Eigen::Vector4d gradient(strain.xx, 2.0 * strain.xy - h21, h21, strain.yy);

@@ -25,7 +25,7 @@ class FilmOperator {
     return static_cast<int>(matrices_.grains.rows()) - FilmMatrices::macroscopic;
   }
   [[nodiscard]] int pressures() const noexcept { return static_cast<int>(matrices_.volume.rows()); }
-  /// Area of grains and binder, of a box of area 1.
+  /// Area of grains and binder in a box of area 1.
   [[nodiscard]] double area() const noexcept { return matrices_.area; }
 
   [[nodiscard]] FilmVector zero() const { return {0.0, Eigen::VectorXd::Zero(unknowns())}; }
@@ -35,14 +35,15 @@ class FilmOperator {
   /// boundary.
   [[nodiscard]] FilmVector load_forces(Load load) const;
 
-  /// K_0 u, of the grains at their moduli.
+  /// The forces K_0 u of the grains with their moduli.
   [[nodiscard]] FilmVector grain_forces(Load load, const FilmVector& displacement) const;
   /// K_G u
   [[nodiscard]] FilmVector shear_forces(Load load, const FilmVector& displacement) const;
   /// K_K u
   [[nodiscard]] FilmVector bulk_forces(Load load, const FilmVector& displacement) const;
 
-  /// Volumetric strains of the binder where its pressures are, M^-1 B u (theory, Eq. 65): -1/K times the pressures.
+  /// Volumetric strains of the binder at the positions of its pressures, M^-1 B u (theory, Eq. 65): -1/K times the
+  /// pressures.
   [[nodiscard]] Eigen::VectorXd volumetric_strains(Load load, const FilmVector& displacement) const;
 
   /// Lower triangle of the symmetric matrix of unknowns and pressures -K tr, in units of K, at these moduli of the
@@ -50,7 +51,8 @@ class FilmOperator {
   [[nodiscard]] Sparse matrix(const Moduli& binder) const;
 
  private:
-  /// Throws NumericalError where a uniform strain has another shear energy than that of the areas of grains and binder.
+  /// A patch test: throws NumericalError where the shear energy of a uniform strain is not that of the areas of grains
+  /// and binder.
   void require_patch(double grain_shear) const;
   [[nodiscard]] Eigen::VectorXd extended(Load load, const FilmVector& displacement) const;
   [[nodiscard]] FilmVector reduced(Load load, const Eigen::VectorXd& forces) const;

@@ -45,7 +45,7 @@ class FilmVector {
 
 /// Writes a displacement to a group of a state.
 void save(StateWriter& state, const std::string& group, const FilmVector& displacement);
-/// Reads it from there. Throws FileError when the number of unknowns differs.
+/// Reads a displacement from a group of a state. Throws FileError when the number of unknowns differs.
 void restore(const StateReader& state, const std::string& group, FilmVector& displacement);
 
 }  // namespace breccia::films

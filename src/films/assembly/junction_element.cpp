@@ -22,7 +22,7 @@ JunctionElement junction_element(std::span<const Eigen::Vector2d> corners) {
     const double twice_area = a.x() * b.y() - a.y() * b.x();
     element.area += 0.5 * twice_area;
     const auto strain = strain_rows(twice_area_gradients);
-    // Beside a vanished face three corners may be almost on a line, or a triangle may be inverted.
+    // Next to a vanished face three corners may be almost on a line, or a triangle may be inverted.
     constexpr double least_share = 1e-6;
     const double size_of_triangle = std::max(std::abs(twice_area), least_share * (a.squaredNorm() + b.squaredNorm()));
     const Eigen::Matrix<double, 6, 6> shear = 0.5 / size_of_triangle * strain.transpose() * deviatoric * strain;

@@ -14,7 +14,7 @@ struct JunctionElement {
   double area;
 };
 
-/// `corners` are those of a polygon, counter-clockwise. Two corners have no area between them.
+/// `corners` are the corners of a polygon, counter-clockwise. Two corners alone have no area between them.
 [[nodiscard]] JunctionElement junction_element(std::span<const Eigen::Vector2d> corners);
 
 }  // namespace breccia::films

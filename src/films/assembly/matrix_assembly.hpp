@@ -19,21 +19,21 @@ struct ElementUnknowns {
   Eigen::Matrix<double, Eigen::Dynamic, 3> macroscopic;
 };
 
-/// Adds up the matrices of elements of any kind. Nothing is added for an unknown that is held.
+/// Adds up the matrices of elements of any kind. Entries of an unknown that is held are left out.
 class MatrixAssembly {
  public:
   MatrixAssembly(int unknowns, int pressures);
 
   void add_grain(const ElementUnknowns& unknowns, const Eigen::MatrixXd& stiffness);
   void add_shear(const ElementUnknowns& unknowns, const Eigen::MatrixXd& stiffness);
-  /// A resistance to a single unknown, of a unit shear modulus.
+  /// Adds a resistance to a single unknown, for a unit shear modulus.
   void add_resistance(int unknown, double stiffness);
   void add_dilatation(std::span<const int> pressures, const ElementUnknowns& unknowns, const Eigen::MatrixXd& matrix);
-  /// The volume that a single unknown takes from a pressure.
+  /// Adds the volume that a single unknown takes from a pressure.
   void add_outflow(int pressure, int unknown, double volume);
   void add_volume(std::span<const int> pressures, const Eigen::MatrixXd& matrix);
   void add_area(double area) { result_.area += area; }
-  /// Forces of the stresses xx, yy and xy on an unknown.
+  /// Adds the forces of the stresses xx, yy and xy on an unknown.
   void add_traction(int unknown, const Eigen::RowVector3d& forces);
   /// Sets the position, relative to the first node, of the node to whose displacement component an unknown belongs.
   void set_position(int unknown, int component, const Eigen::Vector2d& position);

@@ -6,9 +6,9 @@
 
 namespace breccia::films {
 
-using Gradients = Eigen::Matrix<double, 2, Eigen::Dynamic>;  ///< of shape functions, a column each
-using StrainRows =
-    Eigen::Matrix<double, 3, Eigen::Dynamic>;  ///< xx, yy and the engineering shear of nodal displacements
+using Gradients = Eigen::Matrix<double, 2, Eigen::Dynamic>;   ///< gradients of shape functions, a column each
+using StrainRows = Eigen::Matrix<double, 3, Eigen::Dynamic>;  ///< matrix that gives the strains xx, yy and the
+                                                              ///< engineering shear from nodal displacements
 
 /// Strain of nodal displacements, two components a node.
 [[nodiscard]] inline StrainRows strain_rows(const Gradients& gradients) {

@@ -11,7 +11,7 @@ namespace breccia::films {
 /// A triangle with straight edges and quadratic functions of six nodes: three corners, then the middles of the edges
 /// from the first, the second and the third corner.
 struct QuadraticTriangle {
-  std::array<Gradients, 3> at;               ///< of the functions at three points of integration, of equal weights
+  std::array<Gradients, 3> at;  ///< gradients of the functions at three points of integration, which have equal weights
   std::array<Eigen::Vector3d, 3> linear_at;  ///< the linear functions of the corners at these points
   double area;
 };

@@ -25,7 +25,7 @@ bool are_on_a_wall(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
 }
 
 /// Numbers of the unknowns: the displacements of all nodes, and the pressures at the corners of the elements of the
-/// binder. Boundaries hold displacements like those of thin films (see Unknowns).
+/// binder. Boundaries hold the same displacements as with thin films (see Unknowns).
 class ResolvedUnknowns {
  public:
   ResolvedUnknowns(const ResolvedMesh& mesh, Boundary boundary)
@@ -73,8 +73,8 @@ class ResolvedUnknowns {
     }
   }
 
-  std::vector<int> displacements_;  ///< by node and component
-  std::vector<int> pressures_;      ///< by node
+  std::vector<int> displacements_;  ///< numbers by node and component
+  std::vector<int> pressures_;      ///< numbers by node
   std::size_t farthest_held_ = 0;
   int count_ = 0, pressure_count_ = 0;
 };
@@ -114,7 +114,7 @@ class ResolvedFilms {
     for (const auto& element : mesh_.triangles) add_mixed(element, mixed_triangle(element.positions));
   }
 
-  /// Uniform tractions on the edges along the walls.
+  /// Adds uniform tractions on the edges along the walls.
   void add_tractions() {
     for (const auto& element : mesh_.grains) add_tractions(element);
     for (const auto& element : mesh_.quadrilaterals) add_tractions(element);

@@ -104,9 +104,9 @@ class ThinFilms {
   [[nodiscard]] FilmMatrices finish() { return sum_.finish(); }
 
  private:
-  /// The displacements of nodes, and flows. The macroscopic motion is relative to the first node: a translation does no
-  /// work on an element, and the motion relative to the origin of the box would add its rounding to the element's
-  /// forces.
+  /// The unknowns of an element: the displacements of nodes, and flows. The macroscopic motion is relative to the first
+  /// node: a translation does no work on an element, and the motion relative to the origin of the box would add its
+  /// rounding to the element's forces.
   [[nodiscard]] ElementUnknowns unknowns_of(std::span<const NodeImage> nodes, std::span<const int> flows) const {
     ElementUnknowns unknowns;
     unknowns.macroscopic.setZero(static_cast<Eigen::Index>(2 * nodes.size() + flows.size()), 3);

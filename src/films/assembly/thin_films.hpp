@@ -6,8 +6,8 @@
 
 namespace breccia::films {
 
-/// The matrices of grains parted by thin films: a row of elements a film, with its flow as unknowns of their own
-/// (theory, Eqs. 60 to 64). Throws InputError when a film leaves nothing of a grain.
+/// The matrices of grains separated by thin films. A film is a row of elements, whose flows are unknowns of their own
+/// (theory, Eqs. 60 to 64). Throws InputError when the films take up a whole grain.
 [[nodiscard]] FilmMatrices thin_films(const FilmProblem& problem);
 
 }  // namespace breccia::films

@@ -16,7 +16,7 @@ namespace breccia::films {
 
 /// Numbers of the unknowns of a network of films: the fluctuations of the displacement of the nodes of the grains, then
 /// the flows at both ends of each element of each film, and under a traction boundary the slip of each opening of a
-/// film in a wall; the pressures are numbered by themselves, those of the junctions first.
+/// film in a wall; the pressures have numbers of their own, those of the junctions first.
 ///
 /// A displacement boundary holds the fluctuation at zero on the walls; as many components as there are rigid motions
 /// are held at zero under the other boundaries.
@@ -31,7 +31,8 @@ class Unknowns {
   [[nodiscard]] int displacement(std::size_t grain, std::size_t node, int component) const noexcept {
     return displacements_[grain][2 * node + static_cast<std::size_t>(component)];
   }
-  /// The node of the boundary of a grain at the beginning of an element of a face, or `past` it.
+  /// The number of a node on the boundary of a grain: the node at the beginning of an element of a face, or `past`
+  /// nodes after it.
   [[nodiscard]] std::size_t node(std::size_t grain, std::size_t face, int past) const noexcept {
     return (first_nodes_[grain][face] + static_cast<std::size_t>(past)) % boundary_nodes_[grain];
   }
@@ -51,11 +52,11 @@ class Unknowns {
   void hold_translations();
   void hold_rotation(const std::vector<GrainMesh>& meshes);
 
-  std::vector<std::vector<int>> displacements_;        ///< by grain and component
-  std::vector<std::size_t> boundary_nodes_;            ///< their number, by grain
-  std::vector<std::vector<std::size_t>> first_nodes_;  ///< by grain and face
-  std::vector<int> first_flows_, first_pressures_;     ///< by film
-  std::vector<std::array<int, 2>> slips_;              ///< by film
+  std::vector<std::vector<int>> displacements_;        ///< numbers by grain and component
+  std::vector<std::size_t> boundary_nodes_;            ///< number of boundary nodes, by grain
+  std::vector<std::vector<std::size_t>> first_nodes_;  ///< numbers by grain and face
+  std::vector<int> first_flows_, first_pressures_;     ///< numbers by film
+  std::vector<std::array<int, 2>> slips_;              ///< numbers by film
   Eigen::Vector2d farthest_held_ = Eigen::Vector2d::Zero();
   int count_ = 0, pressures_ = 0;
 };

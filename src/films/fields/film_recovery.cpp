@@ -34,7 +34,7 @@ Value mean_of(const Value& begin, const Value& middle, const Value& end) {
   return (begin + 4.0 * middle + end) / 6.0;
 }
 
-/// Displacement of a node of an element, from those of all its nodes.
+/// Displacement of a node of an element, from the displacements of all its nodes.
 Eigen::Vector2d at_node(const Eigen::VectorXd& displacements, Eigen::Index node) {
   return displacements.segment<2>(2 * node);
 }
@@ -315,7 +315,7 @@ class Recovery {
   Boundary boundary_;
   Eigen::Vector3d strain_;
   const FilmVector *displacement_, *shear_;
-  Eigen::VectorXd volumetric_strain_, negative_pressure_;  ///< by number of the pressure
+  Eigen::VectorXd volumetric_strain_, negative_pressure_;  ///< values by number of the pressure
   std::vector<Eigen::Vector3d>
       inflow_;  ///< by junction: the part of the integral of its strain that comes from flow into it
   FilmFields fields_;

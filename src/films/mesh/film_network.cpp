@@ -41,7 +41,7 @@ class EdgePairs {
     return {*edge.neighbour, number_.at(key(*edge.neighbour, at.grain, -edge.image))};
   }
 
-  /// Whether erosion has left a face of the edge on either side.
+  /// Whether a face of the edge is left on either side after the erosion.
   [[nodiscard]] bool is_alive(const EdgeOf& at) const {
     return (*this)(at).face || ((*this)(at).neighbour && (*this)(opposite(at)).face);
   }
@@ -54,7 +54,7 @@ class EdgePairs {
     return at;
   }
 
-  std::vector<std::vector<std::size_t>> end_junction;  ///< by grain and edge
+  std::vector<std::vector<std::size_t>> end_junction;  ///< numbers by grain and edge
 
  private:
   using Key = std::tuple<std::size_t, std::size_t, int, int>;
@@ -129,7 +129,7 @@ FilmSide side_of(const GrainPolygon& grain, std::size_t g, std::size_t edge, con
   return {{g, grain.corner_before(edge), image}, {g, grain.corner_after(edge), image}, grain.edges[edge].face};
 }
 
-/// Films, each from the one of its edges that comes first, or from the only one with a face.
+/// Makes the films. Each begins with the edge of it that comes first, or with the only edge that has a face.
 std::vector<Film> find_films(const EdgePairs& edges, const FilmNetwork& network) {
   std::vector<Film> films;
   const auto& grains = network.grains;
@@ -159,8 +159,8 @@ int segments_of(double length, double longest) {
   return std::max(1, static_cast<int>(std::ceil(length / longest - 1e-9)));
 }
 
-/// Equal numbers of elements on both sides of each film; walls have their own. A film that a wall cuts has shorter
-/// elements: there pressure and motion change most.
+/// Sets the numbers of elements, which are equal on both sides of a film; faces along walls have their own. A film that
+/// a wall cuts has shorter elements, because pressure and motion change most there.
 void set_segments(FilmNetwork& network, double face_share) {
   const auto longest = [&](std::size_t grain) { return face_share * std::sqrt(area(network.grains[grain].corners)); };
   for (std::size_t g = 0; g < network.grains.size(); ++g) {

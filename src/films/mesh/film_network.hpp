@@ -37,19 +37,19 @@ struct FilmSide {
 /// to the end; the second side is opposite.
 struct Film {
   std::array<FilmSide, 2> sides;
-  Eigen::Vector2d direction;             ///< from start to end, of length 1
-  Eigen::Vector2d normal;                ///< from the first side to the second, of length 1
-  double thickness;                      ///< [sides of the box]; with one face, its distance from the other grain
-  std::array<std::size_t, 2> junctions;  ///< at its start and at its end
+  Eigen::Vector2d direction;  ///< direction from start to end, of length 1
+  Eigen::Vector2d normal;     ///< direction from the first side to the second, of length 1
+  double thickness;           ///< thickness [sides of the box]; with one face, its distance from the other grain
+  std::array<std::size_t, 2> junctions;  ///< junctions at its start and at its end
   int segments;                          ///< number of equal elements along it
 };
 
 /// Grains, films and junctions: they tile the box.
 struct FilmNetwork {
-  std::vector<GrainPolygon> grains;  ///< by site
+  std::vector<GrainPolygon> grains;  ///< grains by site
   std::vector<Film> films;
   std::vector<Junction> junctions;
-  std::vector<std::vector<int>> segments;  ///< of each face of each grain
+  std::vector<std::vector<int>> segments;  ///< number of elements of each face of each grain
 
   [[nodiscard]] Eigen::Vector2d position(const CornerImage& corner) const {
     return grains[corner.grain].corners[corner.corner] + corner.image.cast<double>();

@@ -13,9 +13,10 @@ namespace {
 
 using Triangle = std::array<std::size_t, 3>;
 
-using Ring = std::vector<std::size_t>;  // of vertices, counter-clockwise
+using Ring = std::vector<std::size_t>;  // indices of vertices, counter-clockwise
 
-/// Triangles between a ring and the one within, whose vertices are behind every second one of its own.
+/// Adds the triangles between a ring and the next ring inside, whose vertices are behind every second vertex of the
+/// outer one.
 void fill_between(const Ring& outer, const Ring& inner, std::vector<Triangle>& triangles) {
   for (std::size_t i = 0; i < inner.size(); ++i) {
     const std::size_t here = inner[i], next = inner[(i + 1) % inner.size()];
@@ -32,7 +33,7 @@ double perimeter(const std::vector<Eigen::Vector2d>& polygon) {
   return length;
 }
 
-/// Triangles of three corners that fill a polygon, to whose vertices those inside are added.
+/// Triangles of three corners that fill a polygon. The vertices inside are added to those of the polygon.
 std::vector<Triangle> fill(std::vector<Eigen::Vector2d>& vertices) {
   constexpr double least_scale = 0.35;
   constexpr std::size_t fewest = 6;
@@ -41,7 +42,7 @@ std::vector<Triangle> fill(std::vector<Eigen::Vector2d>& vertices) {
   Ring ring(vertices.size());
   std::iota(ring.begin(), ring.end(), std::size_t{0});
   std::vector<Triangle> triangles;
-  double scale = 1.0;  // of the ring to the boundary
+  double scale = 1.0;  // scale of the ring relative to the boundary
   while (ring.size() >= 2 * fewest) {
     const double inner_scale = scale * (1.0 - length / (static_cast<double>(ring.size()) * radius));
     if (inner_scale < least_scale) break;

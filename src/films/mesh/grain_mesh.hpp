@@ -20,8 +20,9 @@ struct GrainMesh {
   std::vector<std::array<std::size_t, 6>> triangles;
 };
 
-/// Rings of triangles around the centroid, each with half as many elements around it as the one outside, as long as the
-/// elements are smaller than the distance from the centroid; then a fan. `segments` are the elements of each face.
+/// The mesh of a grain with `segments` equal elements along each face. It has rings of triangles around the centroid,
+/// each with half as many elements as the next ring outside, as long as the elements are smaller than the distance from
+/// the centroid; then a fan.
 [[nodiscard]] GrainMesh grain_mesh(const GrainPolygon& grain, std::span<const int> segments);
 
 /// The mesh of a grain with elements of any length: `divisions` are, for each face, the shares of its length at which

@@ -27,13 +27,14 @@ Outline outline(const ConvexCell<2>& cell) {
   return outline;
 }
 
-/// A cell without its share of the films, and the half-space of the cell from which each of its own comes.
+/// A cell without its share of the films, and for each of its half-spaces the number of the half-space of the original
+/// cell.
 struct ErodedCell {
   ConvexCell<2> cell;
   std::vector<std::uint32_t> origin;
 };
 
-/// `thickness` is that of the films of the tessellation [m].
+/// Erodes the cell of a site; `thickness` is the thickness of the films of the tessellation [m].
 ErodedCell eroded(const Tessellation<2>& tessellation, std::size_t site, double thickness) {
   const auto& cell = tessellation.cell(site);
   ErodedCell result{cell, {}};

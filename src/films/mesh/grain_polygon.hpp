@@ -12,10 +12,10 @@ namespace breccia::films {
 
 /// An edge of a cell of a tessellation, and its neighbour.
 struct CellEdge {
-  std::optional<std::size_t> neighbour;             ///< the site beyond; none beyond a wall
+  std::optional<std::size_t> neighbour;             ///< the site beyond the edge; none beyond a wall
   Eigen::Vector2i image = Eigen::Vector2i::Zero();  ///< sides of the box by which that site is displaced
-  Eigen::Vector2d normal;                           ///< outward, of length 1
-  std::optional<std::size_t> face;                  ///< the face of the grain that the film has left of this edge
+  Eigen::Vector2d normal;                           ///< outward normal of length 1
+  std::optional<std::size_t> face;  ///< the face of the grain that belongs to this edge, unless it has vanished
 };
 
 /// A grain: a cell of a tessellation without its share of the films. Walls cut cells and films like a window in a
@@ -23,7 +23,7 @@ struct CellEdge {
 /// its origin. A periodic grain may reach beyond the sides.
 struct GrainPolygon {
   std::vector<Eigen::Vector2d> corners;  ///< counter-clockwise; the face of the same number begins there
-  std::vector<CellEdge> edges;           ///< of the cell, counter-clockwise; the faces of the grain are in this order
+  std::vector<CellEdge> edges;  ///< edges of the cell, counter-clockwise; the faces of the grain are in this order
 
   /// The corner of the grain at the end of an edge of the cell, or that in which the edge has vanished.
   [[nodiscard]] std::size_t corner_after(std::size_t edge) const;

@@ -13,7 +13,7 @@
 namespace breccia::films {
 
 /// Numbers nodes by their positions, so that elements that meet share nodes. In a periodic box a node and its images
-/// are one. Lengths are in sides of the box; positions closer than 1e-10 are the same.
+/// have one number. Lengths are in sides of the box; positions closer than 1e-10 count as equal.
 class NodeMerger {
  public:
   explicit NodeMerger(Walls walls) : is_periodic_(walls == Walls::periodic) {}

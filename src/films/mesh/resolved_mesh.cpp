@@ -86,14 +86,14 @@ class MeshBuilder {
   ResolvedMesh mesh_;
 };
 
-/// Shares at which layers start and end, from one face to the other.
+/// Shares of the thickness at which layers start and end, from one face to the other.
 std::vector<double> layers_across(int layers) {
   std::vector<double> shares;
   for (int k = 0; k <= layers; ++k) shares.push_back(graded(1.0 * k / layers));
   return shares;
 }
 
-/// Shares from the corner of a grain, where the rows are thinner, to the centre of a junction.
+/// Shares of the distance from the corner of a grain, where the rows are thinner, to the centre of a junction.
 std::vector<double> layers_inward(int layers) {
   std::vector<double> shares;
   for (int k = 0; k <= layers; ++k) shares.push_back(2.0 * graded(0.5 * k / layers));
@@ -133,7 +133,7 @@ ResolvedMesh resolved_mesh(const FilmProblem& problem) {
   const double shortest = across[1] * thickness;
   MeshBuilder mesh(problem.tessellation.walls());
 
-  std::vector<std::vector<std::vector<double>>> divisions;  // by grain and face
+  std::vector<std::vector<std::vector<double>>> divisions;  // divisions by grain and face
   for (std::size_t g = 0; g < network.grains.size(); ++g) {
     const auto& grain = network.grains[g];
     auto& of_grain = divisions.emplace_back();

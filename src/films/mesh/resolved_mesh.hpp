@@ -22,7 +22,7 @@ using MeshQuadrilateral = MeshElement<4, 9>;
 
 /// A box of grains and binder as conforming elements, several of them across each film. Lengths are in sides.
 struct ResolvedMesh {
-  std::vector<Eigen::Vector2d> nodes;  ///< of elements of quadratic displacements
+  std::vector<Eigen::Vector2d> nodes;  ///< positions of the nodes of elements with quadratic displacements
   std::vector<MeshTriangle> grains;
   /// The elements of the binder: the films, and the junctions around their centres.
   std::vector<MeshQuadrilateral> quadrilaterals;

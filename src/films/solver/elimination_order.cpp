@@ -31,12 +31,13 @@ void for_each_pair(const Sparse& lower_triangle, const Visit& visit) {
   }
 }
 
-/// The first unknown of each vertex of the graph; a vertex is the unknowns from its first to the next one.
+/// The first unknown of each vertex of the graph. A vertex consists of the unknowns from its first one up to the first
+/// one of the next vertex.
 std::vector<int> first_unknowns(const Sparse& lower_triangle) {
   const auto count = static_cast<std::size_t>(lower_triangle.rows());
   // Unknowns with equal sums have the same neighbours, among which each counts itself.
   std::vector<std::uint64_t> neighbours(count);
-  for (std::size_t i = 0; i < count; ++i) neighbours[i] = spread(i + 1);  // spread(0) would count for nothing
+  for (std::size_t i = 0; i < count; ++i) neighbours[i] = spread(i + 1);  // spread(0) is 0 and would not count
   for_each_pair(lower_triangle, [&](int row, int column) {
     neighbours[static_cast<std::size_t>(row)] += spread(static_cast<std::uint64_t>(column) + 1);
     neighbours[static_cast<std::size_t>(column)] += spread(static_cast<std::uint64_t>(row) + 1);
@@ -62,7 +63,7 @@ Graph graph_of(const Sparse& lower_triangle, const std::vector<int>& first) {
     graph.sizes.push_back(first[v + 1] - first[v]);
     for (int i = first[v]; i < first[v + 1]; ++i) vertex[static_cast<std::size_t>(i)] = static_cast<int>(v);
   }
-  // The first unknown of a vertex has the neighbours of all.
+  // The first unknown of a vertex has the same neighbours as its other unknowns.
   const auto for_each_edge = [&](const auto& visit) {
     for_each_pair(lower_triangle, [&](int row, int column) {
       const int a = vertex[static_cast<std::size_t>(row)], b = vertex[static_cast<std::size_t>(column)];
@@ -86,8 +87,8 @@ Graph graph_of(const Sparse& lower_triangle, const std::vector<int>& first) {
   return graph;
 }
 
-/// METIS takes over the signals that end a process. They wait while it works, and have their own handlers again
-/// afterwards.
+/// METIS replaces the handlers of the signals that end a process. These signals wait while it works, and have their own
+/// handlers again afterwards.
 class OwnSignals {
  public:
   OwnSignals() {

@@ -9,8 +9,8 @@ namespace breccia::films {
 /// the end, also when a signal has stopped the calculation.
 class FactorDirectory {
  public:
-  /// Throws InputError where the environment variable TMPDIR names no directory in which one can be made, or one whose
-  /// name is too long for MUMPS.
+  /// Throws InputError where the environment variable TMPDIR does not name a directory in which another can be made, or
+  /// where the name is too long for MUMPS.
   FactorDirectory();
   ~FactorDirectory();
   FactorDirectory(const FactorDirectory&) = delete;

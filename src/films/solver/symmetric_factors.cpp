@@ -97,7 +97,7 @@ void SymmetricFactors::InstanceDeleter::operator()(DMUMPS_STRUC_C* instance) con
   delete instance;
 }
 
-/// Orders the unknowns of the first matrix, whose pattern the others share.
+/// Orders the unknowns of the first matrix; all further matrices have the same pattern.
 void SymmetricFactors::analyse() {
   constexpr int symmetric = 2, works_too = 1, given = 1, silent = 0, no_unit = -1, per_cent = 30;
   auto blank = std::make_unique<DMUMPS_STRUC_C>();
@@ -132,7 +132,7 @@ void SymmetricFactors::analyse() {
   mumps.perm_in = nullptr;
   if (1e6 * information(mumps, megabytes_of_a_process) > memory_) {
     control(mumps, use_files) = 1;
-    // Texts of a fixed length that end with zero.
+    // The texts have a fixed length and end with zero.
     const auto set_text = [](auto& text, const std::string& value) {
       std::ranges::copy_n(value.c_str(), static_cast<std::ptrdiff_t>(std::min(value.size() + 1, sizeof text)), text);
     };

@@ -47,9 +47,9 @@ class SymmetricFactors {
   [[nodiscard]] Eigen::VectorXd solve_once(const Eigen::VectorXd& right_side) const;
 
   double memory_;
-  Sparse matrix_;                             ///< on the first process, as are the lists of its entries
-  std::optional<FactorDirectory> directory_;  ///< of the files, which MUMPS closes before it is removed
-  std::vector<int> rows_, columns_;           ///< of the entries, from 1
+  Sparse matrix_;                             ///< matrix, on the first process like the lists of its entries
+  std::optional<FactorDirectory> directory_;  ///< directory of the files, which MUMPS closes before it is removed
+  std::vector<int> rows_, columns_;           ///< rows and columns of the entries, from 1
   std::unique_ptr<DMUMPS_STRUC_C, InstanceDeleter> mumps_;
   double residual_ = 0.0;
 };

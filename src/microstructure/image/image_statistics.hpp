@@ -15,9 +15,9 @@ template <int dim>
 [[nodiscard]] std::vector<double> label_fractions(const LabelImage<dim>& image, std::size_t count);
 
 /// Length of the sides between pixels of different labels per area of the box, S/A [1/m], with those across the sides
-/// of a periodic box; in three dimensions the area of the faces between voxels per volume. The sides of pixels are a
-/// staircase: it is 4/pi times as long as a smooth interface of all directions, however fine the pixels, and 3/2 times
-/// as large in three dimensions.
+/// of a periodic box; in three dimensions the area of the faces between voxels per volume. The sides of pixels form
+/// steps, which are 4/pi times as long as a smooth interface of all directions, however fine the pixels are, and 3/2
+/// times as large in three dimensions.
 template <int dim>
 [[nodiscard]] double specific_interface(const LabelImage<dim>& image);
 

@@ -12,7 +12,7 @@ namespace breccia {
 
 namespace {
 
-/// The pixel along an axis of `count` pixels that a coordinate, in pixels, is taken from.
+/// The index of the pixel at a coordinate, in pixels, along an axis of `count` pixels.
 int pixel_at(double coordinate, int count, Walls walls) {
   if (walls == Walls::periodic) coordinate -= count * std::floor(coordinate / count);
   return static_cast<int>(std::clamp(std::floor(coordinate), 0.0, count - 1.0));

@@ -24,7 +24,7 @@ const Vector<2>& after(std::span<const Vector<2>> corners, std::size_t corner) {
 double twice_signed_area(std::span<const Vector<2>> corners) noexcept {
   double sum = 0.0;
   for (std::size_t corner = 0; corner < corners.size(); ++corner) {
-    // Seen from the first corner, for the sake of roundoff.
+    // Coordinates are relative to the first corner, which reduces roundoff.
     sum += cross(corners[corner] - corners[0], after(corners, corner) - corners[0]);
   }
   return sum;
@@ -43,7 +43,7 @@ std::vector<double> turns(std::span<const Vector<2>> corners) {
 }
 
 std::vector<CornerMistake> inward_corners(std::span<const Vector<2>> corners) {
-  constexpr double roundoff = 1e-9;  // of a corner on a straight side [rad]
+  constexpr double roundoff = 1e-9;  // turn of a corner on a straight side [rad]
   const double sense = twice_signed_area(corners) > 0.0 ? 1.0 : -1.0;
   std::vector<CornerMistake> mistakes;
   double all = 0.0;
@@ -72,7 +72,7 @@ std::vector<Vector<2>> sound(std::vector<Vector<2>> corners) {
 std::vector<Vector<2>> centred(std::vector<Vector<2>> corners) {
   if (twice_signed_area(corners) < 0.0) std::ranges::reverse(corners);
   const auto centre = centroid(corners);
-  // Corners that are centred already keep their bits.
+  // Corners that are centred already are not changed.
   constexpr double roundoff = 1e-14;
   const double size = norm(corners[1] - corners[0]);
   if (norm(centre) <= roundoff * size) return corners;

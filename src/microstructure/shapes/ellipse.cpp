@@ -7,7 +7,7 @@
 namespace breccia {
 namespace {
 
-/// Distance of a point from the centre with its coordinates divided by the half axes; 1 on the outline.
+/// Distance of a point from the centre, where its coordinates are divided by the half axes; 1 on the outline.
 double length_in_half_axes(const Ellipse& ellipse, const Vector<2>& point) noexcept {
   return std::hypot(2.0 * point[0] / ellipse.axes[0], 2.0 * point[1] / ellipse.axes[1]);
 }

@@ -45,7 +45,7 @@ class EllipsoidSeparation {
     Eigen::Vector3d direction = normal_of_contact();
     double best = gap_along(direction);
     if (best <= 0.0) return best;
-    // Where s is positive it has one maximum on the sphere of directions: Newton's method finds it from any of these.
+    // Where s is positive it has one maximum on the sphere of directions: Newton's method finds it from any direction.
     constexpr int most_steps = 50;
     for (int step = 0; step < most_steps; ++step) {
       const Eigen::Vector3d change = newton_step(direction, best);
@@ -84,7 +84,7 @@ class EllipsoidSeparation {
     return normal.normalized();
   }
 
-  /// Tangent to the sphere of directions.
+  /// A step of Newton's method, tangent to the sphere of directions.
   [[nodiscard]] Eigen::Vector3d newton_step(const Eigen::Vector3d& direction, double present) const {
     Eigen::Vector3d gradient = apart_;
     Eigen::Matrix3d curvature = present * Eigen::Matrix3d::Identity();
@@ -191,8 +191,8 @@ double surface(const Ellipsoid& ellipsoid) {
               (std::ellint_2(modulus, angle) * sine_square + std::ellint_1(modulus, angle) * (c / a) * (c / a)));
 }
 
-// The support function of an ellipsoid, integrated over all directions, is the surface of the one with reciprocal half
-// axes times the product of its own.
+// The support function of an ellipsoid, integrated over all directions, is the product of its half axes times the
+// surface of the ellipsoid with the reciprocal half axes.
 double mean_width(const Ellipsoid& ellipsoid) {
   constexpr double square_of_two = 4.0;
   const auto& [a, b, c] = ellipsoid.axes;

@@ -19,7 +19,7 @@
 namespace breccia {
 namespace {
 
-constexpr double share_of_roundoff = 1e-12;  // of an axis or the side
+constexpr double share_of_roundoff = 1e-12;  // tolerance as a share of an axis or of the side
 
 Ellipsoid moved_to(const Ellipsoid& ellipsoid, const Vector<3>& centre) {
   auto moved = ellipsoid;
@@ -89,7 +89,7 @@ std::string name(const EllipsoidBox& box, std::size_t number) {
                      number + 1, axes[0], axes[1], axes[2], centre[0], centre[1], centre[2]);
 }
 
-/// The mistake of a particle by itself; empty if there is none.
+/// The mistake in a single particle; empty if there is none.
 std::string mistake_of(const EllipsoidBox& box, std::size_t number) {
   const auto& [centre, axes, directions] = box.particles[number];
   const auto is_length = [](double axis) { return axis > 0.0 && std::isfinite(axis); };

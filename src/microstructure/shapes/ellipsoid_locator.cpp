@@ -52,7 +52,7 @@ struct EllipsoidLocator::Search {
 
   EllipsoidBox box;
   std::vector<double> radii;
-  double reach;  // farther away a particle need not be found
+  double reach;  // distance beyond which a particle need not be found
   LevelGrid<3> grid;
   PeriodicImages<3> images;
 };
@@ -69,9 +69,9 @@ const EllipsoidBox& EllipsoidLocator::box() const noexcept {
 LocatedParticle EllipsoidLocator::at(const Vector<3>& position) const {
   const auto& search = *search_;
   LocatedParticle nearest = {{}, search.reach};
-  double coated = search.reach;  // distance from the coating of the nearest
+  double coated = search.reach;  // distance from the coating of the nearest particle
   search.grid.visit_near(position, search.reach, [&](std::uint32_t number, std::uint32_t image) {
-    if (nearest.distance < 0.0) return;  // no other one is there
+    if (nearest.distance < 0.0) return;  // no other particle is at this point
     auto particle = search.box.particles[number];
     particle.centre += search.images.shift(image);
     if (norm(position - particle.centre) - search.radii[number] >= coated) return;

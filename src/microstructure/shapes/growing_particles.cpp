@@ -14,8 +14,8 @@
 namespace breccia {
 namespace {
 
-// Particles keep this share of the side of the box more than the distance asked for, so that roundoff does not reduce
-// it.
+// A margin, as a share of the side of the box, that is added to the requested distances so that roundoff does not
+// reduce them.
 constexpr double margin = 1e-12;
 
 template <class Particle>

@@ -31,8 +31,8 @@ class GrowingParticles {
 
   /// Places the particles at a scale, the largest first. Returns false, with none placed, if one of them does not fit.
   bool place(double scale);
-  /// Grows placed particles to a scale, and moves apart those that then overlap. Returns false, with the scale and
-  /// poses as before, if some still overlap after the given number of sweeps.
+  /// Grows placed particles to a scale, and moves apart those that then overlap. Returns false, and restores the scale
+  /// and the poses, if some particles still overlap after the given number of sweeps.
   bool grow_to(double scale, int most_sweeps);
 
  private:
@@ -47,7 +47,7 @@ class GrowingParticles {
   template <class Visit>
   void visit_neighbours(std::uint32_t particle, const Pose& pose, Visit&& visit) const;
   /// The largest depth to which a particle in this pose reaches into a shell or a wall [m], at the final size; 0 if it
-  /// reaches into none. Above `most` the value is a lower bound.
+  /// does not overlap any. Above `most` the value is a lower bound.
   [[nodiscard]] double overlap(std::uint32_t particle, const Pose& pose, double most) const;
   [[nodiscard]] double overlap_with_walls(std::uint32_t particle, const Pose& pose) const;
   void move_to(std::uint32_t particle, const Pose& pose);
@@ -57,14 +57,14 @@ class GrowingParticles {
   void restore(const std::vector<Pose>& poses);
 
   Request request_;
-  std::vector<double> radii_;         // of balls around the particles [m]
-  std::vector<std::uint32_t> order_;  // the largest first
+  std::vector<double> radii_;         // radii of balls around the particles [m]
+  std::vector<std::uint32_t> order_;  // numbers of the particles, the largest first
   std::mt19937_64 engine_;
   PeriodicImages<dim> images_;
   LevelGrid<dim> grid_;
   std::vector<Pose> poses_;
   double scale_ = 0.0;
-  double step_ = 0.3;  // of a move, in radii
+  double step_ = 0.3;  // length of a move, in radii
   std::uint64_t moves_ = 0;
 };
 

@@ -88,7 +88,8 @@ double signed_distance(const Particle& particle, const Vector<2>& point) {
 }
 
 ParticleGap gap(const Shape& one, const Pose& at_one, const Shape& other, const Pose& at_other, double enough) {
-  // The first shape grown by the second one, turned around: the distance of the centre of the second one from it.
+  // The gap is the distance of the centre of the second shape from the first shape grown by the second one, turned
+  // around (Minkowski sum).
   const auto grown = [&](const Vector<2>& direction) -> SupportPoint {
     const auto [point, radius] = support(one, at_one, direction);
     const auto [behind, radius_behind] = support(other, at_other, {-direction[0], -direction[1]});

@@ -45,7 +45,7 @@ double volume_fraction(const ParticleBox& box) {
 double coating_fraction(const ParticleBox& box) {
   double sum = 0.0;
   for (std::size_t particle = 0; particle < box.particles.size(); ++particle) {
-    // Steiner's formula for the points within a distance of a convex set.
+    // This is Steiner's formula for the points within a distance of a convex set.
     const double thickness = box.coating_of(particle);
     sum += perimeter(box.particles[particle].shape) * thickness + std::numbers::pi * thickness * thickness;
   }
@@ -70,8 +70,8 @@ double smallest_gap(const ParticleBox& box) {
   const double thickest = box.coatings.empty() ? 0.0 : std::ranges::max(box.coatings);
   const double diagonal = std::numbers::sqrt2 * box.side;
   double reach = 2.0 * thickest + 0.1 * box.side / std::sqrt(static_cast<double>(box.particles.size()));
-  // Pairs farther apart than the reach may have a smaller gap between their coatings than the one found, by up to twice
-  // the thickest coating.
+  // A pair whose outlines are farther apart than the reach may have a smaller gap between its coatings than the gap
+  // found, by up to twice the thickest coating.
   bool is_certain = false;
   while (!is_certain && reach < 4.0 * diagonal) {
     visit_particle_pairs(box, reach, [&](std::uint32_t one, std::uint32_t other, double width) {

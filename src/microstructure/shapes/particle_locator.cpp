@@ -10,7 +10,7 @@
 namespace breccia {
 namespace {
 
-/// Buckets along each side: about one particle a bucket.
+/// Number of buckets along each side, with about one particle a bucket.
 int bucket_count(const ParticleBox& box) {
   constexpr double most = 1000.0;
   return static_cast<int>(std::clamp(std::ceil(std::sqrt(static_cast<double>(box.particles.size()))), 1.0, most));
@@ -49,7 +49,7 @@ LocatedParticle ParticleLocator::at(const Vector<2>& position) const {
   const auto bucket =
       static_cast<std::size_t>(bucket_along_axis(position[1]) * buckets_ + bucket_along_axis(position[0]));
   LocatedParticle nearest = {{}, reach_};
-  double coated = reach_;  // distance from the coating of the nearest
+  double coated = reach_;  // distance from the coating of the nearest particle
   for (const auto index : candidates_of_[bucket]) {
     const auto& [number, particle, radius] = candidates_[index];
     if (norm(position - particle.pose.centre()) - radius >= coated) continue;

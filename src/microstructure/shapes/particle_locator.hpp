@@ -10,10 +10,11 @@ namespace breccia {
 
 /// The particle at or near a point of a box.
 struct LocatedParticle {
-  /// The particle that contains the point, or whose coated outline is nearest; none beyond the reach of the locator.
+  /// Number of the particle that contains the point, or whose coated outline is nearest; nothing beyond the reach of
+  /// the locator.
   std::optional<std::size_t> particle = {};
   /// Signed distance from the outline of that particle, without its coating (signed_distance()); the reach of the
-  /// locator where there is none [m].
+  /// locator where there is no particle [m].
   double distance = 0.0;
 };
 
@@ -32,16 +33,16 @@ class ParticleLocator {
   struct Candidate {
     std::size_t number;
     Particle particle;
-    double radius;  // of a disc around it with its coating
+    double radius;  // radius of a disc around the particle with its coating
   };
 
   [[nodiscard]] int bucket_along_axis(double coordinate) const;
 
   ParticleBox box_;
-  int buckets_;   // along each side
-  double reach_;  // farther away a particle need not be found
+  int buckets_;   // number of buckets along each side
+  double reach_;  // distance beyond which a particle need not be found
   std::vector<Candidate> candidates_;
-  std::vector<std::vector<std::size_t>> candidates_of_;  // of each bucket
+  std::vector<std::vector<std::size_t>> candidates_of_;  // candidates of each bucket
 };
 
 }  // namespace breccia

@@ -18,7 +18,7 @@
 namespace breccia {
 namespace {
 
-constexpr double roundoff = 1e-12;  // of a diameter or the side
+constexpr double roundoff = 1e-12;  // tolerance as a share of a diameter or of the side
 
 std::string name(const ParticleBox& box, std::size_t number) {
   const auto& [shape, pose] = box.particles[number];
@@ -38,7 +38,7 @@ double room(const ParticleBox& box, std::size_t number) {
   return smallest_wall_gap(alone) - box.coating_of(number);
 }
 
-/// The mistakes of each particle by itself.
+/// The mistakes in single particles.
 std::vector<std::string> mistakes_of_particles(const ParticleBox& box) {
   const auto is_outside = [&](double x) { return !(x >= 0.0 && x <= box.side); };
   std::vector<std::string> mistakes;
@@ -59,7 +59,7 @@ std::vector<std::string> mistakes_of_particles(const ParticleBox& box) {
   return mistakes;
 }
 
-/// Particles that overlap, in the order of their numbers.
+/// A message for each pair of particles that overlap, in the order of their numbers.
 std::vector<std::string> overlaps(const ParticleBox& box) {
   struct Overlap {
     std::pair<std::uint32_t, std::uint32_t> pair;

@@ -10,18 +10,18 @@
 
 namespace breccia {
 
-// The functions of particles that a sequential packing calls, for plane particles and for ellipsoids. `random()`
-// returns numbers uniform in [0, 1).
+// The functions for particles that a sequential packing calls, overloaded for particles in a plane and for ellipsoids.
+// `random()` returns numbers uniform in [0, 1).
 
 [[nodiscard]] double size_of(const ParticleToPlace& particle);    ///< area [m^2]
 [[nodiscard]] double size_of(const EllipsoidToPlace& particle);   ///< volume [m^3]
 [[nodiscard]] double reach_of(const ParticleToPlace& particle);   ///< largest distance from the centre [m]
 [[nodiscard]] double reach_of(const EllipsoidToPlace& particle);  ///< largest distance from the centre [m]
-/// Area or volume with the shell around it [m^dim].
+/// Area or volume of a particle with the shell around it [m^dim].
 [[nodiscard]] double size_with_shell(const ParticleToPlace& particle);
 [[nodiscard]] double size_with_shell(const EllipsoidToPlace& particle);
-/// The least width along the axes of the box over all orientations [m]; over those in steps of two degrees for a plane
-/// particle.
+/// The least width of a particle along the axes of the box over all orientations [m]; for a particle in a plane over
+/// orientations in steps of two degrees.
 [[nodiscard]] double least_width(const ParticleToPlace& particle);
 [[nodiscard]] double least_width(const EllipsoidToPlace& particle);
 [[nodiscard]] bool has_finite_angle(const ParticleToPlace& particle);
@@ -47,13 +47,13 @@ namespace breccia {
 [[nodiscard]] std::array<Vector<2>, 2> reach_along_axes(const ParticleToPlace& particle, const Pose& pose);
 [[nodiscard]] std::array<Vector<2>, 3> reach_along_axes(const EllipsoidToPlace& particle, const EllipsoidPose& pose);
 
-/// Distance of two particles [m], negative where they overlap; above `enough` a lower bound.
+/// Distance between two particles [m], negative where they overlap; above `enough` the value is a lower bound.
 [[nodiscard]] double gap_between(const ParticleToPlace& one, const Pose& at_one, const ParticleToPlace& other,
                                  const Pose& at_other, double enough);
 [[nodiscard]] double gap_between(const EllipsoidToPlace& one, const EllipsoidPose& at_one,
                                  const EllipsoidToPlace& other, const EllipsoidPose& at_other, double enough);
 
-/// The product of two rotations, the second one first.
+/// The product of two rotations (quaternions): the second one is applied first.
 [[nodiscard]] std::array<double, 4> product(const std::array<double, 4>& one, const std::array<double, 4>& other);
 
 /// A pose with a random orientation.

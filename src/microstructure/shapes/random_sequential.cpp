@@ -14,14 +14,14 @@
 namespace breccia {
 namespace {
 
-// Particles that are placed at random one after the other fill at most about 55 % of a plane and 38 % of space; up to
-// this fraction few trials are needed for each.
+// The fraction up to which few trials are needed for each particle. Particles that are placed at random one after the
+// other fill at most about 55 % of a plane and 38 % of space.
 constexpr double placed_fraction(int dim) {
   return dim == 3 ? 0.25 : 0.4;
 }
 // Relative growth in a step [-]; a step that fails is repeated with half the growth.
 constexpr double first_growth = 0.02, largest_growth = 0.05, smallest_growth = 1e-4;
-constexpr int most_sweeps = 200;  // for a step of growth
+constexpr int most_sweeps = 200;  // largest number of sweeps for a step of growth
 
 template <class Request>
 void require_meaning(const Request& request) {
@@ -101,7 +101,7 @@ struct SequentialRun<Request>::Growth {
   explicit Growth(Request request) : particles(std::move(request)) {}
 
   GrowingParticles<Request> particles;
-  double next = first_growth;  // of the scale
+  double next = first_growth;  // relative growth of the scale in the next step
 };
 
 template <class Request>

@@ -11,12 +11,12 @@
 
 namespace breccia {
 
-/// Finds the distance of a point from a convex body that has the origin inside: the largest value of
-/// s(n) = n . (point - support(n)) over all directions n (theory, Eq. 52). Every s(n) is a lower bound of the distance,
-/// and the segment between two points of the body gives an upper bound.
+/// Finds the distance of a point from a convex body that has the origin inside: the largest value of s(n) = n . (point
+/// - support(n)) over all directions n (theory, Eq. 52). Every s(n) is a lower bound of the distance, and the segment
+/// between two points of the body gives an upper bound.
 ///
-/// s rises towards its maximum wherever it is positive. The direction of the maximum is enclosed between two others,
-/// and found by approximating the outline by a circle of its radius of curvature, or by a straight side.
+/// s rises towards its maximum wherever it is positive. The direction of the maximum is enclosed between two other
+/// directions, and found by approximating the outline by a circle of its radius of curvature, or by a straight side.
 template <class Support>
 class Separation {
  public:
@@ -44,7 +44,7 @@ class Separation {
  private:
   struct End {
     Vector<2> direction{};
-    std::optional<Vector<2>> point = {};  // the point of the body farthest along the direction
+    std::optional<Vector<2>> point = {};  // point of the body farthest along the direction
   };
 
   static std::optional<Vector<2>> normalised(const Vector<2>& vector) {
@@ -59,7 +59,8 @@ class Separation {
            cross(*direction, upper_.direction) > roundoff;
   }
 
-  /// Evaluates s along a direction, narrows the bounds, and returns the next direction; nothing if none is left.
+  /// Evaluates s along a direction, narrows the bounds, and returns the next direction; nothing if no direction is
+  /// left.
   std::optional<Vector<2>> look_along(const Vector<2>& direction) {
     const auto [outermost, curvature] = support_(direction);
     const auto rest = point_ - outermost;

@@ -21,7 +21,7 @@ double base_weight(const std::vector<Site<dim>>& sites, double spacing) {
   return mean - spacing * spacing / std::numbers::pi;
 }
 
-/// Radii of balls around the sites [m], none less than sqrt(weight - base), by which LevelGrid finds the sites.
+/// Radii of balls around the sites [m], by which LevelGrid finds the sites. No radius is less than sqrt(weight - base).
 template <int dim>
 std::vector<double> radii_of_weights(const std::vector<Site<dim>>& sites, double base, double smallest) {
   std::vector<double> radii;
@@ -48,7 +48,7 @@ template <int dim>
 ConvexCell<dim> CellBuilder<dim>::largest_cell(std::uint32_t site) const {
   Vector<dim> lower, upper;
   typename ConvexCell<dim>::BoxSides behind;
-  Image step = 1;  // to the image above along the axis
+  Image step = 1;  // difference of the numbers of an image and the next one above along the axis
   for (std::size_t axis = 0; axis < dim; ++axis) {
     if (sites_.walls == Walls::hard) {
       lower[axis] = -sites_.sites[site].position[axis];
@@ -92,8 +92,8 @@ double CellBuilder<dim>::search_reach(const ConvexCell<dim>& cell, std::uint32_t
   return reach + std::sqrt(std::max(0.0, reach * reach - sites_.sites[site].weight + base_weight_));
 }
 
-/// Cuts the cell by the sites that LevelGrid finds within this reach. The nearest planes come first, so that most of
-/// the others do not touch the remaining cell.
+/// Cuts the cell by the sites that LevelGrid finds within this reach. The nearest planes come first, so that most
+/// further planes do not touch the remaining cell.
 template <int dim>
 void CellBuilder<dim>::cut_by_sites_within(double reach, ConvexCell<dim>& cell, std::uint32_t site) const {
   const auto& [position, weight] = sites_.sites[site];
@@ -109,7 +109,8 @@ void CellBuilder<dim>::cut_by_sites_within(double reach, ConvexCell<dim>& cell, 
   };
   std::vector<HalfSpace<dim>> half_spaces;
   grid_.visit_near(position, reach, [&](std::uint32_t other, Image image) {
-    if (other == site || !may_cut(other, image)) return;  // its own images bound the largest cell
+    if (other == site || !may_cut(other, image))
+      return;  // the largest cell is bounded by the images of its own site already
     half_spaces.push_back(half_space(site, Behind<dim>::number(other, image)));
   });
   std::ranges::sort(half_spaces, {},

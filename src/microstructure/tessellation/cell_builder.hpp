@@ -50,7 +50,7 @@ class CellBuilder {
 
   const LaguerreSites<dim>& sites_;
   PeriodicImages<dim> images_;
-  double spacing_;  // of equal grains of this number [m]
+  double spacing_;  // spacing of equal grains of this number [m]
   double base_weight_;
   std::vector<double> radii_;
   LevelGrid<dim> grid_;

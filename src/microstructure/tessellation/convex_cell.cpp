@@ -19,7 +19,7 @@ namespace breccia {
 
 namespace {
 
-constexpr double cut_tolerance = 4e-15;  // of the diagonal of the box that a cell began with
+constexpr double cut_tolerance = 4e-15;  // tolerance as a share of the diagonal of the box from which a cell is cut
 
 /// Volume of the simplex spanned by `dim` vectors from a common corner [m^dim].
 double simplex_volume(const std::array<Vector<2>, 2>& edges) {
@@ -38,8 +38,8 @@ double triangle_area(const Vector<3>& a, const Vector<3>& b, const Vector<3>& c)
   return 0.5 * norm(cross(b - a, c - a));
 }
 
-/// Calls visit(corner, across, slot) once for every edge: it joins two corners and leaves the plane `slot` of the
-/// first.
+/// Calls visit(corner, across, slot) once for every edge: it joins two corners and leads away from the plane `slot` of
+/// the first one.
 template <int dim, class Visit>
 void visit_edges(const ConvexCell<dim>& cell, Visit&& visit) {
   for (std::size_t corner = 0; corner < cell.corners().size(); ++corner) {
@@ -99,7 +99,8 @@ ConvexCell<dim>::ConvexCell(const Vector<dim>& lower, const Vector<dim>& upper, 
     normal[axis] = 1.0;
     half_spaces_.push_back({normal, upper[axis], behind[axis][1]});
   }
-  for (std::uint32_t sides = 0; sides < (1U << dim); ++sides) {  // bit by bit, below or above along each axis
+  for (std::uint32_t sides = 0; sides < (1U << dim);
+       ++sides) {  // the bits say whether a corner is at the lower or the upper side along each axis
     Corner corner{};
     for (std::uint32_t axis = 0; axis < dim; ++axis) {
       const std::uint32_t is_above = (sides >> axis) & 1U;

@@ -11,7 +11,7 @@ namespace breccia {
 
 /// The grain or film at a point of a tessellation.
 struct LocatedGrain {
-  std::uint32_t site = 0;  ///< the cell that the point is in
+  std::uint32_t site = 0;  ///< site of the cell that contains the point
   /// Depth of the point inside its grain [m]: the distance from the nearest film. In the film it is negative, and no
   /// grain is nearer than -depth.
   double depth = 0.0;
@@ -48,8 +48,8 @@ class GrainLocator {
 
   double least_half_film_;
   std::unique_ptr<SiteTree<dim>> tree_;
-  std::vector<std::size_t> first_face_;  // of each cell; behind them the number of all
-  std::vector<Face> faces_;              // relative to the site of their cell
+  std::vector<std::size_t> first_face_;  // first face of each cell, followed by the number of all faces
+  std::vector<Face> faces_;              // faces, relative to the site of their cell
 };
 
 extern template class GrainLocator<2>;

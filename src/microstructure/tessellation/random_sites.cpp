@@ -29,9 +29,9 @@ namespace {
 /// 0.384 for equal balls).
 template <int dim>
 constexpr double first_fraction = dim == 2 ? 0.4 : 0.25;
-constexpr int most_attempts = 10'000;     // to place a ball
+constexpr int most_attempts = 10'000;     // largest number of attempts to place a ball
 constexpr double ball_shrinkage = 0.9;    // factor of the diameters, if a ball does not fit
-constexpr double rough_tolerance = 0.01;  // of volumes whose centroids are wanted
+constexpr double rough_tolerance = 0.01;  // relative tolerance of volumes in the steps that only need the centroids
 
 void require_meaning(const RandomTessellationRequest& request) {
   if (!(request.side > 0.0) || !std::isfinite(request.side)) {
@@ -91,7 +91,7 @@ std::optional<LaguerreSites<dim>> place_balls(double side, Walls walls, const st
   return result;
 }
 
-/// Sites whose cells all have a volume, of about the wanted size.
+/// Sites whose cells all have positive volumes of about the wanted size.
 template <int dim>
 LaguerreSites<dim> first_sites(const RandomTessellationRequest& request) {
   const auto volumes = ball_volumes<dim>(request.diameters);

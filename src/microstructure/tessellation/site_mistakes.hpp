@@ -7,11 +7,11 @@
 
 namespace breccia {
 
-// The parts of mistakes(), for those who have the cells. Instantiated for 2 and 3 dimensions.
+// The parts of mistakes(), for callers that have the cells. Instantiated for 2 and 3 dimensions.
 
 /// Positions outside the box, weights that are not finite and shares of the films that are not positive. Throws
-/// InputError if the box has no size, there are no sites or more than most_particles, or the number of the shares is
-/// not that of the sites.
+/// InputError if the box has no size, there are no sites or more than most_particles, or the numbers of shares and
+/// sites differ.
 template <int dim>
 [[nodiscard]] std::vector<SiteMistake> mistakes_of_numbers(const LaguerreSites<dim>& sites);
 

@@ -14,7 +14,7 @@ namespace {
 /// The largest number of sites left to compare at a point: twice the number that meet at a corner.
 template <int dim>
 constexpr std::size_t most_candidates = 2 * (dim + 1);
-constexpr int deepest = 32;  // reached only where more cells than that meet at one point
+constexpr int deepest = 32;  // a tree is as deep as this only where more cells than that number meet at one point
 
 }  // namespace
 
@@ -70,7 +70,8 @@ void SiteTree<dim>::build(std::size_t node, const Part& part, const std::vector<
   const std::size_t first = nodes_.size();
   nodes_[node] = {static_cast<std::uint32_t>(first), 0};
   nodes_.resize(first + parts);
-  for (std::uint32_t sides = 0; sides < parts; ++sides) {  // bit by bit, below or above along each axis
+  for (std::uint32_t sides = 0; sides < parts;
+       ++sides) {  // the bits say whether a part is the lower or the upper half along each axis
     Part half{part.centre, 0.5 * part.half_side, part.depth + 1};
     for (std::uint32_t axis = 0; axis < dim; ++axis) {
       half.centre[axis] += ((sides >> axis) & 1U) != 0 ? half.half_side : -half.half_side;

@@ -29,8 +29,8 @@ class SiteTree {
     std::uint32_t site;
   };
   struct Node {
-    std::uint32_t first;  // candidate of a leaf, or else part
-    std::uint32_t count;  // of candidates; 0 for a divided node
+    std::uint32_t first;  // number of the first candidate of a leaf, or of the first part of a divided node
+    std::uint32_t count;  // number of candidates; 0 for a divided node
   };
   struct Part {
     Vector<dim> centre;

@@ -23,9 +23,9 @@ namespace breccia {
 namespace {
 
 constexpr int most_steps = 200;
-constexpr double shortest_step = 1e-9;  // of a Newton step
+constexpr double shortest_step = 1e-9;  // shortest share of a Newton step
 
-/// The cells that the present weights give: their volumes, and how these change with the weights.
+/// The cells with the present weights: their volumes, and the derivatives of these with respect to the weights.
 template <int dim>
 class Cells {
  public:
@@ -50,7 +50,7 @@ class Cells {
     update();
   }
 
-  /// [m^dim]
+  /// Volumes of the cells [m^dim].
   [[nodiscard]] const Eigen::VectorXd& volumes() const noexcept { return volumes_; }
 
   [[nodiscard]] bool all_have_volume() const { return volumes_.minCoeff() > 0.0; }
@@ -59,8 +59,8 @@ class Cells {
     if (!all_have_volume()) require_none(mistakes(sites_));
   }
 
-  /// Derivatives of the volumes with respect to the weights [m^(dim - 2)], -dV_i/dw_j = (face between i and j) /
-  /// (2 |c_j - c_i|), with rows that sum to zero; but the weight of the first site, which is held, acts on no other.
+  /// Derivatives of the volumes with respect to the weights [m^(dim - 2)], -dV_i/dw_j = (face between i and j) / (2
+  /// |c_j - c_i|), with rows that sum to zero; but the weight of the first site, which is fixed, acts on no other cell.
   [[nodiscard]] Eigen::SparseMatrix<double> derivatives() const {
     std::vector<Eigen::Triplet<double, int>> entries;
     for (const auto& [site, other, rate] : rates_) {
@@ -73,7 +73,7 @@ class Cells {
   }
 
  private:
-  struct Rate {  // at which the volume of a cell grows with its weight, and another's shrinks
+  struct Rate {  // rate at which the volume of a cell grows with its weight, and that of its neighbour shrinks
     int site;
     int other;
     double rate;  // [m^(dim - 2)]
@@ -149,7 +149,7 @@ Eigen::VectorXd newton_step(const Eigen::SparseMatrix<double>& derivatives, Eige
 }  // namespace
 
 // Damped Newton method of Kitagawa, Merigot and Thibert (2019), Algorithm 1. A step is halved until no cell is smaller
-// than half of the smallest at first and of the smallest wanted, and the volumes are nearer to the wanted ones.
+// than half of the smallest initial and the smallest wanted volume, and the volumes are closer to the wanted ones.
 template <int dim>
 SiteWeights weights_for_volumes(const LaguerreSites<dim>& sites, std::span<const double> volumes, double tolerance) {
   if (!(tolerance > 0.0)) {

@@ -22,8 +22,8 @@ struct Filling {
   double slope = 0.0;
 };
 
-/// The filling by the grains at a thickness of the film [m]. For the slope each face of a grain recedes by half of the
-/// growth of its film.
+/// The filling by the grains at a thickness of the film [m]. The derivative follows from the faces of the grains, each
+/// of which recedes by half of the growth of its film.
 template <int dim>
 Filling filling(const Tessellation<dim>& tessellation, double film) {
   const double box = times_power<dim>(1.0, tessellation.side());

@@ -13,17 +13,18 @@ namespace breccia {
 /// One cell of a tessellation, and its grain without the film.
 template <int dim>
 struct GrainGeometry {
-  Vector<dim> centroid;    ///< of the cell; inside the box if the walls are hard [m]
-  double cell_volume;      ///< [m^dim]
-  double grain_volume;     ///< 0 if the film leaves nothing [m^dim]
-  double grain_surface;    ///< [m^(dim - 1)]
-  double diameter;         ///< of the ball with the grain's volume [m]
-  double aspect_ratio;     ///< of the cell, from its second moments [-]
-  std::size_t faces;       ///< of the cell, without those on a wall
-  std::size_t neighbours;  ///< other sites behind these faces; in a small periodic box two faces may have the same one
+  Vector<dim> centroid;    ///< centroid of the cell; inside the box if the walls are hard [m]
+  double cell_volume;      ///< volume of the cell [m^dim]
+  double grain_volume;     ///< volume of the grain; 0 if the film takes up the whole cell [m^dim]
+  double grain_surface;    ///< surface of the grain [m^(dim - 1)]
+  double diameter;         ///< diameter of the ball with the grain's volume [m]
+  double aspect_ratio;     ///< aspect ratio of the cell, from its second moments [-]
+  std::size_t faces;       ///< number of faces of the cell, without those on a wall
+  std::size_t neighbours;  ///< number of other sites behind these faces; in a small periodic box two faces may have the
+                           ///< same one
 };
 
-/// All grains, by site. `film` is the thickness of the film [m].
+/// The statistics of all grains, by site. `film` is the thickness of the film [m].
 template <int dim>
 [[nodiscard]] std::vector<GrainGeometry<dim>> grain_geometries(const Tessellation<dim>& tessellation, double film);
 
@@ -36,13 +37,14 @@ struct Spread {
 
 struct TessellationStatistics {
   std::size_t grains = 0;     ///< number of cells
-  std::size_t vanished = 0;   ///< cells of which the film leaves nothing
+  std::size_t vanished = 0;   ///< number of cells that the film takes up completely
   double fraction = 0.0;      ///< volume of the grains per volume of the box [-]
   double film_surface = 0.0;  ///< middle surface of the films per volume of the box [1/m]
-  Spread cell_volume;         ///< [m^dim]
-  Spread diameter;            ///< of the balls with the grains' volumes [m]
+  Spread cell_volume;         ///< volumes of the cells [m^dim]
+  Spread diameter;            ///< diameters of the balls with the grains' volumes [m]
   Spread aspect_ratio;        ///< [-]
-  double mean_faces = 0.0;    ///< of a cell: 6 in a periodic box where three films meet in each point (Euler)
+  /// Mean number of faces of a cell: 6 in a periodic box where three films meet in each point (Euler).
+  double mean_faces = 0.0;
 };
 
 template <int dim>

@@ -15,7 +15,7 @@ std::string comsol_card(const MaterialCard& card) {
     text += fmt::format("% shift function Williams-Landel-Ferry: T_ref {}, C1 {}, C2 {}\n",
                         number(card.shift->reference_temperature), number(card.shift->c1), number(card.shift->c2));
   }
-  // The table of branches that is loaded is that of shear; branches of the volume are entered by hand.
+  // COMSOL loads a table of branches for shear; branches for the volume must be entered by hand.
   int branch = 0;
   for (const auto& term : card.bulk.terms()) {
     text +=

@@ -15,8 +15,8 @@ namespace breccia::cards {
 namespace {
 
 /// All digits are written, since the first spring is the difference of the instantaneous stiffness and the branches. A
-/// branch has both moduli above zero, since its stiffness is inverted: of one that relaxes in shear alone the bulk
-/// modulus is this share of its shear modulus, and the reverse.
+/// branch has both moduli above zero, since its stiffness is inverted: the bulk modulus of a branch that relaxes in
+/// shear alone is this share of its shear modulus, and the reverse.
 constexpr double least_share = 1e-5;
 
 std::string list(const std::vector<std::string>& values) {
