@@ -14,8 +14,7 @@ inline constexpr std::size_t most_grids = 3;                        ///< number 
 inline constexpr std::size_t most_fillers = 100;                    ///< number of fillers of a stage
 inline constexpr Range fraction = Range::between(0.0, 1.0);         ///< fraction of a random packing [-]
 inline constexpr Range aspect = {.lower = 0.05, .upper = 20.0};     ///< aspect of ellipses [-]
-inline constexpr Range repeats = {.lower = 1.0,
-                                  .upper = 100.0};           ///< number of cells of a cubic lattice along each axis
+inline constexpr Range repeats = {.lower = 1.0, .upper = 100.0};    ///< cells of a cubic lattice along each axis
 inline constexpr Range rows = {.lower = 1.0, .upper = 1e4};  ///< number of rows, or of columns, of a regular packing
 inline constexpr Range points_per_decade = {.lower = 1.0, .upper = 1000.0};  ///< samples per decade of the curves
 inline constexpr Range fit_tolerance = Range::above_and_up_to(0.0, 1.0);     ///< [-]

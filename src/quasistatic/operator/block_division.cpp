@@ -8,7 +8,8 @@
 namespace breccia::quasistatic {
 namespace {
 
-/// The cuts of a row of cells into about equal pieces of some wanted number of cells, both its ends included.
+/// The positions at which a row of cells is cut into about equal pieces of a wanted number of cells, including both
+/// ends of the row.
 std::vector<int> cut(int cells, int wanted, bool wraps) {
   int pieces = std::max(1, (cells + wanted / 2) / wanted);
   if (wraps) pieces = std::max(2, pieces / 2 * 2);

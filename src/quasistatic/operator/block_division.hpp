@@ -11,18 +11,18 @@ namespace breccia::quasistatic {
 /// The blocks of one process along one axis.
 struct BlockRow {
   std::vector<int> cuts;             ///< the first cell of each block, and the end of the last one
-  bool wraps = false;                ///< does the last block have the first one as its neighbour?
-  bool begins_at_neighbour = false;  ///< is another process before the first block?
-  bool ends_at_neighbour = false;    ///< is another process behind the last block?
+  bool wraps = false;                ///< whether the last block has the first one as its neighbour
+  bool begins_at_neighbour = false;  ///< whether another process is before the first block
+  bool ends_at_neighbour = false;    ///< whether another process is behind the last block
 };
 
-/// How the cells of a plane box are cut into blocks, of about eight by eight cells or, for many processes, more, and
-/// the blocks divided among a grid of processes: every process has a rectangle of whole blocks.
+/// The division of the cells of a square box into blocks, and of the blocks among a grid of processes: every process
+/// has a rectangle of whole blocks. Blocks have about eight by eight cells or, for many processes, more.
 class BlockDivision {
  public:
-  /// The division with the largest blocks that are worth while for so many processes and then the fewest nodes between
-  /// these, or nothing if there are fewer blocks than that takes. In a box that wraps around, opposite sides are
-  /// neighbours; the number of its blocks along each axis is even.
+  /// The division with the largest useful blocks for so many processes and, among such divisions, the fewest nodes
+  /// between processes; nothing if there are too few blocks for the processes. In a box that wraps around, opposite
+  /// sides are neighbours; the number of its blocks along each axis is even.
   static std::optional<BlockDivision> among(int processes, const std::array<int, 2>& cells, bool wraps);
 
   /// Number of processes along each axis. The first axis is the faster one in the ranks of processes.
@@ -38,7 +38,7 @@ class BlockDivision {
   /// The blocks of the processes at a position along an axis.
   [[nodiscard]] BlockRow blocks_along(std::size_t axis, int position) const;
   /// Number of nodes along an axis that belong to the processes at each position: the nodes at the beginning of a block
-  /// belong to its process, and those at the end of the box to the last one.
+  /// belong to its process, and the nodes at the end of the box to the last process.
   [[nodiscard]] std::vector<int> nodes_along(std::size_t axis) const;
 
  private:
@@ -52,7 +52,7 @@ class BlockDivision {
   [[nodiscard]] std::size_t first_block(std::size_t axis, int position) const noexcept;
 
   std::array<int, 2> processes_;
-  std::array<std::vector<int>, 2> cuts_;  ///< of the box along each axis
+  std::array<std::vector<int>, 2> cuts_;  ///< cuts of the box along each axis
   bool wraps_;
 };
 

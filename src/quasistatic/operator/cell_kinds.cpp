@@ -27,7 +27,7 @@ CellKinds<dim>::CellKinds(const Discretisation<dim>& discretisation, Volumetric 
   }
   require_no_crystals<dim>(discretisation.mixtures(), crystals);
   std::map<CellPhases<dim>, std::uint32_t> known;
-  PetscInt strains = 0;  // of the cells before
+  PetscInt strains = 0;  // number of strains of the cells before
   discretisation.grid().for_each_cell([&](const Index<dim>& cell) {
     const auto& phases = discretisation.cell(cell);
     if (std::find(phases.begin(), phases.end(), no_phase) != phases.end()) {

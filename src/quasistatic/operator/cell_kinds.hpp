@@ -34,9 +34,9 @@ class CellKinds {
   [[nodiscard]] std::uint32_t of(const Index<dim>& cell) const noexcept { return of_cells_[own_cells_.place_of(cell)]; }
   /// The kinds of all cells, the first axis fastest.
   [[nodiscard]] const std::vector<std::uint32_t>& of_cells() const noexcept { return of_cells_; }
-  /// By kind, the mixed cell that its cells are; nothing for kinds of cells that are not mixed.
+  /// The mixed cells by kind; nothing for kinds of cells that are not mixed.
   [[nodiscard]] const std::vector<std::optional<MixedCell<dim>>>& mixed() const noexcept { return mixed_; }
-  /// The mixed cell that a cell is; null if it is not mixed.
+  /// The mixed cell of a cell; null if the cell is not mixed.
   [[nodiscard]] const MixedCell<dim>* mixed_cell(const Index<dim>& cell) const noexcept {
     const auto& mixed = mixed_[of(cell)];
     return mixed ? &*mixed : nullptr;
@@ -45,16 +45,16 @@ class CellKinds {
   [[nodiscard]] const std::vector<PetscInt>& strains_before_rows() const noexcept { return strains_before_rows_; }
 
   /// Stiffness of the cells of a kind [Pa], for moduli [Pa] by material. Crystals have their own stiffness where their
-  /// moduli are softer_moduli(), and none where these are 0, as in the parts of an affine stiffness that vary.
+  /// moduli are softer_moduli(), and no stiffness where these are 0, as in the parts of an affine stiffness that vary.
   [[nodiscard]] Stiffness stiffness(std::size_t kind, std::span<const Moduli> moduli) const;
   /// The stiffnesses of all kinds.
   [[nodiscard]] std::vector<Stiffness> stiffnesses(std::span<const Moduli> moduli) const;
-  /// Moduli [Pa] of the cells of a kind at all of its points, if they are the same and the stiffness is that of
-  /// averaged volumetric strains.
+  /// Moduli [Pa] of the cells of a kind, if all points have the same moduli and the stiffness is that of averaged
+  /// volumetric strains.
   [[nodiscard]] std::optional<Moduli> uniform_moduli(std::size_t kind, std::span<const Moduli> moduli) const;
 
  private:
-  /// The stiffness of a crystal, and the shear modulus that stands for it in lists of moduli [Pa].
+  /// The stiffness of a crystal, and the shear modulus that represents it in lists of moduli [Pa].
   struct Crystal {
     StiffnessTensor<dim> stiffness;
     double shear;
@@ -65,8 +65,8 @@ class CellKinds {
 
   Volumetric volumetric_;
   IndexRange<dim> own_cells_;
-  std::vector<CellPhases<dim>> phases_;               ///< of the points of a cell, by kind
-  std::vector<std::optional<MixedCell<dim>>> mixed_;  ///< by kind
+  std::vector<CellPhases<dim>> phases_;               ///< phases of the points of a cell, by kind
+  std::vector<std::optional<MixedCell<dim>>> mixed_;  ///< mixed cells by kind
   std::vector<std::uint32_t> of_cells_;
   std::vector<PetscInt> strains_before_rows_;
   std::map<PhaseIndex, Crystal> crystals_;

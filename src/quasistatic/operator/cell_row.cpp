@@ -22,8 +22,8 @@ inline Differences differences(const double* sums, std::size_t stride) noexcept 
           .xyz = yz[1] - yz[0]};
 }
 
-/// Stores the forces conjugate to the differences as those on the sums over the four rows: first on the difference
-/// between the two nodes, then on the upper and the lower node for each of the other three.
+/// Stores the forces conjugate to the differences as forces on the sums over the four rows: first on the difference
+/// between the two nodes, then on the upper and the lower node for each of the three other sums.
 inline void store(const Differences& force, double* forces, std::size_t stride) noexcept {
   forces[0] = force.x;
   forces[stride] = force.y + force.xy;
@@ -49,7 +49,8 @@ void CellRow::add_forces(const EdgeRows<const double>& displacement, const doubl
   distribute(forces);
 }
 
-/// Sums the rows: all four, the differences along the second and along the third axis, and the difference along both.
+/// Combines the four rows: their sum, the differences along the second and along the third axis, and the difference
+/// along both.
 void CellRow::add_up_rows(const EdgeRows<const double>& displacement) {
   for (std::size_t component = 0; component < 3; ++component) {
     const auto& rows = displacement[component];
@@ -68,7 +69,8 @@ void CellRow::add_up_rows(const EdgeRows<const double>& displacement) {
   }
 }
 
-/// Theory, Eq. 71. The scales of the strains, 1/4, 1/8 and 1/16 of a difference, enter squared.
+/// Finds the forces by Eq. 71 of the theory. The scales of the strains, 1/4, 1/8 and 1/16 of a difference, enter
+/// squared.
 void CellRow::find_forces(const double* shear, const double* bulk) {
   constexpr double two_thirds = 2.0 / 3.0;
   const double* sums = sums_.data();
@@ -118,7 +120,8 @@ void CellRow::distribute(const EdgeRows<double>& forces) const {
   for (std::size_t component = 0; component < 3; ++component) {
     const auto& rows = forces[component];
     double *row_0 = rows[0], *row_1 = rows[1], *row_2 = rows[2], *row_3 = rows[3];
-    // At an index is the force of the cell before a node; the force of the cell behind it is one further.
+    // The force at an index is that of the cell before a node; the force of the cell behind the node is at the next
+    // index.
     const double* x = forces_.data() + 7 * component * stride_;
     const double *y_upper = x + stride_, *y_lower = y_upper + stride_, *z_upper = y_lower + stride_,
                  *z_lower = z_upper + stride_, *yz_upper = z_lower + stride_, *yz_lower = yz_upper + stride_;

@@ -11,9 +11,9 @@ namespace breccia::quasistatic {
 template <class Value>
 using EdgeRows = std::array<std::array<Value*, 4>, 3>;
 
-/// Forces of rows of cubic cells with averaged volumetric strains, each of one shear and one bulk modulus. The
-/// differences of the nodal displacements of a cell decouple the strains of its points, so that a cell takes some two
-/// hundred operations without a stiffness matrix (theory, Eqs. 70 and 71). Lengths are in units of the cell side.
+/// Forces of rows of cubic cells with averaged volumetric strains, where each cell has one shear and one bulk modulus.
+/// The differences of the nodal displacements of a cell decouple the strains of its points, so that a cell takes some
+/// two hundred operations without a stiffness matrix (theory, Eqs. 70 and 71). Lengths are in units of the cell side.
 class CellRow {
  public:
   /// `cells` is the number of cells of a row.
@@ -33,9 +33,9 @@ class CellRow {
   void distribute(const EdgeRows<double>& forces) const;
 
   std::size_t cells_;
-  std::size_t stride_;          ///< of one sum or one force
-  std::vector<double> sums_;    ///< by sum and node
-  std::vector<double> forces_;  ///< by force and cell, with a zero before the first cell and behind the last one
+  std::size_t stride_;          ///< distance between the values of two sums or two forces
+  std::vector<double> sums_;    ///< sums by sum and node
+  std::vector<double> forces_;  ///< forces by force and cell, with a zero before the first cell and behind the last one
 };
 
 }  // namespace breccia::quasistatic

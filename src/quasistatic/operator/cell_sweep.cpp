@@ -20,7 +20,7 @@ void CellSweep::add_forces(const CellModuli& moduli, const Input& displacement, 
 void CellSweep::for_slabs(int threads, const std::function<void(int, int, int)>& work) const {
   const int slabs = (cells_[2] + planes_of_slab - 1) / planes_of_slab;
   // Neighbouring slabs share a plane of nodes, and so do the last and the first of a periodic box: every other slab is
-  // taken first, then those between them, then the last one if it is a neighbour of the first.
+  // taken first, then the slabs between these, then the last one if it is a neighbour of the first.
   const bool wraps = nodes_.nodes[2] == cells_[2];
   const int paired = wraps && slabs % 2 == 1 ? slabs - 1 : slabs;
   const auto take = [&](int thread, int slab) {

@@ -21,7 +21,7 @@ CellModuli moduli_of_cells(const ElasticOperator<3>& elastic_operator, std::span
   constexpr auto none = static_cast<std::uint32_t>(-1);
   const auto& kinds = elastic_operator.kinds();
   CellModuli cells;
-  std::vector<std::uint32_t> other;  // index among the stiffnesses of the other cells, by kind
+  std::vector<std::uint32_t> other;  // index of the stiffness of the other cells, by kind
   for (std::size_t kind = 0; kind < kinds.count(); ++kind) {
     const auto uniform = of_kind(kind);
     const auto [bulk, shear] = uniform.value_or(Moduli{.bulk = 0.0, .shear = 0.0});
@@ -45,7 +45,7 @@ CellModuli moduli_of_cells(const ElasticOperator<3>& elastic_operator, std::span
   return cells;
 }
 
-/// Adds the forces of the mixed cells on their nodes, and sets those on the strains of their phases.
+/// Adds the forces of the mixed cells on their nodes, and sets the forces on the strains of their phases.
 void add_mixed_forces(const ElasticOperator<3>& elastic_operator, std::span<const Moduli> moduli,
                       const Displacement& displacement, const CellSweep& sweep, const HaloField& moved,
                       HaloField& exerted, Vec on_phase_strains) {
@@ -83,8 +83,8 @@ CellModuli condensed_cells(const ElasticOperator<3>& elastic_operator, std::span
                          [&](std::size_t kind) { return kinds.uniform_moduli(kind, moduli); });
 }
 
-/// The forces of all cells but the mixed ones row by row, then those of the mixed cells. What is not needed any longer
-/// is given back on the way, for memory is short where this is called.
+/// Finds the forces of all cells except the mixed ones row by row, then those of the mixed cells. Memory that is not
+/// needed any longer is freed on the way, because it is short where this function is called.
 Forces forces_under(const ElasticOperator<3>& elastic_operator, std::span<const Moduli> moduli,
                     const Displacement& displacement, const Strain<3>& macroscopic_strain) {
   const auto& nodes = elastic_operator.nodes();

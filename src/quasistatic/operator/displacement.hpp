@@ -7,8 +7,8 @@
 namespace breccia::quasistatic {
 
 /// A displacement of the nodes, u = a E x + w, in units of the cell side: the amplitude a of the macroscopic part, the
-/// affine motion under the unit strain E of a load, and the fluctuation w of the nodes (theory, Eq. 16). In mixed cells
-/// it goes with the strains of the phases (MixedCell).
+/// affine motion under the unit strain E of a load, and the fluctuation w of the nodes (theory, Eq. 16). With mixed
+/// cells it also has the strains of the phases (MixedCell).
 class Displacement {
  public:
   Displacement(double macroscopic, NodalVector fluctuation, NodalVector phase_strains)
@@ -17,7 +17,7 @@ class Displacement {
   /// A displacement of the same nodes that is zero.
   [[nodiscard]] Displacement zero() const;
   [[nodiscard]] Displacement copy() const;
-  /// The fluctuation, which must not be changed, for another displacement.
+  /// The fluctuation, to be shared with another displacement; it must not be changed.
   [[nodiscard]] NodalVector shared_fluctuation() const { return fluctuation_.shared(); }
 
   /// Amplitude a of the macroscopic part [-].

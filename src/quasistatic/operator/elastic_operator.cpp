@@ -67,7 +67,7 @@ Displacement ElasticOperator<dim>::uniform_strain(Load load) const {
     displacement.set_macroscopic(1.0);
     return displacement;
   }
-  // Rotated so that the held components are zero: u_i depends on x_j with j >= i alone.
+  // The strain is rotated so that the held components are zero: u_i depends on x_j with j >= i alone.
   nodes_.for_nodes(displacement.fluctuation(), [&](const Index<dim>& node, double* u) {
     for (int i = 0; i < dim; ++i) {
       u[i] = component(strain, i) * node[static_cast<std::size_t>(i)];

@@ -24,8 +24,8 @@ namespace breccia::quasistatic {
 ///
 /// Lengths are in units of the cell side, which makes the stiffness of a cell independent of its size (theory, Eq. 5).
 /// A displacement is u = a E x + w. A displacement boundary (KUBC) holds w at zero on the boundary of the box; under a
-/// periodic one w is periodic, and held at zero on one node; under a traction boundary (SUBC) as many components of w
-/// as there are rigid motions are held at zero on corners of the box, and a is not used.
+/// periodic boundary w is periodic, and held at zero on one node; under a traction boundary (SUBC) as many components
+/// of w as there are rigid motions are held at zero on corners of the box, and a is not used.
 template <int dim>
 class ElasticOperator {
  public:
@@ -46,22 +46,22 @@ class ElasticOperator {
   /// Number of nodal components, the held ones included.
   [[nodiscard]] std::int64_t unknowns() const noexcept { return nodes_.unknowns(); }
 
-  /// A displacement, or forces, all zero.
+  /// A zero displacement, or zero forces.
   [[nodiscard]] Displacement zero() const { return {0.0, nodes_.zeros(), zero_strains_of_phases()}; }
-  /// Strains of the phases of the mixed cells of each process, cell by cell, all zero.
+  /// Zero strains of the phases of the mixed cells of each process, cell by cell.
   [[nodiscard]] NodalVector zero_strains_of_phases() const;
   /// The displacement with the uniform strain of a load, in all phases.
   [[nodiscard]] Displacement uniform_strain(Load load) const;
   /// Forces of a load: the force 1 on the macroscopic part under a displacement or periodic boundary; the nodal forces
   /// of the uniform traction of the unit stress of the load under a traction boundary.
   [[nodiscard]] Forces load_forces(Load load) const;
-  /// Changes the nodal forces to those that remain when the strains of phases have been eliminated at these moduli
-  /// [Pa], which are positive.
+  /// Static condensation: changes the nodal forces to those that remain after the elimination of the strains of phases
+  /// at these moduli [Pa], which are positive.
   void condense(std::span<const Moduli> moduli, Forces& forces) const;
   /// Sets the strains of phases to those in equilibrium with forces, from the fluctuation w of a displacement.
   void recover_phase_strains(std::span<const Moduli> moduli, const Forces& forces, Displacement& displacement) const;
 
-  /// True if this component of w is held at zero at a node.
+  /// Whether this component of w is held at zero at a node.
   [[nodiscard]] bool is_held(const Index<dim>& node, int component) const noexcept {
     return nodes_.is_held(node, component);
   }
@@ -77,7 +77,7 @@ class ElasticOperator {
 
   /// A sparse matrix with the pattern of K on w, without values.
   [[nodiscard]] Matrix make_matrix() const { return nodes_.make_matrix(); }
-  /// Assembles K into such a matrix. Held components of w are coupled to nothing and get a diagonal entry.
+  /// Assembles K into a matrix of make_matrix(). Held components of w are coupled to nothing and get a diagonal entry.
   void assemble(std::span<const Moduli> moduli, Mat matrix) const;
   /// Attaches the rigid motions to a matrix as its near null space, for algebraic multigrid.
   void attach_rigid_motions(Mat matrix) const { nodes_.attach_rigid_motions(matrix); }
@@ -94,7 +94,8 @@ class ElasticOperator {
   NodeLayout<dim> nodes_;
   CellKinds<dim> kinds_;
   int threads_;
-  std::vector<std::size_t> first_strain_;  ///< of the mixed cells, by plane of cells of this process
+  std::vector<std::size_t>
+      first_strain_;  ///< index of the first strain of the mixed cells, by plane of cells of this process
   typename Shape::ModeMatrix modes_ = Shape::mode_matrix();
 };
 

@@ -39,7 +39,7 @@ void HaloField::for_nodes_of_plane(int third, std::size_t index, const Work& wor
   }
 }
 
-/// index_of_node(node, its index here) is that of its first component among the values.
+/// index_of_node(node, its index here) is the index of the first component of the node among the values.
 template <class IndexOf>
 void HaloField::read_values(const double* values, const IndexOf& index_of_node, double amount,
                             const Strain<3>& strain) {
@@ -72,7 +72,7 @@ void HaloField::sum_up(const NodeLayout<3>& nodes, Vec nodal) const {
   }
   {
     const WriteValues values(nodal);
-    // The planes of nodes outside the box, which are others in it, follow those.
+    // The planes of nodes outside the box, which are images of planes in it, come afterwards.
     const auto& own = nodes.own_nodes();
     const auto is_inside = [&](int third) { return third >= own.begin[2] && third < own.end[2]; };
     for_planes([&](int third, std::size_t first_index) {

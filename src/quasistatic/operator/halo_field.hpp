@@ -11,11 +11,12 @@
 
 namespace breccia::quasistatic {
 
-/// Displacements or forces of the nodes of a cube that a process sees, one component after the other, as CellSweep
-/// takes them. Several threads fill it plane by plane, with the same bits for any number of them.
+/// Displacements or forces of the nodes of a cube that a process sees (its own and their neighbours), one component
+/// after the other, in the form for CellSweep. Several threads fill it plane by plane, with bitwise identical results
+/// for any number of threads.
 class HaloField {
  public:
-  /// All zero.
+  /// A field of zeros.
   HaloField(const NodeLayout<3>& nodes, int threads);
 
   [[nodiscard]] const NodeArrays& arrays() const noexcept { return arrays_; }
@@ -33,7 +34,7 @@ class HaloField {
   /// Takes the values of a nodal vector plus the affine motion of an amount of a strain.
   void read(const NodeLayout<3>& nodes, Vec nodal, double amount, const Strain<3>& strain);
   /// Adds the values that all processes have to a nodal vector, whose held components become zero. A single process
-  /// needs no copy of the field for it, nor read() one of the vector.
+  /// needs no copy of the field for this, and none of the vector for read().
   void sum_up(const NodeLayout<3>& nodes, Vec nodal) const;
   /// The work of the values, as forces, on the affine motion of a strain.
   [[nodiscard]] double work_on(const Strain<3>& strain) const;
@@ -53,7 +54,7 @@ class HaloField {
   Index<3> begin_;  ///< the lowest node
   NodeArrays arrays_;
   int threads_;
-  std::array<std::vector<double>, 3> values_;  ///< by component
+  std::array<std::vector<double>, 3> values_;  ///< values by component
 };
 
 }  // namespace breccia::quasistatic

@@ -75,7 +75,7 @@ std::vector<StrainShare> MixedCell<dim>::shares(std::span<const Moduli> moduli) 
 template <int dim>
 Eigen::VectorXd MixedCell<dim>::strains_under(std::span<const Moduli> moduli, const Modes& strain,
                                               const Strains& forces) const {
-  // All phases have the stress of the first, but for the forces on them: M_k y_k = t + phi_k / f_k.
+  // All phases have the stress of the first one, apart from the forces on them: M_k y_k = t + phi_k / f_k.
   const Modes stress =
       of_modes<dim>(series_moduli<dim>(mixture_, moduli)).cwiseProduct(strain) - stress_relieved_by(moduli, forces);
   Eigen::VectorXd strains(unknowns());

@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* ordering = "ordering the values of all processes";
 
-/// The values of a process that has them all.
+/// The indices of the values of a process that has all of them.
 parallel::OrderedPlaces all_indices(Vec vector) {
   PetscInt length = 0;
   check(VecGetLocalSize(vector, &length), ordering);
@@ -51,7 +51,7 @@ NodeBox box_of(DM grid) {
   return box;
 }
 
-/// The indices of the values of this process in the natural order, as PETSc keeps them.
+/// The indices of the values of this process in the natural order, in the list that PETSc keeps.
 class NaturalIndices {
  public:
   explicit NaturalIndices(ISLocalToGlobalMapping mapping) : mapping_(mapping) {

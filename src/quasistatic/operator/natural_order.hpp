@@ -15,10 +15,10 @@ namespace breccia::quasistatic {
 [[nodiscard]] parallel::OrderedPlaces natural_indices_of_nodes(Vec nodal);
 
 /// Gives a vector, and its duplicates, the indices of the values of this process in the natural order. They are kept as
-/// the mapping from local to global numbers, so values must not be set by these.
+/// the vector's mapping from local to global numbers, so that values must not be set by local numbers.
 void set_natural_indices(const std::vector<PetscInt>& indices, Vec vector);
-/// Indices of the values of this process in a vector with such indices, or on one process without them. The vector must
-/// outlive them.
+/// Indices of the values of this process in a vector for which set_natural_indices() was called; on one process also
+/// without that call. The vector must outlive them.
 [[nodiscard]] parallel::OrderedPlaces natural_indices(Vec vector);
 
 }  // namespace breccia::quasistatic

@@ -328,7 +328,7 @@ void NodeLayout<dim>::add_to_matrix(const Index<dim>& cell, const typename Shape
                                     Mat matrix) const {
   auto nodes = offsets_;
   for (int& node : nodes) node += lowest_node_of(cell);
-  // Row by row or column by column: it is symmetric.
+  // The matrix is symmetric, so that the order of rows and columns does not matter.
   check(MatSetValuesBlockedLocal(matrix, Shape::nodes, nodes.data(), Shape::nodes, nodes.data(), stiffness.data(),
                                  ADD_VALUES),
         "assembling the stiffness matrix");

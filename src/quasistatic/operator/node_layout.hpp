@@ -13,8 +13,8 @@
 
 namespace breccia::quasistatic {
 
-/// The nodes of a grid of cells under one boundary condition, distributed over the processes: which of their components
-/// are held at zero, and where the values of a node are in nodal vectors.
+/// The nodes of a grid of cells under one boundary condition, distributed over the processes: the components that are
+/// held at zero, and the positions of the values of a node in nodal vectors.
 template <int dim>
 class NodeLayout {
  public:
@@ -27,9 +27,9 @@ class NodeLayout {
   [[nodiscard]] Boundary boundary() const noexcept { return boundary_; }
   /// Number of nodal components, the held ones included.
   [[nodiscard]] std::int64_t unknowns() const noexcept;
-  /// True if this component of a node is held at zero.
+  /// Whether this component of a node is held at zero.
   [[nodiscard]] bool is_held(const Index<dim>& node, int component) const noexcept;
-  /// 0 for the components of a cell's nodes that are held, 1 for the others.
+  /// A mask of the components of a cell's nodes: 0 for held components, 1 for the other ones.
   [[nodiscard]] CellValues held_mask(const Index<dim>& cell) const noexcept;
 
   using Range = IndexRange<dim>;
@@ -65,31 +65,32 @@ class NodeLayout {
   [[nodiscard]] NodalVector local_zeros() const;
   /// The values of a nodal vector with those of the nodes of neighbouring processes.
   [[nodiscard]] NodalVector local_copy(Vec nodal) const;
-  /// The values at the nodes of a cell, from those with the nodes of neighbouring processes.
+  /// The values at the nodes of a cell, from the values of a local vector, which has the nodes of neighbouring
+  /// processes.
   [[nodiscard]] CellValues cell_values(const Index<dim>& cell, const double* local) const noexcept;
   /// Indices of the first components of the nodes of a cell among the values with the nodes of neighbouring processes.
   [[nodiscard]] std::array<std::size_t, Shape::nodes> indices_of(const Index<dim>& cell) const noexcept;
   /// Indices of the first components of the nodes of a cell in a nodal vector of a single process.
   [[nodiscard]] std::array<std::size_t, Shape::nodes> nodal_indices_of(const Index<dim>& cell) const noexcept;
-  /// Index of the first component of a node that a single process sees, in a nodal vector: the nodes before the first
-  /// ones of a periodic box are its last ones, those behind the last ones its first.
+  /// Index of the first component of a node that a single process sees, in a nodal vector. In a periodic box the nodes
+  /// before the first ones are the last ones, and the nodes behind the last ones are the first.
   [[nodiscard]] std::size_t nodal_index_of(Index<dim> node) const noexcept;
-  /// Adds to the values at the nodes of a cell, among those with the nodes of neighbouring processes.
+  /// Adds values to those of a local vector at the nodes of a cell.
   void add_to_cell(const Index<dim>& cell, const CellValues& values, double* local) const noexcept;
-  /// Adds what all processes have in such vectors to a nodal vector, and sets its held components to zero.
+  /// Adds the values in the local vectors of all processes to a nodal vector, and sets its held components to zero.
   void sum_up(Vec local, Vec nodal) const;
   /// Sets the held components of a nodal vector to zero.
   void hold(Vec nodal) const;
 
   /// A sparse matrix of nodes that share a cell, without values.
   [[nodiscard]] Matrix make_matrix() const;
-  /// Adds the stiffness of a cell to such a matrix.
+  /// Adds the stiffness of a cell to a matrix of make_matrix().
   void add_to_matrix(const Index<dim>& cell, const typename Shape::Stiffness& stiffness, Mat matrix) const;
   /// Attaches the rigid motions to a matrix as its near null space, for algebraic multigrid.
   void attach_rigid_motions(Mat matrix) const;
 
  private:
-  /// Nodes of the box along an axis; of a periodic box without the last one.
+  /// Number of the nodes of the box along each axis; in a periodic box without the last one.
   [[nodiscard]] Index<dim> nodes_along() const noexcept;
   /// The nodes as PETSc distributes them.
   [[nodiscard]] NodeGrid distributed() const;
@@ -102,7 +103,8 @@ class NodeLayout {
 
   Grid<dim> grid_;
   Boundary boundary_;
-  NodeGrid nodes_;  ///< empty for a cube on one process, where its lists would take more memory than a nodal vector
+  NodeGrid nodes_;  ///< grid of PETSc; empty for a cube on one process, where its lists would take more memory than a
+                    ///< nodal vector
   Range owned_;     ///< nodes that belong to this process
   Range cells_;     ///< cells whose lowest node belongs to this process
   Range seen_;      ///< nodes of this process and their neighbours

@@ -52,8 +52,8 @@ class NodalDisplacement {
   Strain<dim> strain_;
   double macroscopic_;
   NodalVector seen_;
-  ReadValues fluctuation_;    ///< of the nodes that this process sees
-  ReadValues phase_strains_;  ///< of its mixed cells, in their order
+  ReadValues fluctuation_;    ///< fluctuation of the nodes that this process sees
+  ReadValues phase_strains_;  ///< strains of its mixed cells, in the order of the cells
   typename Shape::ModeMatrix modes_ = Shape::mode_matrix();
 };
 
@@ -66,7 +66,7 @@ struct AppliedToNodes {
 template <int dim>
 auto stress_of(const typename CellShape<dim>::StrainVector& shear, double pressure) {
   typename decltype(LatticeFields<dim>::stress)::value_type stress{};
-  std::array<double, 3> normal{};  // in plane strain the out-of-plane one is zero
+  std::array<double, 3> normal{};  // in plane strain the out-of-plane component is zero
   for (std::size_t axis = 0; axis < dim; ++axis) normal[axis] = shear[static_cast<Eigen::Index>(axis)];
   for (std::size_t i = 0; i < 3; ++i) {
     stress[i] = pressure + 4.0 / 3.0 * normal[i] - 2.0 / 3.0 * (normal[(i + 1) % 3] + normal[(i + 2) % 3]);
@@ -98,7 +98,7 @@ auto mixed_stress(const Index<dim>& cell, const MixedCell<dim>& mixed, std::size
         Shape::deviator_matrix().transpose() * deviators.template segment<Shape::deviators>(Shape::deviators * p);
     components.template head<dim>().array() += dilatational;
     auto& stress = stresses[static_cast<std::size_t>(p)];
-    // In plane strain each phase is held out of the plane.
+    // In plane strain each phase has no strain out of the plane.
     if constexpr (dim == 2) stress[2] = bulk - 2.0 / 3.0 * shear[Shape::modes - 1];
     for (std::size_t i = 0; i < dim; ++i) stress[i] = components[static_cast<Eigen::Index>(i)];
     for (std::size_t i = 3; i < stress.size(); ++i) stress[i] = components[static_cast<Eigen::Index>(i + dim - 3)];

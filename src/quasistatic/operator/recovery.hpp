@@ -9,15 +9,15 @@
 namespace breccia::quasistatic {
 
 /// The bulk and the shear modulus M of a material applied to the history of the displacement, the Stieltjes integral of
-/// M(t - t') du(t') [Pa]; for an elastic material M u. The stress at its points is the one that these two displacements
-/// have with unit moduli.
+/// M(t - t') du(t') [Pa]; for an elastic material M u. The stress at its points is that of these two displacements with
+/// unit moduli.
 struct AppliedModuli {
   Displacement bulk, shear;
 };
 
 /// Displacement, strain and stress at the material points of a square (PointFields), or their means over the cells of a
 /// cube (CellFields), from the displacement of the nodes and from the moduli applied to its history, by material
-/// (theory, Eq. 35). Of the cells of this process. Instantiated for 2 and 3 dimensions.
+/// (theory, Eq. 35). The fields are those of the cells of this process. Instantiated for 2 and 3 dimensions.
 template <int dim>
 [[nodiscard]] LatticeFields<dim> recover_fields(const ElasticOperator<dim>& elastic_operator,
                                                 const Discretisation<dim>& discretisation, Volumetric volumetric,

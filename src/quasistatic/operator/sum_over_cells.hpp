@@ -13,7 +13,8 @@ struct SumOverCells {
   NodalVector on_nodes;
 };
 
-/// Sums what cell_forces(cell) returns for each cell: the forces on its nodes and their work on the macroscopic part.
+/// Sums the results of cell_forces(cell) over all cells: the forces on the nodes and their work on the macroscopic
+/// part.
 template <int dim, class CellForces>
 [[nodiscard]] SumOverCells sum_over_cells(const NodeLayout<dim>& nodes, const CellForces& cell_forces) {
   const auto local = nodes.local_zeros();

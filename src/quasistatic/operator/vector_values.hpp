@@ -9,7 +9,7 @@
 
 namespace breccia::quasistatic {
 
-/// The values of a vector of PETSc on this process, to be read during the lifetime of this object.
+/// Read access to the values of a vector of PETSc on this process, during the lifetime of this object.
 class ReadValues {
  public:
   explicit ReadValues(Vec vector) : vector_(vector) {
@@ -34,7 +34,7 @@ class ReadValues {
   const double* data_ = nullptr;
 };
 
-/// The values of a vector of PETSc on this process, to be written during the lifetime of this object.
+/// Write access to the values of a vector of PETSc on this process, during the lifetime of this object.
 class WriteValues {
  public:
   explicit WriteValues(Vec vector) : vector_(vector) {

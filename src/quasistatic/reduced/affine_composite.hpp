@@ -15,9 +15,9 @@
 
 namespace breccia::quasistatic {
 
-/// A displacement u of a composite: the amplitude a of the affine motion under the unit strain of a load, and whatever
-/// else is unknown. Forces that do work on it are stored like one. product() is the scalar product of forces on the
-/// unknowns, work() that of forces and displacement.
+/// A displacement u of a composite: the amplitude a of the affine motion under the unit strain of a load, and all
+/// further unknowns. Forces that do work on it are stored in the same form. product() is the scalar product of forces
+/// on the unknowns, work() that of forces and displacement.
 template <class Vector>
 concept DisplacementVector = requires(Vector u, const Vector& other, StateWriter& writer, const StateReader& reader,
                                       const std::string& group) {
@@ -31,7 +31,8 @@ concept DisplacementVector = requires(Vector u, const Vector& other, StateWriter
   restore(reader, group, u);
 };
 
-/// Found by the type of the vector, which a member of the same name would hide.
+/// The function is found by the type of the vector (argument-dependent lookup); a member function of the same name
+/// would hide it.
 template <DisplacementVector Vector>
 void save_vector(StateWriter& state, const std::string& group, const Vector& vector) {
   save(state, group, vector);
@@ -41,19 +42,22 @@ void restore_vector(const StateReader& state, const std::string& group, Vector& 
   restore(state, group, vector);
 }
 
-/// A discretised composite whose stiffness is affine in moduli p_i, K(p) = K_0 + sum_i p_i K_i (theory, Eq. 18a):
-/// what a reduced basis needs to know of it, whether it is made of cells or of grains and films. volume() is that of
-/// the box in the unit of the forces; uniform_strain() has the strain of a load everywhere; load_forces() are the force
-/// 1 on the macroscopic part or, under a traction boundary, those of the unit stress. no_vectors() is an empty list of
-/// basis vectors (StoredVectors), in the form that takes least memory; forces_at_hand is the number of vectors of
-/// forces that may be in memory at a time beside it, for the products of all with all.
+/// A discretised composite whose stiffness is affine in moduli p_i, K(p) = K_0 + sum_i p_i K_i (theory, Eq. 18a). The
+/// concept has the functions that a reduced basis needs, for cells as well as for grains and films. volume() is the
+/// volume of the box in the unit of the forces; uniform_strain() has the strain of a load everywhere; load_forces() are
+/// the force 1 on the macroscopic part or, under a traction boundary, the forces of the unit stress. no_vectors() is an
+/// empty list of basis vectors (StoredVectors), in the form that takes the least memory; forces_at_hand is the number
+/// of vectors of forces that may be in memory at a time in addition to it, for the products of all vectors with each
+/// other.
 template <class Composite>
 concept AffineComposite = DisplacementVector<typename Composite::Vector> &&
     requires(const Composite& composite, Load load, const typename Composite::Vector& u, std::span<const double> p,
              std::size_t i) {
   { composite.boundary() } -> std::same_as<Boundary>;
   { composite.volume() } -> std::convertible_to<double>;
-  { composite.parameters() } -> std::convertible_to<std::span<const PhaseModulus>>;  // whose moduli p_i are
+  {
+    composite.parameters()
+    } -> std::convertible_to<std::span<const PhaseModulus>>;  // phases and kinds of the moduli p_i
   { composite.zero() } -> std::same_as<typename Composite::Vector>;
   { composite.uniform_strain(load) } -> std::same_as<typename Composite::Vector>;
   { composite.load_forces(load) } -> std::same_as<typename Composite::Vector>;
@@ -65,7 +69,8 @@ concept AffineComposite = DisplacementVector<typename Composite::Vector> &&
 };
 
 /// Solves for the displacements of a composite, for one choice of the moduli p_i after the other. solve() starts from a
-/// guess and finds the displacement of macroscopic amplitude 1 or, under a traction boundary, that of the unit stress.
+/// guess and finds the displacement with the macroscopic amplitude 1 or, under a traction boundary, the displacement
+/// under the unit stress.
 template <class Solver, class Vector>
 concept CompositeSolver = requires(Solver& solver, std::span<const double> p, Load load, Vector guess,
                                    const LinearEffort& earlier) {

@@ -25,7 +25,7 @@ void add_varying(std::vector<Moduli>& moduli, const std::vector<AffineStiffness:
   }
 }
 
-/// Throws InputError, with every mistake, where phases cannot be those that vary among these materials.
+/// Throws InputError, with every mistake, where these phases cannot vary among these materials.
 void require_phases_that_can_vary(const std::vector<Material>& materials, std::span<const VaryingPhase> varying) {
   std::vector<std::string> mistakes;
   if (varying.empty()) mistakes.emplace_back("expected at least one phase whose moduli vary");

@@ -13,19 +13,20 @@
 namespace breccia::quasistatic {
 
 /// The stiffness of a composite as an affine function of the moduli p_i that vary, K(p) = K_0 + sum_i p_i K_i (theory,
-/// Eq. 18a). Each of the parts is given by the moduli by material of which it is the stiffness.
+/// Eq. 18a). Each part is given by a list of moduli by material: the part is the stiffness with these moduli.
 struct AffineStiffness {
   struct Part {
-    PhaseModulus parameter;    ///< whose modulus p_i is
-    PhaseIndex phase;          ///< the number of that phase
-    std::vector<Moduli> unit;  ///< K_i, by material: 1 for this modulus of this phase, 0 for all others [-]
+    PhaseModulus parameter;    ///< phase and kind of the modulus p_i
+    PhaseIndex phase;          ///< number of that phase
+    std::vector<Moduli> unit;  ///< moduli of K_i, by material: 1 for this modulus of this phase, 0 for all others [-]
   };
-  std::vector<Moduli> constant;  ///< K_0, by material: the moduli of the elastic phases [Pa]; 0 for those that vary
+  std::vector<Moduli>
+      constant;  ///< moduli of K_0, by material: the moduli of the elastic phases [Pa]; 0 for those that vary
   std::vector<Part> parts;
 
-  /// Moduli by material [Pa] whose stiffness is K(p).
+  /// The moduli by material [Pa] with the stiffness K(p).
   [[nodiscard]] std::vector<Moduli> moduli_at(std::span<const double> parameters) const;
-  /// Moduli by material [Pa] whose stiffness is that of the parts that vary alone, sum_i p_i K_i.
+  /// The moduli by material [Pa] with the stiffness of the varying parts alone, sum_i p_i K_i.
   [[nodiscard]] std::vector<Moduli> varying_moduli_at(std::span<const double> parameters) const;
 };
 

@@ -17,8 +17,8 @@ std::vector<double> apparent_moduli(const QuasistaticProblem<dim>& problem, std:
     throw InputError(fmt::format("apparent moduli: {} relaxes; expected elastic materials", material.name));
   }
   if (problem.materials.empty()) throw InputError("apparent moduli: expected a material for each phase");
-  // The reduced basis of a single elastic solution is exact for the moduli of that solution. Any phase can be the one
-  // whose moduli vary in it, since they take a single value.
+  // The reduced basis of a single elastic solution is exact for the moduli of that solution. Any phase can be declared
+  // to vary in it, since its moduli take a single value.
   constexpr PhaseIndex any = 0;
   const auto& first = problem.materials[any];
   const Moduli moduli = {.bulk = first.bulk.equilibrium(), .shear = first.shear.equilibrium()};

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double least_change = 0.05, rounding = 1e-9;
 
-/// s M~(s) = M_inf + sum_k M_k s tau_k / (1 + s tau_k)
+/// The Carson modulus s M~(s) = M_inf + sum_k M_k s tau_k / (1 + s tau_k).
 double carson_modulus(const PronySeries& series, double s) {
   if (std::isinf(s)) return series.unrelaxed();
   double modulus = series.equilibrium();

@@ -9,26 +9,26 @@
 
 namespace breccia {
 
-/// Carson moduli s K~(s) and s G~(s) [Pa] of a material: the moduli of the elastic problem that its Laplace transform
-/// is at a real Laplace variable s [1/s], 0 to infinity.
+/// Carson moduli s K~(s) and s G~(s) [Pa] of a material: the moduli of the corresponding elastic problem at a real
+/// Laplace variable s [1/s], from 0 to infinity.
 Moduli carson_moduli(const Material& material, double s);
 
 /// Carson moduli of several materials at one Laplace variable.
 struct CarsonPoint {
   double laplace_variable;     ///< s [1/s]: infinite for the unrelaxed moduli, 0 for those at equilibrium
-  std::vector<Moduli> moduli;  ///< [Pa] by material
+  std::vector<Moduli> moduli;  ///< moduli by material [Pa]
 };
 
 /// Carson moduli [Pa] of a material from stiff to soft, for s from margin / window.begin to 1 / (margin window.end):
 /// the training set of a reduced basis. The response of a composite at a time t depends on the Carson moduli of its
-/// matrix near s = 1/t; those far from it have little influence.
+/// matrix near s = 1/t; moduli far from it have little influence.
 std::vector<Moduli> carson_path(const Material& material, const TimeWindow& window, double margin = 30.0);
 /// The joint path of several materials, at equal Laplace variables.
 std::vector<CarsonPoint> carson_path(std::span<const Material> materials, const TimeWindow& window,
                                      double margin = 30.0);
 
-/// Is a matrix of these moduli so soft in shear, compared with its bulk modulus, that softening it further changes the
-/// modulus of a composite by a factor alone? Its solutions then serve for all softer matrices too.
+/// Whether a matrix of these moduli is so soft in shear, compared with its bulk modulus, that softening it further
+/// changes the modulus of a composite by a factor alone. Its solutions then serve for all softer matrices, too.
 bool is_like_softer(const Moduli& moduli);
 
 /// Carson moduli [Pa] of a material over its whole relaxation, from the unrelaxed moduli to those at equilibrium.

@@ -137,8 +137,8 @@ Forces CellSolver<dim>::held_back(Load load) const {
   return forces;
 }
 
-/// Twice the energy of a box of one material with the least moduli of all, under the uniform strain of a load; less in
-/// plane strain under `bulk`. Nothing under a traction boundary, which prescribes no strain.
+/// Twice the energy of a box of one material with the least moduli of all phases, under the uniform strain of a load; a
+/// smaller value in plane strain under `bulk`. Nothing under a traction boundary, which prescribes no strain.
 template <int dim>
 std::optional<double> CellSolver<dim>::least_energy(Load load) const {
   if (composite_->boundary() == Boundary::traction) return std::nullopt;

@@ -21,13 +21,13 @@
 
 namespace breccia::quasistatic {
 
-/// A composite of cells, as a reduced basis sees it: the elastic operator of a discretisation, with a part for each
-/// modulus of the phases that vary.
+/// A composite of cells in the form for a reduced basis (AffineComposite): the elastic operator of a discretisation,
+/// with a part for each modulus of the phases that vary.
 template <int dim>
 class CellComposite {
  public:
   using Vector = Displacement;
-  /// Cubes have many mixed cells and little memory, squares need not save it.
+  /// The type that stores the vectors. Cubes have many mixed cells, so that memory is short; for squares it is not.
   using BasisVectors = std::conditional_t<dim == 3, CondensedVectors, StoredVectors<Displacement>>;
   static constexpr std::size_t forces_at_hand = dim == 3 ? 1 : 64;
 
@@ -55,7 +55,7 @@ class CellComposite {
 };
 
 /// Fields of the material points of a square, or of the cells of a cube, in a state under a load (theory, Eq. 35).
-/// `problem` is the one that the composite was made of. Of the cells of this process.
+/// `problem` is the problem from which the composite was made. The fields are those of the cells of this process.
 template <int dim>
 [[nodiscard]] LatticeFields<dim> fields_of(const CellComposite<dim>& composite, const QuasistaticProblem<dim>& problem,
                                            Load load, const CompositeState<Displacement>& state);
@@ -69,7 +69,7 @@ class CellSolver {
   void prepare(std::span<const double> parameters);
   [[nodiscard]] Displacement solve(Load load, Displacement guess);
 
-  /// Takes moduli, and keeps the preconditioner of earlier ones as long as it serves.
+  /// Takes new moduli, and keeps the preconditioner of earlier ones as long as it is good enough.
   void take(std::span<const double> parameters);
   [[nodiscard]] Displacement solve_forces(Load load, const Forces& forces, Displacement guess);
   void save_preconditioner(StateWriter& state, const std::string& group) const;
@@ -84,7 +84,7 @@ class CellSolver {
 
   const CellComposite<dim>* composite_;
   std::unique_ptr<ElasticSolver<dim>> solver_;
-  std::vector<Moduli> moduli_;  ///< by material
+  std::vector<Moduli> moduli_;  ///< moduli by material
 };
 
 extern template class CellComposite<2>;

@@ -11,7 +11,7 @@ namespace breccia::quasistatic {
 template <class Vector>
 struct CompositeState {
   Vector displacement;
-  std::vector<Vector> applied;  ///< by part of the affine stiffness
+  std::vector<Vector> applied;  ///< products by part of the affine stiffness
 };
 
 /// The state of a reduced response: weights of the r vectors of its basis.

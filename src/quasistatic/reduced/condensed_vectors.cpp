@@ -13,7 +13,7 @@
 namespace breccia::quasistatic {
 namespace {
 
-/// On all processes.
+/// The length of a vector on all processes together.
 PetscInt length_of(Vec vector) {
   PetscInt length = 0;
   check(VecGetSize(vector, &length), "reading the size of a vector");
@@ -39,7 +39,7 @@ class CondensedVectors::ValuesAtNodes {
       const auto& displacement = vectors.vectors_[i].displacement;
       const Vec nodal = displacement.fluctuation();
       const bool fluctuates = length_of(nodal) > 0;
-      // One process reads the values where they are, several need those of their neighbours.
+      // A single process reads the values where they are; several processes need those of their neighbours.
       if (fluctuates && !is_alone_) local_.push_back(nodes_->local_copy(nodal));
       const auto& values = values_.emplace_back(fluctuates && !is_alone_ ? local_.back().get() : nodal);
       vectors_.push_back({displacement.macroscopic(), fluctuates ? values.data() : nullptr});
@@ -63,7 +63,7 @@ class CondensedVectors::ValuesAtNodes {
  private:
   struct OfVector {
     double macroscopic;
-    const double* fluctuation;  ///< null where there is none
+    const double* fluctuation;  ///< fluctuation; null where there is none
   };
 
   const NodeLayout<3>* nodes_;
@@ -116,7 +116,7 @@ Eigen::MatrixXd CondensedVectors::amounts_of_earlier(std::size_t count) const {
   return amounts;
 }
 
-/// The D_i of Eq. 77 of the theory, by kind of cell.
+/// The shares D_i of Eq. 77 of the theory, by kind of cell.
 std::vector<CondensedVectors::SharesOfPhases> CondensedVectors::shares_in_sum(const Eigen::VectorXd& weights) const {
   const auto count = weights.size();
   const auto earlier = amounts_of_earlier(static_cast<std::size_t>(count));
@@ -151,8 +151,9 @@ std::vector<std::vector<StrainShare>> CondensedVectors::shares_of(const VectorOr
   return shares;
 }
 
-/// A vector as it is stored. An affine motion takes no memory: that of walls that move with it, and the uniform strain
-/// of a box under tractions, which moves its nodes and is stored as a macroscopic part, of which such a box has none.
+/// A vector in the form that is stored. An affine motion takes no memory: neither that of walls that move with it, nor
+/// the uniform strain of a box under tractions, which is stored as a macroscopic part, because such a box has no other
+/// one.
 Displacement CondensedVectors::condensed(Displacement vector, const VectorOrigin& origin) const {
   if (elastic_operator_->boundary() == Boundary::traction && !origin.parameters) {
     const auto uniform = elastic_operator_->uniform_strain(load_).take_fluctuation();
@@ -166,7 +167,7 @@ Displacement CondensedVectors::condensed(Displacement vector, const VectorOrigin
   return {vector.macroscopic(), largest > 0.0 ? vector.take_fluctuation() : no_values(), no_values()};
 }
 
-/// The vector that is stored so, without the strains of phases, and without nodal values if they are zero.
+/// The vector to be stored: without the strains of phases, and without nodal values if they are zero.
 Displacement CondensedVectors::without_strains(const Displacement& condensed) const {
   if (length_of(condensed.fluctuation()) > 0) {
     return {condensed.macroscopic(), condensed.shared_fluctuation(), no_values()};
@@ -201,7 +202,8 @@ Eigen::VectorXd CondensedVectors::works(const Forces& forces) const {
   const auto count = static_cast<Eigen::Index>(size());
   const auto shares = shares_of_kinds(size());
   const auto earlier = amounts_of_earlier(size());
-  // The first sum of Eq. 76, by plane of cells, so that the sums have the same bits for any number of threads.
+  // The first sum of Eq. 76 is taken by plane of cells, so that the sums are bitwise identical for any number of
+  // threads.
   Eigen::MatrixXd of_own = Eigen::MatrixXd::Zero(count, elastic_operator_->planes());
   {
     const ReadValues on_strains(forces.phase_strains());

@@ -15,17 +15,17 @@
 namespace breccia::quasistatic {
 
 /// The vectors of a reduced basis of a cube without the strains of the phases of its mixed cells, which take as much
-/// memory as the displacements of the nodes. They follow from these: the phases of a displacement that solves for some
-/// moduli share the strain of their cell as the series mixture of these moduli has it, and a vector is a sum of such a
-/// displacement and of earlier vectors (theory, Eq. 76).
+/// memory as the displacements of the nodes. The strains follow from the displacements of the nodes: in a solution for
+/// some moduli, the phases share the strain of their cell as in the series mixture with these moduli, and a vector is
+/// the sum of such a solution and of earlier vectors (theory, Eq. 76).
 class CondensedVectors {
  public:
-  /// No vectors, of a basis of this load. The operator and the stiffness must outlive it.
+  /// An empty list of vectors for a basis of this load. The operator and the stiffness must outlive it.
   CondensedVectors(const ElasticOperator<3>& elastic_operator, const AffineStiffness& stiffness, Load load)
       : elastic_operator_(&elastic_operator), stiffness_(&stiffness), load_(load) {}
 
   [[nodiscard]] std::size_t size() const noexcept { return vectors_.size(); }
-  /// Shares its fluctuation with the basis, so it must not be changed.
+  /// The vector at an index. It shares its fluctuation with the basis, so that it must not be changed.
   [[nodiscard]] Displacement at(std::size_t index) const;
   void add(Displacement vector, VectorOrigin origin);
 
@@ -42,18 +42,18 @@ class CondensedVectors {
   using ValuesOfCell = Eigen::Matrix<double, Shape::Values::RowsAtCompileTime, Eigen::Dynamic>;
   /// A number for the volumetric strain and one for the deviators, by row, for each vector.
   using OfVectors = Eigen::Matrix<double, 2, Eigen::Dynamic>;
-  using SharesOfPhases = std::vector<OfVectors>;  ///< by phase but the first
+  using SharesOfPhases = std::vector<OfVectors>;  ///< values for all phases except the first
 
   struct Condensed {
-    Displacement displacement;  ///< without strains of phases, and without nodal values if it is affine
+    Displacement displacement;  ///< displacement without strains of phases, and without nodal values if it is affine
     VectorOrigin origin;
-    std::vector<std::vector<StrainShare>> shares;  ///< by kind of cell and phase but the first
+    std::vector<std::vector<StrainShare>> shares;  ///< shares by kind of cell, for all phases except the first
   };
 
   /// The strains of the phases of a mixed cell among those of all cells.
   struct MixedStrains {
-    std::uint32_t kind;  ///< of the cell
-    std::size_t first;   ///< index of the first of them
+    std::uint32_t kind;  ///< kind of the cell
+    std::size_t first;   ///< index of the first of these strains
   };
 
   class ValuesAtNodes;
@@ -62,7 +62,7 @@ class CondensedVectors {
   void add_phase_strains(const Eigen::VectorXd& weights, Vec phase_strains) const;
 
   /// Calls work(plane, displacements of the nodes of a mixed cell in the first `count` vectors, its strains) for all
-  /// mixed cells, those of a plane of cells one after the other, planes by several threads.
+  /// mixed cells. The cells of a plane come one after the other; several threads take different planes.
   template <class Work>
   void for_mixed_cells(std::size_t count, const Work& work) const;
   /// The rows of the modes of a cell that are deviators, and the one that is the volumetric strain.

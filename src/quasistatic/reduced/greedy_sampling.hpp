@@ -27,14 +27,14 @@ namespace breccia::quasistatic {
 
 [[nodiscard]] bool are_equal(std::span<const Moduli> some, std::span<const Moduli> others);
 
-/// The candidate for the next snapshot: where in the training set the error estimate is largest.
+/// The candidate for the next snapshot: the moduli of the training set with the largest error estimate.
 struct Candidate {
-  std::vector<Moduli> moduli;  ///< [Pa] of the phases that vary
+  std::vector<Moduli> moduli;  ///< moduli of the phases that vary [Pa]
   double estimate = -1.0;
 };
 
 /// The reduced basis of each load, which grows snapshot by snapshot by a greedy selection (theory, section 10). The
-/// bases point to the composite, which must outlive this.
+/// bases point to the composite, which must outlive this object.
 template <AffineComposite Composite>
 class GreedySampling {
  public:
@@ -69,23 +69,23 @@ class GreedySampling {
   }
 
   /// The moduli of the training set with the largest error estimate of all loads. Estimates are scaled by the ratios of
-  /// error to residual measured so far. One that rounding alone may have caused counts as no error, since no further
-  /// snapshot would reduce it.
+  /// error to residual measured so far. An estimate that rounding alone may have caused counts as no error, since no
+  /// further snapshot would reduce it.
   [[nodiscard]] Candidate greedy_choice(std::span<const std::vector<Moduli>> training_set) const {
     Candidate choice, within_rounding;
     for (std::size_t l = 0; l < bases_.size(); ++l) add_candidates(l, training_set, choice, within_rounding);
     return choice.estimate > 0.0 ? choice : Candidate{within_rounding.moduli, 0.0};
   }
 
-  /// The largest error estimate of one load, in the same way.
+  /// The largest error estimate of one load in the training set, computed as in greedy_choice().
   [[nodiscard]] double largest_estimate(std::size_t load, std::span<const std::vector<Moduli>> training_set) const {
     Candidate choice, within_rounding;
     add_candidates(load, training_set, choice, within_rounding);
     return std::max(0.0, choice.estimate);
   }
 
-  /// Whether the bases have met the tolerance at Laplace variables before. A snapshot that is added later may correct
-  /// the estimates upwards.
+  /// Whether the bases have met the tolerance at Laplace variables at an earlier time. A snapshot that is added later
+  /// may correct the estimates upwards.
   [[nodiscard]] bool has_met_tolerance() const noexcept { return has_met_tolerance_; }
   void tolerance_is_met() noexcept { has_met_tolerance_ = true; }
   [[nodiscard]] bool is_snapshot(const std::vector<Moduli>& moduli) const {
@@ -128,8 +128,8 @@ class GreedySampling {
   }
 
  private:
-  /// Takes the moduli with the largest estimate of a load among those of other loads: of estimates that rounding alone
-  /// may have caused, and of all others.
+  /// Replaces the candidates of other loads by those of this load that have a larger estimate: one candidate among
+  /// estimates that rounding alone may have caused, and one among all other estimates.
   void add_candidates(std::size_t load, std::span<const std::vector<Moduli>> training_set, Candidate& choice,
                       Candidate& within_rounding) const {
     auto response = bases_[load].response();
@@ -174,7 +174,7 @@ class GreedySampling {
     const double exact = modulus_of(load, at, solution);
     const double error = std::abs(response.modulus(at) / exact - 1.0);
     if (error > least_share * tolerance || scales_[load] == 0.0) {
-      // An estimate below its rounding may be anything, and zero.
+      // An estimate below its rounding error is meaningless, and may be zero.
       const double estimate = std::max(response.error_estimate(at), rounding_of_error_estimate(response, at));
       scales_[load] = std::max(scales_[load], error / estimate);
     }
@@ -182,7 +182,7 @@ class GreedySampling {
   }
 
   const Composite* composite_;
-  std::vector<ReducedBasis<Composite>> bases_;  ///< by load
+  std::vector<ReducedBasis<Composite>> bases_;  ///< bases by load
   std::vector<double> scales_;                  ///< largest ratio of error to residual found so far, by load
   std::vector<std::vector<double>> measured_;   ///< errors of the snapshots, by load
   int snapshots_ = 0;
@@ -190,14 +190,14 @@ class GreedySampling {
   bool has_met_tolerance_ = false;
 };
 
-/// The middle of a training set, and both its ends where they differ from it.
+/// The middle of a training set, and both of its ends where they differ from the middle.
 [[nodiscard]] std::vector<std::vector<Moduli>> initial_snapshots(const TrainingPath& training_set);
 
-/// Throws InputError when there are no loads, the training set is empty, or a point of it has not the moduli of each of
-/// its phases.
+/// Throws InputError when there are no loads, the training set is empty, or a point of it does not have the moduli of
+/// each of its phases.
 void require_complete(std::span<const Load> loads, const TrainingPath& training_set);
 
-/// Throws NumericalError when as many snapshots as allowed have not met the tolerance.
+/// Throws NumericalError when the allowed number of snapshots has not met the tolerance.
 void require_more_snapshots(int snapshots, double error, const SamplingOptions& options);
 
 /// Progress of the greedy selection: the share of the orders of magnitude by which the error is to fall. `error` is the
@@ -205,13 +205,13 @@ void require_more_snapshots(int snapshots, double error, const SamplingOptions& 
 Progress progress_of(int snapshots, double error, const SamplingOptions& options);
 
 /// Whether bases that meet the tolerance at Laplace variables have changed the target little by their last vectors, or
-/// would gain nothing more: because what is left of a load at Laplace variables is far below the tolerance, or as small
-/// as the error of the linear solver.
+/// would not gain from further ones, because the remaining error of a load at Laplace variables is far below the
+/// tolerance, or as small as the error of the linear solver.
 template <AffineComposite Composite>
 [[nodiscard]] bool is_accurate_in_time(const GreedySampling<Composite>& sampling, const TrainingPath& training_set,
                                        const Candidate& next, double tolerance) {
   if (!training_set.target || sampling.is_snapshot(next.moduli)) return true;
-  // The error that is left may be as large as the last change.
+  // The remaining error may be as large as the last change.
   constexpr double change_by_last = 10.0, far_below = 1e-3, of_the_solver = 1e-8;
   const double nothing = std::max(far_below * tolerance, of_the_solver);
   for (std::size_t load = 0; load < sampling.bases().size(); ++load) {
@@ -223,9 +223,8 @@ template <AffineComposite Composite>
 }
 
 /// Adds snapshots of the training set until the tolerance is met, and then, where the set has a target and as long as
-/// more snapshots are allowed, until it is accurate in time. With a
-/// checkpoint, the state is saved between solutions when that is due: save_others(state) adds what the caller needs to
-/// go on.
+/// more snapshots are allowed, until it is accurate in time. With a checkpoint, the state is saved between solutions
+/// when that is due: save_others(state) adds the data that the caller needs to continue.
 template <AffineComposite Composite, CompositeSolver<typename Composite::Vector> Solver, class SaveOthers>
 void sample(GreedySampling<Composite>& sampling, Solver& solver, const TrainingPath& training_set,
             const SamplingOptions& options, const ProgressObserver& observer, Checkpoint* checkpoint,

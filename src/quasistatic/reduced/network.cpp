@@ -33,8 +33,8 @@ Eigen::MatrixXd stiffness_of_parts(const ReducedResponse& response, std::span<co
   return sum;
 }
 
-/// The terms of all moduli [Pa] by relaxation time [s], each a list by part. A bulk term may be negative; K + G/3 of a
-/// term, its stiffness in plane strain, is not.
+/// The terms of all moduli [Pa] by relaxation time [s], each a list by part. A bulk term may be negative, but K + G/3
+/// of a term, its stiffness in plane strain, is not.
 std::map<double, std::vector<double>> terms_of(const std::vector<const PronySeries*>& series) {
   std::map<double, std::vector<double>> terms;
   for (std::size_t i = 0; i < series.size(); ++i) {
@@ -121,8 +121,8 @@ SingularValues graded_singular_values(Eigen::MatrixXd matrix) {
   return {statistics[0] / statistics[1] * values, std::move(left)};
 }
 
-/// How the load acts on the weights c of the network. A traction boundary prescribes forces, and all of c is free. The
-/// others prescribe e' c = 1: c is the unrelaxed solution plus a part that is orthogonal to e and free.
+/// The action of the load on the weights c of the network. A traction boundary prescribes forces, and all of c is free.
+/// The other boundaries prescribe e' c = 1: c is the unrelaxed solution plus a part that is orthogonal to e and free.
 struct Loading {
   Eigen::VectorXd prescribed;
   Eigen::MatrixXd free;  ///< orthonormal columns

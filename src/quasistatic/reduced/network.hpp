@@ -14,7 +14,8 @@ namespace breccia::quasistatic {
 CreepCompliance network_compliance(const ReducedResponse& response, std::span<const Material> of_phases);
 
 /// State of a reduced response whose varying phases are of these materials, at a time [s] after its load was applied
-/// and held: the unit load e under a traction boundary, the unit strain e' c = 1 under the others (theory, Eq. 34).
+/// and held: the unit load e under a traction boundary, the unit strain e' c = 1 under the other boundaries (theory,
+/// Eq. 34).
 [[nodiscard]] ReducedState network_state(const ReducedResponse& response, std::span<const Material> of_phases,
                                          double time);
 

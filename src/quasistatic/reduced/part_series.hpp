@@ -7,8 +7,9 @@
 
 namespace breccia::quasistatic {
 
-/// The moduli in time that the parameters p_i of a response are, by part, for materials of the phases that vary. They
-/// point to the materials. Throws InputError when the materials are not as many as the phases.
+/// The relaxation moduli that belong to the parameters p_i of a response, by part, for these materials of the varying
+/// phases. The pointers refer to the materials. Throws InputError when the numbers of materials and of varying phases
+/// differ.
 [[nodiscard]] std::vector<const PronySeries*> series_of_parts(const ReducedResponse& response,
                                                               std::span<const Material> of_phases);
 

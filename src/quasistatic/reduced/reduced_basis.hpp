@@ -23,8 +23,7 @@ namespace breccia::quasistatic {
 /// The reduced basis of one load, and the Galerkin projection of the stiffness on it. Its vectors are the uniform
 /// strain of the load and the solutions for the moduli of the snapshots, orthonormal in the energy of a composite of
 /// reference moduli. Moduli [Pa] are those of the phases that vary, in the order of ReducedResponse::phases(). Since
-/// the uniform strain is one of the vectors, the mean stress of the reduced solution is exactly the one that follows
-/// from its energy.
+/// the uniform strain is one of the vectors, the mean stress of the reduced solution agrees exactly with its energy.
 ///
 /// GreedySampling fills it: the first snapshot gives the reference moduli, each further one a vector. Its response is
 /// copied out at the end and is all that relaxation moduli, response.h5 and a Responder use (creep_compliance in
@@ -41,10 +40,10 @@ class ReducedBasis {
   [[nodiscard]] Load load() const noexcept { return load_; }
   [[nodiscard]] const ReducedResponse& response() const noexcept { return response_; }
 
-  /// The reduced solution for these moduli, a guess for the solver: under the prescribed strain or,
-  /// under a traction boundary, under the unit traction. Zero for an empty basis.
+  /// The reduced solution for these moduli, as a guess for the solver: under the prescribed strain or, with a traction
+  /// boundary, under the unit traction. It is zero for an empty basis.
   [[nodiscard]] Vector approximation(std::span<const Moduli> moduli) const;
-  /// The composite at a time [s] after the load was applied, per unit of it, where its varying phases are of these
+  /// The composite at a time [s] after the load was applied, per unit of the load, where the varying phases have these
   /// materials, in the order of ReducedResponse::phases() (theory, Eq. 34).
   [[nodiscard]] CompositeState<Vector> state(std::span<const Material> of_phases, double time) const;
   /// Linear combination of the vectors with these weights.
@@ -63,7 +62,7 @@ class ReducedBasis {
   void extend(Vector candidate, std::optional<std::vector<double>> parameters);
   void extend_projection();
   void extend_residual_products();
-  /// K_0 u for part 0, then K_i u.
+  /// The forces K_0 u for part 0, and K_i u for part i.
   [[nodiscard]] Vector forces_of_part(Eigen::Index part, const Vector& displacement) const;
   [[nodiscard]] std::vector<Vector> forces_of_parts(Eigen::Index first, Eigen::Index end,
                                                     const Vector& displacement) const;
@@ -83,8 +82,8 @@ inline void enlarge(Eigen::MatrixXd& matrix) {
   matrix.col(size).setZero();
 }
 
-/// Products of the parts of the residual, blocks of `count` vectors for each part and then the load, with zeros for
-/// those of a vector more.
+/// Products of the parts of the residual, in blocks of `count` vectors for each part and then the load, with zeros for
+/// the products of one more vector.
 inline Eigen::MatrixXd with_room_for_a_vector(const Eigen::MatrixXd& products, Eigen::Index parts, Eigen::Index count) {
   const auto size = count + 1, load = parts * count, new_load = parts * size;
   Eigen::MatrixXd larger = Eigen::MatrixXd::Zero(new_load + 1, new_load + 1);
@@ -132,8 +131,8 @@ typename ReducedBasis<Composite>::Vector ReducedBasis<Composite>::forces_of_part
   return composite_->part_forces(static_cast<std::size_t>(part) - 1, load_, displacement);
 }
 
-/// Orthonormalises a vector against the others (Gram-Schmidt), and adds up what is taken of them. False when it lies in
-/// their span.
+/// Orthonormalises a vector against the basis (Gram-Schmidt), and adds up the subtracted amounts of the basis vectors.
+/// Returns false when the vector lies in the span of the basis.
 template <AffineComposite Composite>
 bool ReducedBasis<Composite>::normalise(Vector& vector, VectorOrigin& origin) const {
   constexpr double nothing = 1e-13;
@@ -158,7 +157,7 @@ void ReducedBasis<Composite>::add(Vector solution, std::vector<Moduli> moduli) {
   extend(std::move(solution), std::move(parameters));
 }
 
-/// Adds a vector unless it lies in the span of the others.
+/// Adds a vector unless it lies in the span of the basis.
 template <AffineComposite Composite>
 void ReducedBasis<Composite>::extend(Vector candidate, std::optional<std::vector<double>> parameters) {
   VectorOrigin origin{std::move(parameters), Eigen::VectorXd::Zero(static_cast<Eigen::Index>(vectors_.size()))};
@@ -184,8 +183,8 @@ void ReducedBasis<Composite>::extend_projection() {
   response.load_forces[last] = vectors_.works(load_forces())[last];
 }
 
-/// Scalar products of the parts of the residual, R_(a i)(b j) = (K_a v_i)' (K_b v_j), with those of the newest vector.
-/// Few forces are in memory at a time.
+/// Scalar products of the parts of the residual, R_(a i)(b j) = (K_a v_i)' (K_b v_j), are extended by those of the
+/// newest vector. Only a few forces are in memory at a time.
 template <AffineComposite Composite>
 void ReducedBasis<Composite>::extend_residual_products() {
   const auto count = static_cast<Eigen::Index>(response_.parts.size()) + 1;
@@ -209,7 +208,7 @@ void ReducedBasis<Composite>::extend_residual_products() {
       const auto& earlier = vector(i);
       for (Eigen::Index a = 0; a < count; ++a) multiply(row(a, i), forces_of_part(a, earlier));
     }
-    // The products of the newest vector with itself are symmetric: those with parts before the first are known.
+    // The products of the newest vector with itself are symmetric: products with parts before `first` are known.
     for (auto a = first; a < end; ++a) multiply(row(a, last), of_newest[static_cast<std::size_t>(a - first)]);
     for (auto a = end; a < count; ++a) multiply(row(a, last), forces_of_part(a, vector(last)));
     multiply(load, load_forces());
@@ -234,8 +233,8 @@ typename ReducedBasis<Composite>::Vector ReducedBasis<Composite>::approximation(
   if (vectors_.size() == 0) return composite_->zero();
   const Eigen::VectorXd weights = response_.stiffness(response_.parameters(moduli)).ldlt().solve(response_.load_forces);
   auto sum = combination(weights);
-  // Scaled like a solution: macroscopic amplitude 1 where the strain is prescribed, unit traction otherwise. The forces
-  // of the projection are those of load_forces().
+  // The result is scaled like a solution: with a macroscopic amplitude of 1 where the strain is prescribed, under unit
+  // traction otherwise. The forces of the projection are those of load_forces().
   const bool is_strained = composite_->boundary() != Boundary::traction;
   sum.scale(is_strained ? 1.0 / sum.macroscopic() : std::sqrt(composite_->volume()));
   return sum;

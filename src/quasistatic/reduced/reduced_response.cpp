@@ -37,8 +37,8 @@ Eigen::VectorXd residual_weights(const Eigen::VectorXd& solution, std::span<cons
   return weights;
 }
 
-/// The part of the residual that the basis leaves is held by the phases that vary: the softest of them has this shear
-/// modulus [Pa].
+/// The least shear modulus [Pa] of the phases that vary, which bounds the stiffness against the residual of the basis
+/// from below.
 double softest_shear(const ReducedResponse& response, std::span<const double> parameters) {
   double softest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < parameters.size(); ++i) {
@@ -47,7 +47,7 @@ double softest_shear(const ReducedResponse& response, std::span<const double> pa
   return softest;
 }
 
-/// 1 / (p + q G) is the compliance of a solid with the relaxation modulus p + q G(t).
+/// The relaxation modulus p + q G(t) of a solid with the compliance 1 / (p + q G).
 PronySeries combined(double p, double q, const PronySeries& series) {
   auto terms = series.terms();
   for (auto& term : terms) term.modulus *= q;

@@ -10,7 +10,7 @@ namespace breccia {
 
 /// Writes a reduced response to a group of a state.
 void save(StateWriter& state, const std::string& group, const ReducedResponse& response);
-/// Reads it from there. Throws FileError when the group does not hold one.
+/// Reads a reduced response from a group of a state. Throws FileError when the group does not hold one.
 ReducedResponse read_response(const StateReader& state, const std::string& group);
 
 }  // namespace breccia

@@ -7,7 +7,7 @@
 namespace breccia::quasistatic {
 
 /// Largest error that rounding alone may cause in ReducedResponse::error_estimate [-]: the squared residual is a small
-/// sum of large products of opposite signs. A smaller estimate says nothing, and no further snapshot would reduce it.
+/// sum of large products of opposite signs. A smaller estimate is meaningless, and no further snapshot would reduce it.
 double rounding_of_error_estimate(const ReducedResponse& response, std::span<const Moduli> of_phases);
 
 }  // namespace breccia::quasistatic

@@ -8,16 +8,17 @@
 
 namespace breccia {
 
-/// A value of an elastic composite, and its derivatives by the moduli of the phases that vary.
+/// A value of an elastic composite, and its derivatives with respect to the moduli of the phases that vary.
 struct ValueAndGradient {
   double value = 0.0;
-  /// Derivatives by the bulk and by the shear modulus of each phase, in the order of ReducedResponse::phases().
+  /// Derivatives with respect to the bulk and the shear modulus of each phase, in the order of
+  /// ReducedResponse::phases().
   std::vector<Moduli> gradient;
 };
 
 /// The compliance C = e' K^-1 e [1/Pa] of a reduced response at moduli [Pa] of its phases, and its gradient [1/Pa^2].
 /// With c = K^-1 e the derivatives are dC/dp_i = -c' K_i c: they need no further solution (theory, Eq. 18b). Throws
-/// InputError when the moduli are not as many as the phases.
+/// InputError when the numbers of moduli and of varying phases differ.
 ValueAndGradient compliance_and_gradient(const ReducedResponse& response, std::span<const Moduli> of_phases);
 
 /// The modulus M = 1/C [Pa] in place of the compliance, with the derivatives dM/dp_i = M^2 c' K_i c [-].

@@ -30,8 +30,8 @@ ModuliRange usable_range(const ReducedResponse& response, std::size_t phase) {
   auto range = empty_range();
   for (const auto& snapshot : response.snapshots) widen(range, snapshot.moduli[phase]);
   // The ends of the range are snapshots. The error is of second order in the distance from a snapshot, so it is below
-  // the tolerance for moduli that differ by the spacing of the training set. A bulk modulus off the training set does
-  // little harm: the matrix is nearly incompressible, or its volume change has little influence.
+  // the tolerance for moduli that differ by the spacing of the training set. A bulk modulus outside the training set
+  // does little harm: the matrix is nearly incompressible, or its volume change has little influence.
   constexpr double off_shear = 0.05, off_bulk = 0.1;
   // The training set has eight points a decade, so its softest point is at most this factor above the shear modulus
   // from which on all softer matrices are alike.
@@ -59,7 +59,7 @@ std::vector<double> close_times(const TimeWindow& window) {
   return times;
 }
 
-/// Adds the moduli that a phase shows at one time. True when the response covers them.
+/// Adds the moduli of a phase at one time. Returns whether the response covers them.
 bool covers(PhaseCoverage& of_phase, const Moduli& moduli) {
   const auto& [least, most] = of_phase.sampled;
   widen(of_phase.shown, moduli);
@@ -100,7 +100,7 @@ Coverage coverage(const ReducedResponse& response, std::span<const Material> of_
 }
 
 double largest_error(const ReducedResponse& response, std::span<const Material> of_phases, const TimeWindow& window) {
-  // Without a margin, at s = 1/t of the window alone: moduli beyond it have less and less influence.
+  // Moduli are taken without a margin, only at s = 1/t of the window: moduli beyond it have less and less influence.
   constexpr double margin = 1.0;
   double error = 0.0;
   for (const auto& point : carson_path(of_phases, window, margin)) {

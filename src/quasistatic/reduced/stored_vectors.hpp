@@ -16,13 +16,14 @@
 
 namespace breccia::quasistatic {
 
-/// The origin of a vector of a reduced basis: some amount of a displacement, and these amounts of the vectors before.
+/// The origin of a vector of a reduced basis: an amount of a displacement, and these amounts of the earlier vectors.
 struct VectorOrigin {
-  std::optional<std::vector<double>> parameters;  ///< moduli [Pa] that the displacement solves for; none if it does not
+  std::optional<std::vector<double>>
+      parameters;  ///< moduli [Pa] for which the displacement is a solution; nothing for other displacements
   Eigen::VectorXd of_earlier;
 };
 
-/// The vectors of a reduced basis, each in whole.
+/// The vectors of a reduced basis, stored completely.
 template <DisplacementVector Vector>
 class StoredVectors {
  public:

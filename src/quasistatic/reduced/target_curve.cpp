@@ -21,7 +21,7 @@ ReducedResponse without_last_vector(ReducedResponse response) {
   return response;
 }
 
-/// The relaxation modulus; nothing where the basis has too few vectors for one that can be computed.
+/// The relaxation modulus; nothing where the basis has too few vectors to compute it.
 std::optional<PronySeries> modulus_of(const ReducedResponse& response, const TargetCurve& target) {
   try {
     return relaxation_modulus(creep_compliance(response, target.materials));

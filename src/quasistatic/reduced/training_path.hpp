@@ -18,14 +18,14 @@ struct VaryingPhase {
   std::string name;
 };
 
-/// The training set of a reduced basis: moduli [Pa] that the phases which vary take together, one point for each real
-/// Laplace variable, from stiff to soft (theory, section 10). All other phases keep the moduli of their materials. A
-/// phase that is elastic may be among those that vary, with the same moduli at every point: the response then has parts
-/// of its own for it.
+/// The training set of a reduced basis: joint moduli [Pa] of the varying phases, one point for each real Laplace
+/// variable, from stiff to soft (theory, section 10). All other phases keep the moduli of their materials. An elastic
+/// phase may be among the varying ones, with the same moduli at every point; the response then has separate parts for
+/// it.
 struct TrainingPath {
   std::vector<VaryingPhase> phases;
-  std::vector<std::vector<Moduli>> points;  ///< each with the moduli of the phases, in their order
-  /// The curve that is to be as accurate in time, if one is known.
+  std::vector<std::vector<Moduli>> points;  ///< points with the moduli of the phases, in the order of these
+  /// A curve in time that must meet the same tolerance, if one is known.
   std::optional<TargetCurve> target = {};
 };
 

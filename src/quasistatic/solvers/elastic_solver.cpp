@@ -64,7 +64,8 @@ Displacement ElasticSolver<dim>::solve(Forces forces, Displacement displacement,
   elastic_operator_->condense(moduli_, forces);
   check(VecNorm(forces.fluctuation(), NORM_2, &load_), "reading the load");
   const auto [is_converged, residual] = iterate(forces.take_fluctuation(), displacement);
-  // Where the prescribed displacements are the whole solution, as in a homogeneous box, the load itself is rounding.
+  // Where the prescribed displacements are the whole solution, as in a homogeneous box, the load consists of rounding
+  // errors.
   const double least = std::max(prescribed_ * rounding_ / tolerance_, std::numeric_limits<double>::min());
   const double relative = residual / std::max(load_, least);
   if (!is_converged) {
@@ -84,7 +85,7 @@ namespace {
 std::unique_ptr<ElasticSolver<2>> make_iterative_solver(const ElasticOperator<2>& elastic_operator,
                                                         const LinearOptions& options) {
   const bool is_periodic = elastic_operator.boundary() == Boundary::periodic;
-  // Every process needs a block at least.
+  // Every process needs at least one block.
   if (BlockDivision::among(parallel::ranks(), elastic_operator.grid().cells, is_periodic)) {
     return std::make_unique<SubstructuringSolver>(elastic_operator, options);
   }
@@ -93,7 +94,7 @@ std::unique_ptr<ElasticSolver<2>> make_iterative_solver(const ElasticOperator<2>
 
 std::unique_ptr<ElasticSolver<3>> make_iterative_solver(const ElasticOperator<3>& elastic_operator,
                                                         const LinearOptions& options) {
-  // Every process needs a plane of nodes at least.
+  // Every process needs at least one plane of nodes.
   const bool is_periodic = elastic_operator.boundary() == Boundary::periodic;
   const int planes = elastic_operator.grid().cells[2] + (is_periodic ? 0 : 1);
   if (PlaneDivision::among(parallel::ranks(), planes))

@@ -24,30 +24,32 @@ class ElasticSolver {
   ElasticSolver& operator=(ElasticSolver&&) = delete;
   virtual ~ElasticSolver() = default;
 
-  /// Takes new moduli [Pa], by material. The preconditioner may remain the one of earlier moduli.
+  /// Takes new moduli [Pa], by material. The preconditioner of earlier moduli may be kept.
   void set_moduli(std::span<const Moduli> moduli);
   /// Makes the preconditioner for the present moduli.
   virtual void update_preconditioner() = 0;
-  /// The displacement w, and the strains of phases that go with it, with K w = forces, from an initial guess; its
-  /// macroscopic part is undefined. `least_energy`, if it is known, is a lower bound of twice the energy of the
-  /// composite with w and the strain that is prescribed; it may be orders below that of w alone, and w is then found as
-  /// accurately as the energy of the composite needs. Throws NumericalError when the iteration does not converge.
+  /// The displacement w with K w = forces, and the corresponding strains of phases, from an initial guess; the
+  /// macroscopic part of the result is undefined. `least_energy`, if it is known, is a lower bound of twice the energy
+  /// of the composite with w and the prescribed strain. It may be orders of magnitude below the energy of w alone, and
+  /// w is then found as accurately as the energy of the composite needs. Throws NumericalError when the iteration does
+  /// not converge.
   [[nodiscard]] Displacement solve(Forces forces, Displacement guess, std::optional<double> least_energy = {});
 
   [[nodiscard]] const LinearEffort& effort() const noexcept { return effort_; }
-  /// Continues counting from the effort of an earlier run.
+  /// Continues the counts of the effort of an earlier run.
   void count_from(const LinearEffort& earlier) { effort_ = earlier; }
 
-  /// Saves the moduli for which the preconditioner was made; nothing if it is made anew for every set of moduli.
+  /// Saves the moduli for which the preconditioner was made; saves nothing if the preconditioner is made anew for every
+  /// set of moduli.
   virtual void save_preconditioner(StateWriter& /*state*/, const std::string& /*group*/) const {}
   /// Makes the preconditioner for these moduli again.
   virtual void restore_preconditioner(const StateReader& /*state*/, const std::string& /*group*/) {}
 
  protected:
-  /// How an iteration ended.
+  /// The outcome of an iteration.
   struct Convergence {
     bool is_converged;
-    double residual;  ///< in the Euclidean norm
+    double residual;  ///< residual in the Euclidean norm
   };
 
   ElasticSolver(const ElasticOperator<dim>& elastic_operator, const LinearOptions& options, bool is_direct);
@@ -55,10 +57,10 @@ class ElasticSolver {
   [[nodiscard]] const ElasticOperator<dim>& elastic_operator() const noexcept { return *elastic_operator_; }
   /// The present moduli [Pa], by material.
   [[nodiscard]] const std::vector<Moduli>& moduli() const noexcept { return moduli_; }
-  /// Is a residual small compared with the load, or as small as the rounding errors of the forces for displacements of
-  /// up to `largest`?
+  /// Whether a residual is small compared with the load, or as small as the rounding errors of the forces for
+  /// displacements of up to `largest`.
   [[nodiscard]] bool is_small(double residual, double largest) const noexcept;
-  /// Is it as small as those rounding errors?
+  /// Whether a residual is as small as the rounding errors of the forces for displacements of up to `largest`.
   [[nodiscard]] bool is_rounding(double residual, double largest) const noexcept;
   [[nodiscard]] std::optional<double> least_energy() const noexcept { return least_energy_; }
   void count_factorisation() { ++effort_.factorisations; }
@@ -66,7 +68,7 @@ class ElasticSolver {
 
  private:
   virtual void update_stiffness(std::span<const Moduli> moduli) = 0;
-  /// Finds the fluctuation of a displacement for these nodal forces, whose memory may be given back.
+  /// Finds the fluctuation of a displacement for these nodal forces, whose memory may be freed.
   virtual Convergence iterate(NodalVector on_nodes, Displacement& displacement) = 0;
   /// The accuracy at which an iteration ends: "a residual of 1.0e-10 of the load".
   [[nodiscard]] virtual std::string accuracy_wanted() const;
@@ -78,11 +80,11 @@ class ElasticSolver {
   double prescribed_;  ///< size of the prescribed displacements: 1, of a unit strain, or 0 under a traction boundary
   double rounding_ = 0.0;               ///< norm of the rounding errors of the forces for displacements of order one
   double load_ = 0.0;                   ///< norm of the forces of the present solve
-  std::optional<double> least_energy_;  ///< of the present solve
+  std::optional<double> least_energy_;  ///< least energy of the present solve
 };
 
-/// The solver that the options ask for: direct or, as an iterative one, substructuring in 2 dimensions and fast
-/// transforms in 3; algebraic multigrid where a box is too small for its processes.
+/// The solver that the options request: direct, or iterative, by substructuring in 2 dimensions and by fast transforms
+/// in 3, or by algebraic multigrid where a box is too small for its processes.
 template <int dim>
 std::unique_ptr<ElasticSolver<dim>> make_elastic_solver(const ElasticOperator<dim>& elastic_operator,
                                                         const LinearOptions& options);

@@ -10,7 +10,7 @@ namespace breccia {
 
 /// Writes the effort to a group of a state.
 void save(StateWriter& state, const std::string& group, const LinearEffort& effort);
-/// Reads it from there. Throws FileError when the group does not hold one.
+/// Reads the effort from a group of a state. Throws FileError when the group does not hold one.
 LinearEffort read_effort(const StateReader& state, const std::string& group);
 
 }  // namespace breccia

@@ -25,7 +25,7 @@ namespace breccia::quasistatic {
 /// (1 - exp(-x)) / x
 [[nodiscard]] double mean_decay(double x);
 
-/// A composite through whose parts one can step in time.
+/// A composite whose parts can be stepped in time.
 template <class Composite>
 concept SteppableComposite = AffineComposite<Composite> &&
     requires(const Composite& composite, Load load, const typename Composite::Vector& u, std::span<const double> p) {
@@ -33,8 +33,8 @@ concept SteppableComposite = AffineComposite<Composite> &&
 };
 
 /// Solves for displacements under any forces on the unknowns, for one choice of the moduli p_i after the other: in a
-/// time step under a load, whose unit strain or stress is prescribed. The macroscopic part of what solve_forces()
-/// returns is undefined; it may start from the guess.
+/// time step under a load, whose unit strain or stress is prescribed. The macroscopic part of the result of
+/// solve_forces() is undefined; the solver may start from the guess.
 template <class Solver, class Vector>
 concept StepSolver = requires(Solver& solver, std::span<const double> p, Load load, const Vector& forces,
                               Vector guess) {
@@ -43,13 +43,13 @@ concept StepSolver = requires(Solver& solver, std::span<const double> p, Load lo
 };
 
 /// Integrates the response to one load through time (theory, Eq. 17). The internal variable h of a Maxwell term is a
-/// displacement times a modulus [Pa]: the strain that its spring still holds, times its modulus.
+/// displacement times a modulus [Pa]: the remaining strain of its spring times its modulus.
 template <SteppableComposite Composite>
 class LogTimeIntegrator {
  public:
   using Vector = typename Composite::Vector;
 
-  /// `series` are the moduli in time of the parts of the composite; both must outlive this.
+  /// `series` are the relaxation moduli of the parts of the composite; both must outlive this object.
   LogTimeIntegrator(const Composite& composite, const std::vector<const PronySeries*>& series, Load load)
       : composite_(&composite),
         series_(&series),
@@ -79,13 +79,14 @@ class LogTimeIntegrator {
     const double macroscopic_force = macroscopic_force_after(history_forces, algorithmic);
     update_internal_variables(time_step);
     displacement_ = std::move(next);
-    // The jump at time 0 says nothing about the rate in the first step.
+    // The jump at time 0 gives no guess of the rate in the first step.
     if (time_step == 0.0) increment_ = composite_->zero();
     const bool is_traction = composite_->boundary() == Boundary::traction;
     return (is_traction ? work(load_forces_, displacement_) : macroscopic_force) / composite_->volume();
   }
 
-  /// The displacement and, by part, the equilibrium modulus times it plus the internal variables.
+  /// The displacement and, by part, the product of the equilibrium modulus and the displacement plus the internal
+  /// variables.
   [[nodiscard]] CompositeState<Vector> state() const {
     CompositeState<Vector> state{copied(displacement_), {}};
     for (std::size_t part = 0; part < series_->size(); ++part) {
@@ -106,7 +107,7 @@ class LogTimeIntegrator {
   }
 
  private:
-  /// Visits the displacements that make the state, with their names in it.
+  /// Visits the displacements that make up the state, with their names in a saved state.
   template <class Self, class Visit>
   static void for_displacements(Self& self, const std::string& group, const Visit& visit) {
     visit(group + "/displacement", self.displacement_);
@@ -135,8 +136,8 @@ class LogTimeIntegrator {
     return composite_->part_forces(part, load_, sum);
   }
 
-  /// K^ u(n+1) = f - P h + (K^ - K_inf) u(n), where a displacement or periodic boundary prescribes the macroscopic
-  /// part.
+  /// Solves K^ u(n+1) = f - P h + (K^ - K_inf) u(n), where a displacement or periodic boundary prescribes the
+  /// macroscopic part.
   template <class Solver>
   [[nodiscard]] Vector solve_step(const Vector& history_forces, const std::vector<double>& algorithmic,
                                   Solver& solver) const {
@@ -169,7 +170,8 @@ class LogTimeIntegrator {
     }
   }
 
-  /// Force conjugate to the macroscopic part after a step: that part of K_inf u(n) + P h + K^ (u(n+1) - u(n)).
+  /// Force conjugate to the macroscopic part after a step, that is, the macroscopic part of K_inf u(n) + P h + K^
+  /// (u(n+1) - u(n)).
   [[nodiscard]] double macroscopic_force_after(const Vector& history_forces,
                                                const std::vector<double>& algorithmic) const {
     return composite_->forces(equilibrium_, load_, displacement_).macroscopic() + history_forces.macroscopic() +
@@ -177,13 +179,13 @@ class LogTimeIntegrator {
   }
 
   const Composite* composite_;
-  const std::vector<const PronySeries*>* series_;  ///< by part
-  std::vector<double> equilibrium_;                ///< by part [Pa]
+  const std::vector<const PronySeries*>* series_;  ///< series by part
+  std::vector<double> equilibrium_;                ///< equilibrium moduli by part [Pa]
   Load load_;
   Vector load_forces_;
   Vector displacement_;
-  Vector increment_;                                     ///< of the last step, the guess for the next one
-  std::vector<std::vector<Vector>> internal_variables_;  ///< h, by part and term
+  Vector increment_;                                     ///< increment of the last step, the guess for the next one
+  std::vector<std::vector<Vector>> internal_variables_;  ///< internal variables h, by part and term
 };
 
 }  // namespace breccia::quasistatic

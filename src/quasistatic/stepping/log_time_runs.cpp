@@ -8,7 +8,7 @@ namespace breccia::quasistatic {
 namespace {
 
 /// Relative errors of the fine run. The method is of second order, so the error of the fine run is a third of its
-/// difference to the coarse run. A time between two times of the coarse run takes the larger of their estimates.
+/// difference to the coarse run. A time between two times of the coarse run has the larger of their estimates.
 std::vector<double> error_estimates(const std::vector<double>& fine, const std::vector<double>& coarse,
                                     const std::vector<std::size_t>& indices) {
   std::vector<double> errors(fine.size(), 0.0);

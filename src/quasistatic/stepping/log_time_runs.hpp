@@ -36,7 +36,7 @@ class LogTimeRun {
   /// The time that has been reached [s]; 0 right after the jump, which is the first step.
   [[nodiscard]] double time() const { return taken_ < 2 ? 0.0 : times_[taken_ - 2]; }
   [[nodiscard]] const LogTimeIntegrator<Composite>& first_load() const { return loads_.front(); }
-  /// For each load, the value right after the jump, then the values at the times.
+  /// The values for each load: first that right after the jump, then those at the times.
   [[nodiscard]] const std::vector<std::vector<double>>& values() const noexcept { return values_; }
 
   template <StepSolver<Vector> Solver>
@@ -59,7 +59,8 @@ class LogTimeRun {
       if (!is_over()) loads_[i].save(state, of_load);
     }
   }
-  /// Throws FileError for values of more steps than there are times, and when loads differ in the number of steps.
+  /// Restores a saved run. Throws FileError for values of more steps than there are times, and when loads differ in the
+  /// number of steps.
   void restore(const StateReader& state, const std::string& group) {
     taken_ = state.numbers(fmt::format("{}/0/values", group)).size();
     if (taken_ > times_.size() + 1) {
@@ -81,14 +82,14 @@ class LogTimeRun {
   std::size_t taken_ = 0;  ///< steps taken, the jump included
 };
 
-/// Every other one of so many times, and the last one: their indices.
+/// The indices of every other one of so many times, and of the last one.
 [[nodiscard]] std::vector<std::size_t> every_other(std::size_t count);
 
 /// Values at some indices of a list.
 [[nodiscard]] std::vector<double> at_indices(std::span<const double> values, const std::vector<std::size_t>& indices);
 
-/// The response to a load of which the values right after the jump and at the times are given, and those of a run over
-/// the times at some indices, from which the error is estimated.
+/// The response to a load from the values right after the jump and at the times, and from those of a run over the times
+/// at some indices, by which the error is estimated.
 [[nodiscard]] SteppedResponse stepped_response(Load load, const std::vector<double>& fine,
                                                const std::vector<double>& coarse,
                                                const std::vector<std::size_t>& indices);
@@ -190,8 +191,8 @@ class LogTimeRuns {
   std::vector<TimedState<Vector>> kept_;
 };
 
-/// Takes all steps. With a checkpoint, the state is saved between steps when that is due: save_others(state) adds what
-/// the caller needs to go on.
+/// Takes all steps. With a checkpoint, the state is saved between steps when that is due: save_others(state) adds the
+/// data that the caller needs to continue.
 template <SteppableComposite Composite, StepSolver<typename Composite::Vector> Solver, class SaveOthers>
 void take_all_steps(LogTimeRuns<Composite>& runs, Solver& solver, const ProgressObserver& observer,
                     Checkpoint* checkpoint, const SaveOthers& save_others) {

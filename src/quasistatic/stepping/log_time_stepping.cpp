@@ -10,7 +10,7 @@
 namespace breccia {
 namespace {
 
-/// All phases but crystals, so that any of them may relax.
+/// All phases except crystals, so that any of them may relax.
 template <int dim>
 std::vector<VaryingPhase> isotropic_phases(const QuasistaticProblem<dim>& problem) {
   std::vector<VaryingPhase> phases;
@@ -21,7 +21,7 @@ std::vector<VaryingPhase> isotropic_phases(const QuasistaticProblem<dim>& proble
   return phases;
 }
 
-/// The moduli in time of the parts of a composite.
+/// The relaxation moduli of the parts of a composite.
 template <int dim>
 std::vector<const PronySeries*> series_of(const quasistatic::CellComposite<dim>& composite,
                                           const std::vector<Material>& materials) {

@@ -143,7 +143,7 @@ bool AssembledSolver<dim>::try_to_solve(Vec on_nodes, Displacement& displacement
 template <int dim>
 typename ElasticSolver<dim>::Convergence AssembledSolver<dim>::iterate(NodalVector on_nodes,
                                                                        Displacement& displacement) {
-  // A factorisation costs about as much as this many iterations with an old one.
+  // Number of iterations with an old factorisation that cost about as much as a new one.
   constexpr int worth_a_factorisation = 8, many = 5000;
   if (fresh_iterations_ == 0) update_preconditioner();
   bool is_solved = !is_fresh_ && try_to_solve(on_nodes.get(), displacement, fresh_iterations_ + worth_a_factorisation);

@@ -40,7 +40,7 @@ class AssembledSolver final : public ElasticSolver<dim> {
   LinearSolver solver_;
   std::vector<Moduli> prepared_moduli_;  ///< moduli for which the preconditioner was made
   int fresh_iterations_ = 0;             ///< iterations with a preconditioner of the present moduli; 0 before any
-  bool is_fresh_ = false;                ///< was the preconditioner made for the present moduli?
+  bool is_fresh_ = false;                ///< whether the preconditioner was made for the present moduli
 };
 
 extern template class AssembledSolver<2>;

@@ -31,7 +31,7 @@ Mat factors_of(KSP solver, const char* what) {
   return factors;
 }
 
-/// Whether MUMPS has stopped for want of room that it had not foreseen (Users' guide, section 8).
+/// Whether MUMPS has stopped because it needs more memory than its analysis has estimated (Users' guide, section 8).
 bool wants_room(Mat factors, const char* what) {
   constexpr PetscInt status = 1, too_few_integers = -8, too_few_reals = -9, too_small_to_send = -17,
                      too_small_to_receive = -20;
@@ -41,17 +41,18 @@ bool wants_room(Mat factors, const char* what) {
          found == too_small_to_receive;
 }
 
-constexpr PetscInt more_room = 14;  // the parameter of MUMPS, in per cent of what the analysis foresees
+/// Number of the parameter of MUMPS, which is in per cent of the memory that the analysis estimates.
+constexpr PetscInt more_room = 14;
 
-/// The option of PETSc for the room of some factors.
+/// The name of the option of PETSc for the additional memory of some factors.
 std::string option_of_room(Mat factors, const char* what) {
   const char* before_name = nullptr;
   check(PetscObjectGetOptionsPrefix(reinterpret_cast<PetscObject>(factors), &before_name), what);
   return fmt::format("-{}mat_mumps_icntl_{}", before_name == nullptr ? "" : before_name, more_room);
 }
 
-/// Sets the room that MUMPS has beyond what its analysis foresees, as long as this lives. It is an option of PETSc,
-/// since one that the user has set would replace what MatMumpsSetIcntl() says.
+/// Sets the memory that MUMPS has in addition to the estimate of its analysis, during the lifetime of this object. It
+/// is set as an option of PETSc, since an option of the user would override MatMumpsSetIcntl().
 class MoreRoom {
  public:
   MoreRoom(std::string option, PetscInt per_cent, const char* what) : option_(std::move(option)) {
@@ -76,7 +77,7 @@ class MoreRoom {
   std::string before_;
 };
 
-/// Throws the factors away, and the analysis with them.
+/// Discards the factors together with the analysis.
 void begin_anew(KSP solver, const char* what) {
   Mat matrix = nullptr;
   check(KSPGetOperators(solver, &matrix, nullptr), what);

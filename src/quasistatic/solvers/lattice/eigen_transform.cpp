@@ -12,7 +12,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Eigen keeps tables for each length, and a row has its values one after the other: each thread has its own.
+/// The workspace of a thread: the tables that Eigen keeps for each length, and a row with its values one after the
+/// other.
 struct Workspace {
   Eigen::FFT<double> fft{
       Eigen::default_fft_impl<double>(),

@@ -30,7 +30,7 @@ fftw_complex* as_fftw(Complex* values) noexcept {
   return reinterpret_cast<fftw_complex*>(values);
 }
 
-/// Memory for the plans of as many values, which an estimate does not touch.
+/// Memory for plans for so many values; an estimate does not access the values.
 Waves memory_of(int length, int apart, int rows) {
   const auto extent = static_cast<std::size_t>(std::max(length, 1)) * static_cast<std::size_t>(apart);
   return allocate_waves(extent + static_cast<std::size_t>(rows));

@@ -6,8 +6,9 @@
 
 namespace breccia::quasistatic {
 
-/// Transforms by plans of FFTW, made by estimates, not by timings, so that every run has the same bits. Throw
-/// NumericalError where FFTW has no plan: the memory is short, or there is nothing to transform.
+/// Transforms by plans of FFTW, made by estimates, not by timings, so that the results of all runs are bitwise
+/// identical. The functions throw NumericalError where FFTW has no plan, because memory is short or there are no values
+/// to transform.
 [[nodiscard]] std::unique_ptr<WaveTransform> wave_transform_of_fftw(WaveDirection direction, const WaveRows& rows);
 [[nodiscard]] std::unique_ptr<RealTransform> real_transform_of_fftw(const RealRows& rows);
 

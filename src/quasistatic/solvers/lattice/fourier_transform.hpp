@@ -12,22 +12,22 @@ struct FreeWaves {
 };
 using Waves = std::unique_ptr<std::complex<double>, FreeWaves>;
 
-/// Throws std::bad_alloc.
+/// Allocates memory for so many waves. Throws std::bad_alloc.
 [[nodiscard]] Waves allocate_waves(std::size_t count);
 
 /// The sign of the exponent of a transform: minus forward, plus backward.
 enum class WaveDirection { forward, backward };
 
-/// Rows of complex values side by side: value j of row r is r + apart j places behind the first.
+/// Rows of complex values side by side: the value j of row r is r + apart * j places behind the first value.
 struct WaveRows {
   int length;  ///< values of a row
   int rows;
   int apart;         ///< distance of values of a row before the transform
-  int apart_after;   ///< and after it
-  bool is_in_place;  ///< the waves take the place of the values, which are as far apart
+  int apart_after;   ///< distance of values of a row after the transform
+  bool is_in_place;  ///< whether the waves replace the values; the distances must then be equal
 };
 
-/// Fourier transforms of rows of complex values, without a factor. Threads may share one.
+/// Fourier transforms of rows of complex values, without a factor. Threads may share one transform.
 class WaveTransform {
  public:
   WaveTransform() = default;
@@ -47,8 +47,8 @@ struct RealRows {
   int width;  ///< distance of rows: an even number, larger than the length
 };
 
-/// Fourier transforms of rows of real values in place, without a factor. Of the waves, which are as many pairs of
-/// numbers, a row has those up to half its length; the others are their conjugates. Threads may share one.
+/// Fourier transforms of rows of real values in place, without a factor. A row has the waves, pairs of numbers, up to
+/// half its length; the other waves are their conjugates. Threads may share one transform.
 class RealTransform {
  public:
   RealTransform() = default;
@@ -62,8 +62,8 @@ class RealTransform {
   virtual void apply_back(double* values) const = 0;  ///< backward, from waves to values
 };
 
-/// By FFTW, or by Eigen where Breccia is built without it (BRECCIA_FFTW). Throw NumericalError where the memory is
-/// short, or there is nothing to transform.
+/// Transforms by FFTW, or by Eigen where Breccia is built without FFTW (BRECCIA_FFTW). The functions throw
+/// NumericalError where memory is short, or there are no values to transform.
 [[nodiscard]] std::unique_ptr<WaveTransform> wave_transform(WaveDirection direction, const WaveRows& rows);
 [[nodiscard]] std::unique_ptr<RealTransform> real_transform(const RealRows& rows);
 

@@ -9,30 +9,30 @@ namespace breccia::quasistatic {
 
 /// The boundary condition of a box, applied to the fields of its lattice. NodeLayout holds single components of a
 /// periodic or free box at zero, to suppress its rigid motions. On a lattice no component of such a box is held: forces
-/// are completed by those that balance them, and the rigid motion is taken away at the end. Displacement boundaries
-/// hold the nodes on the walls.
+/// are completed by balancing ones, and the rigid motion is subtracted at the end. Displacement boundaries hold the
+/// nodes on the walls.
 class LatticeBoundary {
  public:
   explicit LatticeBoundary(const NodeLattice& lattice) : lattice_(lattice), exchange_(lattice) {}
 
-  /// Nodal values, the components of one node after those of the other, as a field, and back.
+  /// Converts nodal values, node by node with their components, to a field, and back.
   void read(Vec nodal, NodalField& field) const;
   void write(const NodalField& field, Vec nodal) const;
 
-  /// Adds the forces on held components that balance all others.
+  /// Adds the forces on held components that balance all other forces.
   void balance(NodalField& forces) const;
-  /// Takes the rigid motion away that moves held components.
+  /// Subtracts the rigid motion that moves held components.
   void settle(NodalField& displacement) const;
 
-  /// Repeats the first nodes of the rows of a periodic box behind the last ones, and takes the plane of the process
-  /// above.
+  /// Repeats the first nodes of the rows of a periodic box behind the last ones, and copies the lowest plane of the
+  /// process above.
   void repeat_first_nodes(NodalField& displacement) const;
-  /// Adds the forces on those to the first nodes, gives those on the plane above to its process, and takes the forces
-  /// on held walls away.
+  /// Adds the forces on the repeated nodes to the first nodes, sends the forces on the plane above to its process, and
+  /// sets the forces on held walls to zero.
   void collect(NodalField& forces);
 
  private:
-  /// Has this process the lowest plane, with the held corners?
+  /// Whether this process has the lowest plane, with the held corners.
   [[nodiscard]] bool has_corners() const noexcept { return lattice_.first_plane == 0; }
   /// Index of a node of this process; its third index counts from the first plane of the process.
   [[nodiscard]] std::size_t index_of(const Index<3>& node) const noexcept;

@@ -24,8 +24,9 @@ LatticeSolver::LatticeSolver(const ElasticOperator<3>& elastic_operator, const L
       preconditioner_(make_lattice_preconditioner(lattice_, threads_)) {}
 
 void LatticeSolver::update_stiffness(std::span<const Moduli> moduli) {
-  // With the least moduli of all phases, no displacement of the composite has less energy than in the box of one
-  // material, which makes the estimate of the error a bound, but for a traction boundary (theory, section 18).
+  // The box of one material has the least moduli of all phases, so that no displacement has less energy in the
+  // composite than in this box. The estimate of the error is therefore a bound, except under a traction boundary
+  // (theory, section 18).
   constexpr double largest = std::numeric_limits<double>::infinity();
   reference_ = {.bulk = largest, .shear = largest};
   for (const auto& [bulk, shear] : moduli) {
@@ -49,8 +50,8 @@ void LatticeSolver::multiply(State& state) {
 }
 
 bool LatticeSolver::is_accurate(double error, double energy) const noexcept {
-  // In a soft matrix the fluctuation nearly cancels the prescribed strain: its own energy is orders above that of the
-  // composite. The error must be small relative to both.
+  // In a soft matrix the fluctuation nearly cancels the prescribed strain: its own energy is orders of magnitude above
+  // that of the composite. The error must be small relative to both.
   constexpr double of_composite = 1e-8;
   return error <= energy_tolerance_ * energy_tolerance_ * energy &&
          (!least_energy() || error <= of_composite * *least_energy());
@@ -114,8 +115,8 @@ NodalField LatticeSolver::take_guess(Displacement& displacement) const {
 ElasticSolver<3>::Convergence LatticeSolver::iterate(NodalVector on_nodes, Displacement& displacement) {
   constexpr int most_iterations = 20'000, most_passes = 10;
   State state(lattice_, take_guess(displacement));
-  // Within a pass the residual follows by recurrence, and rounding makes it drift away from that of the displacement.
-  // The next pass begins with the latter; one that has nothing to do is the last.
+  // Within a pass the residual is updated by recurrence, and rounding makes it drift away from the residual of the
+  // displacement. The next pass begins with the latter; a pass without iterations is the last one.
   Pass pass;
   int iterations = 0;
   for (int passes = 0; passes < most_passes; ++passes) {

@@ -10,9 +10,10 @@
 
 namespace breccia::quasistatic {
 
-/// Conjugate gradients in 3 dimensions without any assembled matrix: the forces of the cells come row by row, and the
-/// preconditioner is the inverse of a box of one material by fast transforms (theory, section 18). Besides the moduli
-/// of the cells it keeps five numbers for each unknown, six on several processes, each of which has whole planes.
+/// Conjugate gradients in 3 dimensions without any assembled matrix: the forces of the cells are found row by row, and
+/// the preconditioner is the inverse of a box of one material by fast transforms (theory, section 18). In addition to
+/// the moduli of the cells the solver keeps five numbers for each unknown, or six on several processes, each of which
+/// has whole planes.
 class LatticeSolver final : public ElasticSolver<3> {
  public:
   LatticeSolver(const ElasticOperator<3>& elastic_operator, const LinearOptions& options);
@@ -31,20 +32,20 @@ class LatticeSolver final : public ElasticSolver<3> {
         : displacement(std::move(guess)), residual(lattice), direction(lattice), work(lattice) {}
 
     NodalField displacement, residual, direction, work;
-    double energy = 0.0;   ///< twice the energy of the displacement, gained so far
-    double largest = 0.0;  ///< component of the displacement at the last residual that was found
+    double energy = 0.0;   ///< twice the energy of the displacement found so far
+    double largest = 0.0;  ///< largest component of the displacement when the residual was last computed from it
   };
 
-  /// Conjugate gradients from one residual of the displacement on.
+  /// The outcome of a pass of conjugate gradients, which begins with the residual of the displacement.
   struct Pass {
     int iterations = 0;
-    bool is_accurate = false;  ///< by the residual that follows by recurrence
-    double residual = 0.0;     ///< in the Euclidean norm
+    bool is_accurate = false;  ///< whether the residual of the recurrence is small enough
+    double residual = 0.0;     ///< residual in the Euclidean norm
   };
 
-  /// The displacement from which the iteration starts; takes the memory of its nodal values back.
+  /// The displacement from which the iteration starts; frees the memory of its nodal values.
   [[nodiscard]] NodalField take_guess(Displacement& displacement) const;
-  /// Sets the residual, the energy gained so far and the largest component to those of the displacement.
+  /// Sets the residual, the energy and the largest component to those of the displacement.
   void find_residual(Vec on_nodes, State& state);
   /// Iterates until the displacement is accurate.
   Pass iterate(State& state, int most_iterations);
@@ -60,7 +61,7 @@ class LatticeSolver final : public ElasticSolver<3> {
   LatticeSums sums_;
   std::unique_ptr<LatticePreconditioner> preconditioner_;
   CellModuli cells_;
-  Moduli reference_{};  ///< of the preconditioner [Pa]
+  Moduli reference_{};  ///< moduli of the preconditioner [Pa]
 };
 
 }  // namespace breccia::quasistatic

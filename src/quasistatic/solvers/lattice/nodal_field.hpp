@@ -14,8 +14,8 @@
 
 namespace breccia::quasistatic {
 
-/// The nodes of a box of cubic cells, in arrays that transforms take: rows have an even number of entries, and in a
-/// periodic box one more than nodes at least, for the first node that comes again behind the last one. Several
+/// The nodes of a box of cubic cells, in arrays for the transforms: rows have an even number of entries. In a periodic
+/// box they have at least one entry more than nodes, for the first node, which is repeated behind the last one. Several
 /// processes have slabs of whole planes (PlaneDivision), and each has the first plane of the process above as well.
 struct NodeLattice {
   explicit NodeLattice(const NodeLayout<3>& nodes);
@@ -23,21 +23,21 @@ struct NodeLattice {
   /// Number of entries of one component.
   [[nodiscard]] std::size_t size() const noexcept { return arrays.plane * static_cast<std::size_t>(arrays.nodes[2]); }
   [[nodiscard]] bool is_periodic() const noexcept { return boundary == Boundary::periodic; }
-  /// Is there a plane of the process above, behind those of this process?
+  /// Whether there is a plane of the process above, behind those of this process.
   [[nodiscard]] bool has_plane_above() const noexcept { return arrays.nodes[2] > planes; }
   /// Number of cells of this process along each axis.
   [[nodiscard]] Index<3> own_cells() const noexcept;
 
   Boundary boundary;
-  Index<3> cells;   ///< of the box, along each axis
-  Index<3> nodes;   ///< of the box; of a periodic one without the last ones
-  int first_plane;  ///< of this process, among those of the box
-  int planes;       ///< of this process
+  Index<3> cells;   ///< number of cells of the box along each axis
+  Index<3> nodes;   ///< number of nodes of the box along each axis; in a periodic box without the last ones
+  int first_plane;  ///< first plane of this process among those of the box
+  int planes;       ///< number of planes of this process
   NodeArrays arrays;
 };
 
-/// Displacements or forces of the nodes of a lattice, component by component. Entries of no node of this process are
-/// zero unless said otherwise.
+/// Displacements or forces of the nodes of a lattice, component by component. Entries that do not belong to a node of
+/// this process are zero unless stated otherwise.
 class NodalField {
  public:
   explicit NodalField(const NodeLattice& lattice);
@@ -56,14 +56,14 @@ class NodalField {
   [[nodiscard]] double* first() const noexcept { return reinterpret_cast<double*>(values_.get()); }
 
   std::size_t size_;
-  Waves values_;  ///< two entries, of which rows have an even number, to a wave
+  Waves values_;  ///< values, two entries a wave; rows have an even number of entries
 };
 
 /// Calls work(first index) for all components of the planes of this process, by several threads.
 void for_planes(const NodeLattice& lattice, int threads, const std::function<void(std::size_t)>& work);
 
-/// Sums over the entries of nodal fields, and the sums of fields, by several threads: the fields are divided into
-/// parts of a size that does not depend on the threads, so that the results have the same bits for any number of them.
+/// Sums over the entries of nodal fields, and the sums of fields, by several threads: the fields are divided into parts
+/// of a size that does not depend on the threads, so that the results are bitwise identical for any number of threads.
 /// Every process has the sums of its own entries.
 class LatticeSums {
  public:
@@ -83,7 +83,7 @@ class LatticeSums {
 
   std::size_t size_;
   int threads_;
-  std::vector<double> sums_;  ///< by part
+  std::vector<double> sums_;  ///< sums by part
 };
 
 }  // namespace breccia::quasistatic

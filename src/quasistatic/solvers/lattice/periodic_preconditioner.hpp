@@ -31,11 +31,11 @@ class PeriodicPreconditioner final : public LatticePreconditioner {
   NodeLattice lattice_;
   RowExchange exchange_;
   int threads_;
-  std::size_t waves_;  ///< along the first axis, of which the transform of real values has about half
-  std::array<std::vector<HalfAngle>, 3> angles_;  ///< by axis
+  std::size_t waves_;  ///< number of waves along the first axis: the transform of real values has about half of them
+  std::array<std::vector<HalfAngle>, 3> angles_;  ///< half angles by axis
   std::unique_ptr<RealTransform> along_first_;
   std::unique_ptr<WaveTransform> along_second_, back_along_second_, along_third_, back_along_third_;
-  std::vector<Waves> rows_of_waves_;  ///< by thread: the three components of the waves of a row along the second axis
+  std::vector<Waves> rows_of_waves_;  ///< the three components of the waves of a row along the second axis, by thread
 };
 
 }  // namespace breccia::quasistatic

@@ -9,7 +9,8 @@
 namespace breccia::quasistatic {
 
 /// The exchange of planes of nodes between processes whose planes are neighbours. In a periodic box the last process is
-/// below the first one. On one process it does nothing. All processes of the group call the exchanges together.
+/// below the first one. On one process the exchange does nothing. All processes of the group call the exchanges
+/// together.
 class PlaneExchange {
  public:
   explicit PlaneExchange(const NodeLattice& lattice);
@@ -21,14 +22,14 @@ class PlaneExchange {
 
   /// Sets the plane behind those of this process to the first plane of the process above.
   void copy_from_above(NodalField& field) const;
-  /// Adds that plane to the first plane of the process above, and leaves zeros in its place here.
+  /// Adds the plane behind those of this process to the first plane of the process above, and sets it to zero here.
   void add_to_above(NodalField& field);
 
  private:
   NodeLattice lattice_;
   int below_, above_;                            ///< ranks of processes, or MPI_PROC_NULL
   MPI_Datatype components_ = MPI_DATATYPE_NULL;  ///< all components of a plane of a field
-  std::vector<double> from_below_;               ///< the same, one after the other
+  std::vector<double> from_below_;               ///< the components of a received plane, one after the other
 };
 
 }  // namespace breccia::quasistatic

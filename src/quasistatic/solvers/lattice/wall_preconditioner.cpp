@@ -22,7 +22,7 @@ WallPreconditioner::WallPreconditioner(const NodeLattice& lattice, int threads)
 PairedRows WallPreconditioner::rows_along(std::size_t axis, double* first) const {
   const auto& [nodes, row, plane] = lattice_.arrays;
   if (axis > 0) {
-    // Neighbours along the first axis, with the entries behind the last node.
+    // The pairs of rows are neighbours along the first axis, including the entries behind the last node.
     return {.first = first,
             .apart = axis == 1 ? row : exchange_.plane(),
             .partner = 1,
@@ -86,8 +86,8 @@ void WallPreconditioner::divide_by_laplacian(const Moduli& reference, NodalField
   }
 }
 
-/// Divides the waves of one component and one row along the second axis by the Laplacian. A fixed box has none at the
-/// walls.
+/// Divides the waves of one component and one row along the second axis by the Laplacian. A fixed box has no values at
+/// the walls.
 void WallPreconditioner::divide_row(const Moduli& reference, std::size_t second, double* values) const {
   const auto& cells = lattice_.cells;
   const double scale = 1.0 / (reference.shear * 8.0 * cells[0] * cells[1] * cells[2]);

@@ -33,9 +33,9 @@ class WallPreconditioner final : public LatticePreconditioner {
   NodeLattice lattice_;
   RowExchange exchange_;
   int threads_;
-  bool is_fixed_;                                 ///< are the displacements of the nodes on the walls zero?
-  std::array<std::vector<HalfAngle>, 3> angles_;  ///< by axis
-  std::vector<WallTransform> transforms_;         ///< by axis; each is its own inverse, but for a factor
+  bool is_fixed_;                                 ///< whether the displacements of the nodes on the walls are zero
+  std::array<std::vector<HalfAngle>, 3> angles_;  ///< half angles by axis
+  std::vector<WallTransform> transforms_;         ///< transforms by axis; each is its own inverse, apart from a factor
   std::array<std::vector<Waves>, 3> waves_;       ///< memory of the transforms, by axis and thread
 };
 

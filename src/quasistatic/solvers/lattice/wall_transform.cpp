@@ -33,7 +33,7 @@ class PairedValue {
   std::size_t partner_;
 };
 
-/// -i times a number.
+/// The product of -i and a number.
 Complex turned_back(const Complex& number) noexcept {
   return {number.imag(), -number.real()};
 }
@@ -41,7 +41,7 @@ Complex turned_back(const Complex& number) noexcept {
 }  // namespace
 
 WallTransform::WallTransform(Kind kind, int cells, std::size_t pairs)
-    // Behind the waves is a sum for each pair of rows.
+    // The memory has a sum for each pair of rows behind the waves.
     : kind_(kind), cells_(static_cast<std::size_t>(cells)), pairs_(pairs), count_(cells_ + 1) {
   for (std::size_t j = 0; j < cells_; ++j) {
     const double angle = std::numbers::pi * static_cast<double>(j) / static_cast<double>(cells_);
@@ -91,7 +91,8 @@ void WallTransform::fold(const PairedRows& rows, Complex* waves, Complex* first_
   }
 }
 
-/// The waves of even number are those of the folded rows; differences of those of odd number are the others.
+/// The waves with even numbers are the waves of the folded rows, and differences of the waves with odd numbers are the
+/// other waves.
 void WallTransform::unfold(const PairedRows& rows, const Complex* waves, Complex* odd) const {
   const bool is_sine = kind_ == Kind::sine;
   for_pairs(rows, [&](std::size_t pair, std::size_t partner) {

@@ -39,14 +39,14 @@ class WaveSymbol {
   template <class Value>
   [[nodiscard]] std::array<Value, 3> displacement(const std::array<Value, 3>& forces, double ratio) const noexcept {
     const auto& [x, y, z] = divergence_;
-    // T: the identity times the Laplacian, and a third of the products of each gradient.
+    // The matrix T is the identity times the Laplacian plus a third of the products of each gradient.
     constexpr double third = 1.0 / 3.0;
     const double equal = laplacian() + third * xyz_ * xyz_;
     const double xx = equal + third * (x * x + xy_ * xy_ + zx_ * zx_);
     const double yy = equal + third * (y * y + xy_ * xy_ + yz_ * yz_);
     const double zz = equal + third * (z * z + yz_ * yz_ + zx_ * zx_);
     const double xy = third * (x * y + zx_ * yz_), yz = third * (y * z + xy_ * zx_), zx = third * (z * x + xy_ * yz_);
-    // Its inverse times its determinant.
+    // The inverse of T times its determinant.
     const double i_xx = yy * zz - yz * yz, i_yy = zz * xx - zx * zx, i_zz = xx * yy - xy * xy;
     const double i_xy = yz * zx - xy * zz, i_yz = zx * xy - yz * xx, i_zx = xy * yz - zx * yy;
     const double inverse = 1.0 / (xx * i_xx + xy * i_xy + zx * i_zx);

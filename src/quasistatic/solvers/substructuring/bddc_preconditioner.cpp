@@ -114,7 +114,7 @@ BddcPreconditioner::EdgesOfBlock BddcPreconditioner::edges_of(const Substructure
     const auto& average = averages_[static_cast<std::size_t>(edge)];
     const auto [begin, size] = side_range(shape, side);
     auto of_edge = edges.weight.block(begin, begin, size, size);
-    // At its top and right this block is the lower one of the two.
+    // At its top and right edges this block is the lower one of the two.
     if (side == top || side == right) {
       of_edge = average.lower_weight;
     } else {
@@ -149,8 +149,8 @@ int BddcPreconditioner::constraints_of(int edge) const {
   return kind == BlockEdge::none ? 0 : static_cast<int>(averages_[static_cast<std::size_t>(kind)].constraints.cols());
 }
 
-/// Numbers the unknowns of the vertices first, then the constraints of the edges; those of other processes behind those
-/// of this one.
+/// Numbers the unknowns of the vertices first, then the constraints of the edges; the unknowns of other processes come
+/// after those of this one.
 BddcPreconditioner::CoarseNumbers BddcPreconditioner::number_coarse_unknowns() {
   const auto& grid = blocks_->grid();
   const int edges = static_cast<int>(grid.edges().size());
@@ -184,7 +184,7 @@ BddcPreconditioner::CoarseNumbers BddcPreconditioner::number_coarse_unknowns() {
   return {std::move(first), owned};
 }
 
-/// Finds out where the coarse unknowns of other processes are in the lists of those.
+/// Finds the positions of the coarse unknowns of other processes in the lists of those processes.
 void BddcPreconditioner::share_coarse_unknowns(const CoarseNumbers& numbers) {
   const auto& grid = blocks_->grid();
   const auto& between = blocks_->edges_between_processes();

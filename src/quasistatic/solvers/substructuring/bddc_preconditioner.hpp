@@ -21,8 +21,8 @@ class BddcPreconditioner {
   BddcPreconditioner(const Substructures& blocks, const std::vector<PackedSymmetric<double>>& condensed,
                      double stiffness_of_held, int threads);
 
-  /// z = M^-1 r, for a residual r of all unknowns between the blocks; zero on held ones. Processes that share an
-  /// unknown have the same value of it, in both vectors.
+  /// Computes z = M^-1 r for a residual r of all unknowns between the blocks; z is zero for held unknowns. Processes
+  /// that share an unknown have the same value of it, in both vectors.
   void apply(const std::vector<double>& residual, std::vector<double>& result);
 
   /// Number of unknowns of the coarse problem, of all processes.
@@ -48,8 +48,8 @@ class BddcPreconditioner {
   [[nodiscard]] BlockSolvers block_solvers_of(const Substructures::BlockWithNeighbours& block,
                                               const Eigen::MatrixXd& condensed,
                                               Eigen::MatrixXd& coarse_stiffness) const;
-  /// The first constraint of each edge in the numbering of the coarse problem on this process, and the number of those
-  /// that belong to it.
+  /// The first constraint of each edge in the numbering of the coarse problem on this process, and the number of the
+  /// coarse unknowns that belong to it.
   struct CoarseNumbers {
     std::vector<int> first_of_edge;
     int owned;
@@ -64,8 +64,8 @@ class BddcPreconditioner {
 
   const Substructures* blocks_;
   int threads_;
-  std::vector<EdgeAverage> averages_;        ///< by kind of edge
-  std::vector<BlockSolvers> block_solvers_;  ///< by kind of block with neighbours
+  std::vector<EdgeAverage> averages_;        ///< averages by kind of edge
+  std::vector<BlockSolvers> block_solvers_;  ///< solvers by kind of block with neighbours
   std::vector<std::vector<int>> coarse_of_;  ///< unknowns of the coarse problem by block: vertices, then constraints
   SharedValues shared_coarse_;
   std::optional<CoarseSolver> coarse_solver_;

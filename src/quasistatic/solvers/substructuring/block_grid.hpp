@@ -22,8 +22,8 @@ struct LocalNode {
   int x, y;
 };
 
-/// Boundary nodes of a block: the nodes of the four sides without the vertices, side by side with rising coordinates,
-/// and then the vertices: lower left, lower right, upper left, upper right.
+/// Boundary nodes of a block: the nodes of the four sides without the vertices, one side after the other with rising
+/// coordinates, and then the vertices: lower left, lower right, upper left, upper right.
 std::vector<LocalNode> boundary_nodes(const Block& block);
 
 /// Index of the first unknown of a side among the unknowns of the boundary of a block, and their number.
@@ -35,8 +35,8 @@ SideRange side_range(const Block& block, Side side);
 /// The two vertices at the ends of a side: 0 to 3, in the order of boundary_nodes.
 std::array<int, 2> ends_of(Side side);
 
-/// An edge: the nodes that two blocks share, without the vertices. On the boundary of the box it has one block alone,
-/// and where another process has the other one, too.
+/// An edge: the nodes that two blocks share, without the vertices. On the boundary of the box, and where another
+/// process has the other block, it has only one block.
 struct BlockEdge {
   static constexpr int none = -1;
   int lower = none;  ///< number of the block below or to the left
@@ -45,8 +45,8 @@ struct BlockEdge {
 };
 
 /// A rectangle of blocks, those of one process, and the numbering of the unknowns between them: first the vertices, x
-/// and y in turn, then the edges. Vertices and edges that belong to the next process along an axis are numbered alike,
-/// behind those of this one.
+/// and y in turn, then the edges. Vertices and edges that belong to the next process along an axis are numbered in the
+/// same way, after those of this process.
 class BlockGrid {
  public:
   /// Blocks along both axes. Rows that wrap around have an even number of blocks, so that four colours are enough for
@@ -72,7 +72,7 @@ class BlockGrid {
   [[nodiscard]] int vertical_edge(int column, int row) const noexcept {
     return across() * vertex_rows_ + row * vertex_columns_ + column;
   }
-  /// Does an edge belong to this process?
+  /// Whether an edge belongs to this process.
   [[nodiscard]] bool is_owned(int edge) const noexcept;
 
   [[nodiscard]] const BlockRow& columns() const noexcept { return columns_; }
@@ -100,9 +100,9 @@ class BlockGrid {
  private:
   BlockRow columns_, rows_;
   int vertex_columns_, vertex_rows_;  ///< columns and rows of vertices
-  int owned_columns_, owned_rows_;    ///< those of vertices that belong to this process
+  int owned_columns_, owned_rows_;    ///< columns and rows of vertices that belong to this process
   std::vector<BlockEdge> edges_;
-  std::vector<int> sizes_, first_unknown_;  ///< by edge
+  std::vector<int> sizes_, first_unknown_;  ///< number of unknowns, and first unknown, by edge
   int owned_unknowns_ = 0, unknowns_ = 0;
   std::array<std::vector<int>, 4> colours_;
 };

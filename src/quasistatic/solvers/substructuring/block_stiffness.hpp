@@ -15,7 +15,7 @@ namespace breccia::quasistatic {
 struct BlockKind {
   Block shape;
   std::vector<const CellShape<2>::Stiffness*> cells;  ///< stiffness matrices of the cells, row by row
-  std::vector<bool> held;                             ///< by unknown of the boundary, in the order of boundary_nodes
+  std::vector<bool> held;  ///< whether an unknown of the boundary is held, in the order of boundary_nodes
 };
 
 /// The stiffness of a block with the nodes inside it eliminated (theory, Eq. 36). The index i stands for the unknowns

@@ -13,11 +13,11 @@ constexpr const char* cannot_be_factorised =
     "quasi-static solver: the stiffness matrix of the coarse problem cannot be factorised: memory may have run out "
     "(fewer cells take less), or a modulus is zero";
 
-/// The numbers of the unknowns of this process among those of all.
+/// The numbers of the unknowns of this process among those of all processes.
 std::vector<int> numbers_in_all(int owned, int unknowns, const SharedValues& shared) {
   int before = 0;
   MPI_Exscan(&owned, &before, 1, MPI_INT, MPI_SUM, PETSC_COMM_WORLD);
-  if (parallel::rank() == 0) before = 0;  // MPI leaves it undefined there
+  if (parallel::rank() == 0) before = 0;  // MPI leaves the value undefined on the first process
   std::vector<int> numbers(static_cast<std::size_t>(unknowns));
   std::iota(numbers.begin(), numbers.begin() + owned, before);
   shared.copy_from_owners(std::span(numbers));

@@ -20,13 +20,14 @@ class CoarseSolver {
     const Eigen::MatrixXd* matrix;
   };
 
-  /// The first `owned` unknowns of this process are its own; the others are copies of those of other processes.
-  /// Unknowns to which no small matrix contributes get the diagonal entry `stiffness_of_held`. Throws NumericalError
-  /// when the matrix cannot be factorised, because memory runs out or it is not positive definite; so does solve().
+  /// The first `owned` unknowns of this process are its own; the remaining ones are copies of unknowns of other
+  /// processes. Unknowns to which no small matrix contributes get the diagonal entry `stiffness_of_held`. Throws
+  /// NumericalError when the matrix cannot be factorised, because memory runs out or it is not positive definite; so
+  /// does solve().
   CoarseSolver(int owned, int unknowns, const SharedValues& shared, const std::vector<Part>& parts,
                double stiffness_of_held);
 
-  /// Finds the unknowns of this process, from the right sides of its own.
+  /// Finds the unknowns of this process, from the right sides of the unknowns that it owns.
   void solve(const std::vector<double>& right, std::vector<double>& solution) const;
 
   /// Number of unknowns, of all processes.

@@ -34,7 +34,7 @@ Eigen::MatrixXd free_around(const BlockAtEdge& block) {
 }  // namespace
 
 EdgeStiffness stiffness_at_edge(const BlockAtEdge& block) {
-  const bool has_only_vertices = side_range(block.shape, block.side).size == 0;  // one cell wide
+  const bool has_only_vertices = side_range(block.shape, block.side).size == 0;  // the block is one cell wide
   if (has_only_vertices) return {};
   return {held_around(block), free_around(block)};
 }
@@ -46,19 +46,19 @@ EdgeAverage average_at_edge(const EdgeStiffness& lower, const EdgeStiffness& upp
   if (size == 0) return {};
   const Eigen::LLT<Eigen::MatrixXd> sum(s1 + s2);
   const Eigen::MatrixXd weight = sum.solve(s1);
-  // Energy of a jump after averaging: the parallel sum s1 : s2 = s1 (s1 + s2)^-1 s2.
+  // The energy of a jump after averaging is the parallel sum s1 : s2 = s1 (s1 + s2)^-1 s2.
   Eigen::MatrixXd averaged = s2 * weight;
   averaged = 0.5 * (averaged + averaged.transpose()).eval();
 
-  // Least energy of two blocks with that jump, and with no jump at the ends of the edge. The two blocks together may
-  // float: a rigid motion of both takes no force, and a little additional stiffness does no harm.
+  // The least energy of two blocks with that jump, and without a jump at the ends of the edge. The two blocks together
+  // may float: a rigid motion of both takes no force, and a little additional stiffness does no harm.
   constexpr double little = 1e-12;
   Eigen::MatrixXd both = free1 + free2;
   both.diagonal().array() += little * both.trace();
   Eigen::MatrixXd least = free1.topRows(size) * both.llt().solve(free2.leftCols(size));
   least = 0.5 * (least + least.transpose()).eval();
 
-  // least v = m averaged v, with m between 0 and 1.
+  // The eigenproblem is: least v = m averaged v, with m between 0 and 1.
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(least, averaged);
   Eigen::Index count = 0;
   while (count < size && modes.eigenvalues()[count] * tolerance < 1.0) ++count;

@@ -8,24 +8,24 @@
 
 namespace breccia::quasistatic {
 
-/// Numbers of the edges of a process with a block of another one on their other side: those at the bottom and on the
-/// left, which belong to this process, and those at the top and on the right, which do not.
+/// Numbers of the edges of a process with a block of another one on their other side: the edges at the bottom and on
+/// the left, which belong to this process, and those at the top and on the right, which do not.
 std::vector<int> edges_between_processes(const BlockGrid& grid);
 
 /// A vertex or an edge at the end of the blocks of this process, which belongs to the next process along an axis.
 struct SharedBoundary {
-  int number;  ///< of the vertex or edge
-  int owner;   ///< rank of the process
+  int number;  ///< number of the vertex or edge
+  int owner;   ///< rank of the process that owns it
   int number_at_owner;
   int first_unknown_at_owner;
 };
 
-/// The vertices and edges of a process that belong to other ones.
+/// The vertices and edges of a process that belong to other processes.
 struct SharedBoundaries {
   std::vector<SharedBoundary> vertices, edges;
 };
 
-/// The vertices and edges of the process with this rank that belong to other ones.
+/// The vertices and edges of the process with this rank that belong to other processes.
 SharedBoundaries shared_boundaries(const BlockDivision& division, int rank);
 
 /// Exchange of the unknowns between blocks of different processes.

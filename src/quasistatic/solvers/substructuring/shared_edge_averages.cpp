@@ -7,7 +7,7 @@
 namespace breccia::quasistatic {
 namespace {
 
-/// Room for the matrices of one edge in a list of numbers that is exchanged between processes.
+/// Storage for the matrices of one edge in a list of numbers that is exchanged between processes.
 class Room {
  public:
   explicit Room(double* begin) : next_(begin) {}

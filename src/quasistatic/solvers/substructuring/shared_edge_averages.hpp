@@ -8,8 +8,8 @@
 
 namespace breccia::quasistatic {
 
-/// Finds the averages of the edges between processes, by kind of edge, where those of other edges stand already. The
-/// process to which an edge belongs finds them, so that both processes have the same ones.
+/// Adds the averages of the edges between processes to a list by kind of edge that has those of all other edges. The
+/// process to which an edge belongs computes them, so that both processes have the same averages.
 void average_shared_edges(const Substructures& blocks, const std::vector<PackedSymmetric<double>>& condensed,
                           double tolerance, std::vector<EdgeAverage>& averages);
 

@@ -9,19 +9,19 @@
 
 namespace breccia::quasistatic {
 
-/// Values of which several processes hold copies. One of the processes owns a value; the others have an entry for their
-/// copy in a list of their own, which also has the values that they own. On one process there are no copies, and the
-/// exchanges do nothing. All processes of the group call them together.
+/// The exchange of values of which several processes hold copies. One of the processes owns a value; the other
+/// processes have an entry for their copy in their own list, which also has the values that they own. On one process
+/// there are no copies, and the exchanges do nothing. All processes of the group call them together.
 class SharedValues {
  public:
-  /// The index of a copy on this process, and where the value is.
+  /// The index of a copy on this process, and the location of the value.
   struct Copy {
     int index;
-    int owner;           ///< rank of the process
-    int index_at_owner;  ///< in the list of that process
+    int owner;           ///< rank of the process that owns the value
+    int index_at_owner;  ///< index of the value in the list of that process
   };
 
-  /// No copies on any process.
+  /// An exchange without copies on any process.
   SharedValues() = default;
   /// `size` is the length of the list of this process.
   SharedValues(int size, const std::vector<Copy>& copies);
@@ -31,9 +31,10 @@ class SharedValues {
   /// Sets the copies to the values of the owners.
   void copy_from_owners(std::span<double> values) const;
   void copy_from_owners(std::span<int> values) const;
-  /// Sets the copies to the values of the owners, of `each` numbers a value.
+  /// Sets the copies to the values of the owners; a value has `each` numbers.
   void copy_from_owners(std::span<double> values, int each) const;
-  /// Sets the values of the owners to the copies, `each` numbers a value. A value has one copy, or none and is left.
+  /// Sets the values of the owners to the copies; a value has `each` numbers. A value has at most one copy; without a
+  /// copy it is unchanged.
   void copy_to_owners(std::span<double> values, int each) const;
 
   /// Adds up the contributions of all processes, which then all have the sums.

@@ -59,7 +59,7 @@ void Substructures::sort_blocks() {
   }
 }
 
-/// Lists the unknowns of the boundary of a block, and adds to its signature which of them are held.
+/// Lists the unknowns of the boundary of a block, and adds to its signature whether each of them is held.
 void Substructures::append_unknowns(int number, std::string& signature) {
   const auto block = grid_.block(number);
   auto unknowns = grid_.unknowns_of(number);

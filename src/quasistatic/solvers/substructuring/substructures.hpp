@@ -13,8 +13,8 @@ namespace breccia::quasistatic {
 
 /// The blocks of cells that substructuring cuts a box into, sorted into kinds. Blocks are of one kind when they have
 /// the same cells in the same places; edges, when the blocks on both sides are of the same kinds; blocks with
-/// neighbours, when block and edges are. What belongs to a kind is computed once. A process holds its own blocks alone;
-/// an edge between blocks of two processes is of a kind of its own.
+/// neighbours, when the blocks and their edges are. Data of a kind are computed once. A process holds only its own
+/// blocks; an edge between blocks of two processes has a kind of its own.
 class Substructures {
  public:
   /// The blocks of this process. There must be enough of them for all processes (BlockDivision).
@@ -68,7 +68,7 @@ class Substructures {
   [[nodiscard]] std::size_t first_unknown(int block) const noexcept {
     return first_unknown_[static_cast<std::size_t>(block)];
   }
-  /// Length of that list.
+  /// Length of the list of the boundary unknowns of all blocks.
   [[nodiscard]] std::size_t unknowns_of_all_blocks() const noexcept { return unknowns_.size(); }
 
   /// A kind of block, with the stiffness matrices of the kinds of cells.

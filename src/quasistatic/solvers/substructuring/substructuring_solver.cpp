@@ -16,7 +16,7 @@
 namespace breccia::quasistatic {
 namespace {
 
-/// Number of threads that pay: each needs some hundred blocks.
+/// Number of threads that are useful: each needs some hundred blocks.
 int useful_threads(int threads, int blocks) {
   constexpr int blocks_per_thread = 200;
   return std::clamp(blocks / blocks_per_thread, 1, threads);
@@ -210,10 +210,10 @@ double SubstructuringSolver::correct(const Displacement& residual, double larges
 }
 
 ElasticSolver<2>::Convergence SubstructuringSolver::iterate(NodalVector on_nodes, Displacement& displacement) {
-  // Iterative refinement: after the first pass only rounding errors of the conjugate gradients are left.
+  // Iterative refinement: after the first pass only rounding errors of the conjugate gradients remain.
   constexpr int most_corrections = 4;
   displacement.set_macroscopic(0.0);
-  // There are none on the strains of phases, which follow from the displacement.
+  // No forces act on the strains of phases, which follow from the displacement.
   auto forces = elastic_operator().zero();
   forces.set_fluctuation(std::move(on_nodes));
   double norm = 0.0;

@@ -14,7 +14,7 @@ namespace breccia::quasistatic {
 /// Solves by substructuring, without assembling K: the nodes inside blocks of cells are eliminated, and conjugate
 /// gradients with the BDDC preconditioner find the displacements of the interface, the nodes between blocks (theory,
 /// section 9). Every process has whole blocks; vectors of the interface have the unknowns that belong to the process,
-/// and then copies of those that belong to its neighbours.
+/// followed by copies of those that belong to its neighbours.
 class SubstructuringSolver final : public ElasticSolver<2> {
  public:
   SubstructuringSolver(const ElasticOperator<2>& elastic_operator, const LinearOptions& options);
@@ -29,16 +29,16 @@ class SubstructuringSolver final : public ElasticSolver<2> {
   void update_stiffness(std::span<const Moduli> moduli) override;
   Convergence iterate(NodalVector on_nodes, Displacement& displacement) override;
   /// Solves K w = residual by conjugate gradients until the residual is small compared with the load, and adds w to the
-  /// displacement. Returns the norm of the residual that is left.
+  /// displacement. Returns the norm of the remaining residual.
   double correct(const Displacement& residual, double largest, Displacement& displacement);
   /// Scalar product of two vectors of the interface.
   [[nodiscard]] double product(const std::vector<double>& a, const std::vector<double>& b) const;
   /// y = S x, with the condensed stiffness S of the interface
   void multiply(const std::vector<double>& x, std::vector<double>& y) const;
-  /// Forces on the interface, the forces on the nodes inside the blocks condensed onto it.
+  /// Forces on the interface, including the condensed forces on the nodes inside the blocks.
   [[nodiscard]] std::vector<double> condense(const double* forces) const;
-  /// Adds the displacements of the interface, and those that follow for the nodes inside the blocks under the forces on
-  /// them, to the displacements of all nodes.
+  /// Adds the displacements of the interface, and the displacements of the nodes inside the blocks that follow from
+  /// them and from the forces inside, to the displacements of all nodes.
   void expand(const double* forces, const std::vector<double>& interface, double* displacement) const;
   /// Calls work(number of the block, its stiffness) for each block.
   template <class Work>
