@@ -14,7 +14,7 @@ struct LinearComposite {
   double in_bulk = 0.0;   ///< [-]
 };
 
-/// The reduced response of such a composite: a basis of a single vector, which leaves no residual.
+/// The reduced response of a LinearComposite: a basis of a single vector, which leaves no residual.
 inline ReducedResponse one_vector_response(Load load, Boundary boundary, const LinearComposite& composite,
                                            std::vector<Snapshot> snapshots) {
   const auto number = [](double value) -> Eigen::MatrixXd { return Eigen::MatrixXd::Constant(1, 1, value); };

@@ -6,7 +6,7 @@
 
 namespace breccia::test {
 
-/// Sets the PATH of this process, and of those it starts, as long as it lives.
+/// Sets the PATH of this process, and of processes that it starts, during the lifetime of this object.
 class ScopedPath {
  public:
   explicit ScopedPath(const std::string& path) : path_("PATH", path) {}

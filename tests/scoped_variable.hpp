@@ -7,7 +7,7 @@
 
 namespace breccia::test {
 
-/// Sets an environment variable of this process, and of those it starts, as long as it lives.
+/// Sets an environment variable of this process, and of processes that it starts, during the lifetime of this object.
 class ScopedVariable {
  public:
   ScopedVariable(std::string name, const std::string& value) : name_(std::move(name)) {

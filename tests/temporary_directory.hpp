@@ -9,7 +9,7 @@
 
 namespace breccia::test {
 
-/// An empty directory that disappears with its owner.
+/// An empty directory that is removed with this object.
 class TemporaryDirectory {
  public:
   TemporaryDirectory() {

@@ -39,7 +39,7 @@ std::string words_of(const std::tuple<Enums...>& values) {
 /// Names the tests of an enumeration, or of combinations of several, by the words of their values.
 inline constexpr auto by_words = [](const auto& chosen) { return words_of(chosen.param); };
 
-/// Names tests by what is printed of their parameters.
+/// Names tests by the printed text of their parameters.
 inline constexpr auto by_value = [](const auto& chosen) { return as_test_name(testing::PrintToString(chosen.param)); };
 
 /// Names typed tests of the dimensions two and three.

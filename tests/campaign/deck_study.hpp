@@ -13,7 +13,7 @@
 
 namespace breccia::test {
 
-/// Gives a study the provenance that a deck of one line would give it.
+/// Gives a study the provenance that it would have if it came from a deck of one line.
 inline void give_provenance(Study& study, const std::string& title) {
   study.title = title;
   auto& provenance = study.provenance;
@@ -25,7 +25,7 @@ inline void give_provenance(Study& study, const std::string& title) {
   provenance.content = content_of(study);
 }
 
-/// A study of the stage "fine" as a deck would give it. It is known by its title.
+/// A study of the stage "fine" with the provenance of a deck. Its title identifies it.
 inline Study study_of_deck(const std::string& title) {
   auto study = two_stages();
   study.stages.pop_back();
@@ -48,7 +48,7 @@ inline StudyResult complete_result() {
   return result;
 }
 
-/// Leaves results as a run does: the record, the curves, and a file in the directory of the stage.
+/// Writes results like a run: the record, the curves, and a file in the directory of the stage.
 inline void leave(const std::filesystem::path& place, const Study& study, const StudyResult& result) {
   std::filesystem::create_directories(place / "fine");
   write_provenance(place, study, result);

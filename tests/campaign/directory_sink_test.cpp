@@ -1,4 +1,4 @@
-// What stands in a directory of results after each step of a solution.
+// Tests of the content of a directory of results after each step of a solution.
 
 #include "campaign/directory_sink.hpp"
 
@@ -63,7 +63,7 @@ class DirectorySinkTest : public testing::Test {
     }
     return names;
   }
-  /// Hands the steps of a whole stage to a sink.
+  /// Passes the events of a whole stage to a sink.
   void finish_stage(DirectorySink& sink) const {
     const auto result = solved();
     static_cast<void>(sink.known_stage(fine()));

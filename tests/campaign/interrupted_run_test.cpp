@@ -1,4 +1,4 @@
-// What stands in a directory of results when a run ends halfway, and how another goes on from there.
+// Tests of the content of a directory of results when a run ends halfway, and of the run that resumes from it.
 
 #include <filesystem>
 #include <variant>
@@ -32,7 +32,7 @@ class InterruptedRun : public testing::Test {
     study.tests.boundaries = {Boundary::displacement};
     test::give_provenance(study, "two scales");
   }
-  /// Files of a directory of results, but for those of plots.
+  /// Files of a directory of results, without those of plots.
   [[nodiscard]] std::vector<std::string> files(const std::string& subdirectory = ".") const {
     std::vector<std::string> names;
     for (const auto& entry : fs::directory_iterator(results / subdirectory)) {

@@ -84,7 +84,7 @@ TEST_F(ResultDirectory, RefusesUnfinishedResultsOfAnotherStudy) {
   EXPECT_TRUE(fs::is_empty(unfinished)) << "begun anew";
 }
 
-// Packings take seconds, tests hours.
+// Packings, unlike tests, may be replaced: they take seconds, and tests take hours.
 TEST_F(ResultDirectory, ReplacesPackingsOfAnotherStudy) {
   leave(results, other, test::packed_result());
   EXPECT_EQ(run_in(), unfinished);
@@ -236,7 +236,7 @@ TEST_F(ResultDirectory, IsObjectedToBeforeAListIsCarriedOut) {
   EXPECT_FALSE(fs::exists(unfinished / "removing.list"));
 }
 
-// A directory from someone else must not reach the files of the user.
+// A directory from someone else must not make Breccia change files of the user elsewhere.
 TEST_F(ResultDirectory, CarriesOutNoListOfOthers) {
   leave(results, mine, test::complete_result());
   leave(unfinished, mine, test::complete_result());
@@ -274,7 +274,7 @@ TEST_F(ResultDirectory, WritesNothingBeyondALink) {
   }
 }
 
-// Nothing tells then which study the results are of; their other files are known by their checksums.
+// Without the record the study of the results is not known; their other files are recognised by their checksums.
 TEST_F(ResultDirectory, IsRefusedWhereItsRecordIsLost) {
   leave(results, other, test::complete_result());
   write_checksums(results, {"fine"});

@@ -25,7 +25,7 @@ using testing::Optional;
 
 class ResultPlaceTest : public testing::Test {
  protected:
-  /// A place that is the directory itself.
+  /// The place for results, which is the directory itself.
   [[nodiscard]] ResultPlace place_of(const Study& one) const {
     return {one, results, [this] { return results; }};
   }

@@ -61,7 +61,7 @@ times = ["1 ms", "50 ms"]
 boundaries = ["displacement"]
 )";
 
-// The hash of its deck says nothing of a study that was changed since.
+// The hash of its deck does not identify a study that was changed since.
 TEST(RunStudy, AStudyThatWasChangedAfterItsDeckWasReadIsAnotherOne) {
   const test::TemporaryDirectory directory;
   directory.write("deck.toml", deck_of_a_box);
@@ -90,7 +90,7 @@ TEST(RunStudy, RefusesToReplaceTheDeckOfAChangedStudy) {
 TEST(RunStudy, LeavesNothingBehindIfItFailsAtOnce) {
   auto study = test::two_stages();
   study.stages[0].fillers[0].sizes = SingleSize{1e-3};
-  study.stages[0].fillers[0].fraction = 0.95;  // denser than equal discs can be
+  study.stages[0].fillers[0].fraction = 0.95;  // a fraction above that of the densest packing of equal discs
   study.stages[0].packing = LubachevskyStillingerPacking<2>{};
   const test::TemporaryDirectory directory;
   const auto results = directory.path() / "results";

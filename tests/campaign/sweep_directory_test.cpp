@@ -25,7 +25,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// Tasks that differ in a key alone.
+/// A sweep whose tasks differ only in one key.
 Sweep sweep_over(const std::string& path, const std::vector<std::string>& values) {
   Sweep sweep;
   sweep.keys = {{path, "key", false}};
@@ -44,7 +44,7 @@ class SweepDirectory : public testing::Test {
   void leave(const std::string& task, const Study& study, const StudyResult& result) const {
     test::leave(results / task, study, result);
   }
-  /// Writes `sweep.json` with the states of the tasks and what they may replace.
+  /// Writes `sweep.json` with the states of the tasks and the results that they may replace.
   void write_record(const Sweep& of, const std::vector<TaskState>& states,
                     const std::vector<std::vector<std::string>>& replaceable = {{}, {}}) const {
     fs::create_directories(results);
@@ -72,7 +72,7 @@ TEST_F(SweepDirectory, IsFreeWhereNothingIs) {
   EXPECT_THAT(replaceable({}), ElementsAre(IsEmpty(), IsEmpty()));
 }
 
-// Not what others put there since.
+// Files that others have put there since are not replaced.
 TEST_F(SweepDirectory, IsOverwrittenAsItWasWhenTheSweepBegan) {
   leave("key-12", other, test::complete_result());
   const auto hashes = hashes_of_records_in(results / "key-12");

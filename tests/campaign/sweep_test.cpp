@@ -58,7 +58,7 @@ class SweepRun : public testing::Test {
     directory.write("deck.toml", deck);
     directory.write("measured.csv", "time_s,shear_modulus_Pa\n0.0005,1e6\n0.1,1e5\n");
   }
-  /// Runs a sweep over one key, and gives for each task the stages in its table of comparisons.
+  /// Runs a sweep over one key, and returns for each task the stages in its table of comparisons.
   [[nodiscard]] std::vector<std::vector<std::string>> compared_stages(const std::string& key) const {
     const auto sweep = read_sweep(directory.path() / "deck.toml", {}, {key});
     const auto results = directory.path() / "results";
@@ -83,14 +83,14 @@ TEST_F(SweepRun, StagesThatAreTakenOverAreComparedWithTheMeasurementsOfTheTask) 
   EXPECT_THAT(stages[1], AllOf(Not(IsEmpty()), Each("coarse")));
 }
 
-// The second task is answered by the reduced responses of the first one.
+// The second task is computed from the reduced responses of the first one.
 TEST_F(SweepRun, StagesAtAnotherTemperatureAreComparedWithTheMeasurement) {
   const auto stages = compared_stages(R"(materials.binder.temperature_shift.temperature=["20 degC", "40 degC"])");
   ASSERT_EQ(stages.size(), 2U);
   for (const auto& of_task : stages) EXPECT_THAT(of_task, AllOf(Not(IsEmpty()), Each("fine")));
 }
 
-// Its name and its hash would tell of another study.
+// Its name and its hash would be those of another study.
 TEST_F(SweepRun, ATaskThatWasChangedAfterItsDeckWasReadIsRefused) {
   auto sweep = read_sweep(directory.path() / "deck.toml", {}, {"stages.0.cells=[8, 12]"});
   sweep.tasks[1].study.tests.last_time *= 2.0;

@@ -1,4 +1,5 @@
-// Under mpirun: a damaged checkpoint is found by all processes, and one that cannot be written ends all of them.
+// A test under mpirun: a damaged checkpoint is found by all processes, and a checkpoint that cannot be written ends all
+// of them.
 //   failing_processes DIRECTORY
 
 #include <chrono>
@@ -19,7 +20,7 @@ namespace parallel = breccia::parallel;
 
 constexpr std::chrono::milliseconds later(300);
 
-/// Whether the message about the damaged file is returned on this process, which may be later than the first one.
+/// Whether the message about the damaged file is returned on this process, which may not be the first one.
 bool is_told_of_damage(const std::filesystem::path& path) {
   if (parallel::rank() == 0) std::ofstream(path) << "of another program";
   static_cast<void>(parallel::largest(0.0));

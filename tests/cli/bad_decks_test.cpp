@@ -12,7 +12,7 @@
 namespace breccia {
 namespace {
 
-/// A line of the good deck, what it is mistyped as, and what `breccia check` must say of it.
+/// A line of the good deck, a mistyped line in its place, and the message that `breccia check` must print about it.
 struct BadDeck {
   const char* good;
   const char* bad;

@@ -21,7 +21,7 @@ test::Outcome bench(std::vector<std::string> options) {
   return test::run_breccia(directory.path(), options);
 }
 
-/// Little work, and these options.
+/// Arguments for little work, with these options.
 std::vector<std::string> quick(std::vector<std::string> options) {
   options.insert(options.end(), {"--seconds", "0.01", "--rounds", "2", "--points", "1024"});
   return options;

@@ -16,22 +16,22 @@ struct Outcome {
   std::string errors;  ///< standard error
 };
 
-/// `breccia` while it runs in a directory. Its standard streams go to files there.
+/// A running `breccia` command in a directory. Its standard streams go to files there.
 class RunningCommand {
  public:
   RunningCommand(std::filesystem::path directory, const std::vector<std::string>& arguments);
-  /// Kills it if it still runs.
+  /// Kills the command if it still runs.
   ~RunningCommand();
   RunningCommand(const RunningCommand&) = delete;
   RunningCommand& operator=(const RunningCommand&) = delete;
   RunningCommand(RunningCommand&&) = delete;
   RunningCommand& operator=(RunningCommand&&) = delete;
 
-  /// Waits until the condition holds. False when the command ends before.
+  /// Waits until the condition holds. Returns false if the command ends before.
   [[nodiscard]] bool reaches(const std::function<bool()>& condition);
-  /// Signals it and what it has started, as a terminal does.
+  /// Sends a signal to the command and to the processes that it has started, as a terminal does.
   void send(int signal) const;
-  /// Waits for its end.
+  /// Waits until the command ends.
   Outcome wait();
 
  private:

@@ -102,7 +102,7 @@ Sum sum_of(const test::Outcome& check) {
 TEST_F(CommandLine, CheckSumsUp) {
   const auto one = sum_of(run({"check", "deck.toml", "--set", "tests.boundaries=[\"displacement\"]"}));
   const auto two = sum_of(run({"check", "deck.toml", "--set", R"(tests.boundaries=["displacement", "traction"])"}));
-  // Tests like each other, one after the other: the time of both and the memory of one. Times have two digits.
+  // Two equal tests run one after the other: they take the time of both and the memory of one. Times have two digits.
   EXPECT_NEAR(two.milliseconds, 2.0 * one.milliseconds, 0.1 * one.milliseconds);
   EXPECT_EQ(two.megabytes, one.megabytes);
   EXPECT_GT(one.megabytes, 0.0);

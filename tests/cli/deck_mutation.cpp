@@ -25,7 +25,7 @@ const T& one_of(const std::vector<T>& all, Random& random) {
   return all[below(all.size(), random)];
 }
 
-/// The longest parts whose letters all are of a kind.
+/// The longest parts whose letters are all of one kind.
 template <class IsLetter>
 std::vector<Part> parts(std::string_view text, const IsLetter& is_letter) {
   std::vector<Part> found;
@@ -58,7 +58,7 @@ std::vector<Part> numbers(std::string_view deck) {
   return all;
 }
 
-/// Quoted text, with its quotes.
+/// The quoted texts of a deck, with their quotes.
 std::vector<Part> texts(std::string_view deck) {
   std::vector<Part> found;
   for (auto begin = deck.find('"'); begin != std::string_view::npos;) {
@@ -72,11 +72,11 @@ std::vector<Part> texts(std::string_view deck) {
 
 std::vector<Part> lines(std::string_view deck) {
   auto all = parts(deck, [](char letter) { return letter != '\n'; });
-  for (auto& line : all) ++line.size;  // with its end
+  for (auto& line : all) ++line.size;  // including the end of the line
   return all;
 }
 
-/// A deck with something else in the place of one of some parts.
+/// A deck with another text in place of one of the parts.
 std::string replace_one(std::string deck, const std::vector<Part>& parts, const std::vector<std::string>& by,
                         Random& random) {
   if (parts.empty()) return deck;

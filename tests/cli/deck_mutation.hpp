@@ -6,14 +6,14 @@
 
 namespace breccia::test {
 
-/// A way to get a deck wrong.
+/// A kind of mistake in a deck.
 struct DeckMutation {
   const char* name;
-  /// The deck with one such mistake, or as it was where it has no place for it.
+  /// Returns the deck with one such mistake, or unchanged where the mistake is not possible.
   std::string (*apply)(std::string deck, std::mt19937_64& random);
 };
 
-/// All of them.
+/// All kinds of mistakes.
 const std::vector<DeckMutation>& deck_mutations();
 
 }  // namespace breccia::test

@@ -84,7 +84,7 @@ TEST(DeckWarnings, ThePlanShowsTheFillerOfTheWhole) {
   EXPECT_EQ(whole["materials"][0]["material"], "particle");
 }
 
-// 80 % with coarse to fine 70:30, fine below 10 um.
+// The filler is 80 %, with coarse to fine 70:30 and fine particles below 10 um.
 TEST(StagesCommand, DividesATableOfSizes) {
   const TemporaryDirectory directory;
   directory.write("sizes.csv", "diameter_m,cumulative_volume_fraction\n1e-6,0\n10e-6,0.3\n100e-6,1\n");

@@ -1,4 +1,4 @@
-// A command in a directory to which another process writes: it is refused, and touches nothing there.
+// Tests of commands in a directory to which another process writes: they are refused, and change no file there.
 
 #include <map>
 #include <string>

@@ -33,7 +33,7 @@ std::vector<std::string> shell_words(const std::string& line) {
   return words;
 }
 
-/// The commands of the program in a block, lines that are continued joined.
+/// The commands of the program in a block; continued lines are joined.
 std::vector<DocumentedCommand> commands_in(const std::string& block) {
   std::vector<DocumentedCommand> commands;
   std::istringstream lines(std::regex_replace(block, std::regex("\\\\\n"), " "));
@@ -64,7 +64,7 @@ std::string named_file(const std::string& paragraph) {
 DocumentationPage read_documentation(const std::string& markdown) {
   DocumentationPage page;
   bool expects_output = false;
-  std::string paragraph;  // the last one
+  std::string paragraph;  // the last paragraph
   bool has_ended = false;
   std::istringstream lines(markdown);
   for (std::string line; std::getline(lines, line);) {

@@ -6,22 +6,24 @@
 
 namespace breccia::test {
 
-/// A command of the documentation, and what the page says that it prints.
+/// A command of the documentation, and the output that the page quotes.
 struct DocumentedCommand {
-  std::vector<std::string> arguments;  ///< without the name of the program
-  std::vector<std::string> output;     ///< lines; empty where the page quotes none
+  std::vector<std::string> arguments;  ///< arguments, without the name of the program
+  std::vector<std::string> output;     ///< lines of the output; empty where the page quotes none
 };
 
 /// A page of the documentation with files for its reader to write and commands to run.
 struct DocumentationPage {
-  std::map<std::string, std::string> files;  ///< by name: blocks of text after a paragraph that names a file first
-  std::vector<DocumentedCommand> commands;   ///< all of the program, in order
+  std::map<std::string, std::string>
+      files;                                ///< files by name: blocks of text after a paragraph that names a file first
+  std::vector<DocumentedCommand> commands;  ///< all commands of the program, in order
 };
 
-/// Reads a page of Markdown. The first block without a language after a block of commands is the output of its last.
+/// Reads a page of Markdown. The first block without a language after a block of commands is the output of the last
+/// command in it.
 DocumentationPage read_documentation(const std::string& markdown);
 
-/// A line with what differs from one run to the next, wall times and speeds, replaced by dashes.
+/// A line in which wall times and speeds, which differ from one run to the next, are replaced by dashes.
 std::string without_times(const std::string& line);
 
 }  // namespace breccia::test

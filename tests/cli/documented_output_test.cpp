@@ -21,7 +21,7 @@ bool is_ellipsis(const std::string& line) {
   return line.find_first_not_of(" .") == std::string::npos;
 }
 
-/// Are these lines in a text, in this order?
+/// Expects these lines in a text, in this order.
 void expect_lines_in_order(const std::vector<std::string>& lines, const std::string& text) {
   const auto printed = fmt::format("\n{}", test::without_times(text));
   std::size_t from = 0;
@@ -43,7 +43,7 @@ std::vector<std::string> on_one_thread(std::vector<std::string> arguments) {
   return arguments;
 }
 
-/// Does a page quote what a command prints, or does a later command work with its results?
+/// Whether a page quotes the output of a command, or a later command works with its results.
 bool is_needed(const std::vector<test::DocumentedCommand>& commands, std::size_t index) {
   const auto& arguments = commands[index].arguments;
   const auto out = std::ranges::find(arguments, "--out");

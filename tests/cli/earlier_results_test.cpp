@@ -138,7 +138,7 @@ TEST_F(EarlierResults, AreNotReplacedByTwoProcessesAtOnce) {
 }
 
 TEST_F(EarlierResults, ThatAreUnfinishedMayHaveLostTheirRecord) {
-  // A run that was killed while it removed what another had left in `unfinished`.
+  // These are the files of a run that was killed while it removed the files of another run in `unfinished`.
   fs::create_directories(study_.result("unfinished"));
   fs::copy(study_.result("A"), study_.result("unfinished/A"));
   fs::copy(study_.result("A"), study_.result("unfinished/old"));
@@ -265,7 +265,7 @@ TEST(SeveralSeries, AreNotTakenAsOne) {
   const auto run = study.breccia("check", {"--set", "materials.binder.shear={ prony = \"out/prony.csv\" }"});
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_THAT(run.errors, HasSubstr("out/prony.csv: results with several curves"));
-  // The rows of one of them: those of the first test, up to the second infinite relaxation time.
+  // The rows of one series: those of the first test, up to the second infinite relaxation time.
   const auto second = series.find("inf", series.find("inf") + 1);
   study.write("one.csv", series.substr(0, series.rfind('\n', second) + 1));
   EXPECT_EQ(test::run_breccia(study.path(), {"fit", "one.csv"}).exit_code, 0);

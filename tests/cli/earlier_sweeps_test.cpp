@@ -46,7 +46,7 @@ TEST(EarlierSweeps, OfOtherTasksAreNotReplacedUnasked) {
   EXPECT_EQ(study.breccia("run", seeds).exit_code, 2);
 }
 
-// The record of a packing says nothing of the tables of a sweep.
+// The record of a packing does not show who wrote the tables of a sweep.
 TEST(EarlierSweeps, DoNotReplaceTablesOfOthersBesideAPacking) {
   const StudyDirectory study(test::replaced(std::string(test::good_deck), "cells   = 60", "cells   = 12"));
   for (const std::string name : {"sweep.csv", "spread.csv", "sweep.svg"}) {

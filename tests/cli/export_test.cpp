@@ -1,4 +1,5 @@
-// `breccia export` of runs of two and three dimensions: cards read back and compared with the curves of the run.
+// Tests of `breccia export` for runs in two and three dimensions: cards are read back and compared with the curves of
+// the run.
 
 #include <algorithm>
 #include <cmath>
@@ -110,7 +111,8 @@ TEST_F(Export, WritesEveryFormatWithinTheTolerance) {
     EXPECT_LT(deviation, 0.0101) << format;
     EXPECT_NEAR(card.bulk.at(1e-3) / card.shear.at(1e-3), 2.6 / 1.2, 1e-4) << format;
     EXPECT_THAT(written.output, HasSubstr("plane strain"));
-    // Two equal stages of the same filler: the matrix is left with the square of its share.
+    // The two stages are equal and have the same filler: the binder's share of the whole is the square of its share in
+    // one stage.
     const double share = 1.0 - 4.0 * std::acos(-1.0) / 36.0;
     EXPECT_NEAR(card.density, 1000.0 * share * share + 2000.0 * (1.0 - share * share), 0.5) << format;
   }
@@ -204,7 +206,8 @@ TEST_F(Export, ReportsAllMistakesOfItsOptionsAtOnce) {
   EXPECT_EQ(outcome.output, "");
 }
 
-/// At the temperature of the study the moduli are those of dynamic.csv; at another one those of a run there.
+/// At the temperature of the study the moduli are those of dynamic.csv; at another temperature they are those of a run
+/// at it.
 TEST_F(Export, DynamicModuliAgainstTemperature) {
   const auto outcome = export_card("dma", {"--boundary", "displacement", "--frequency", "10 Hz", "--temperatures",
                                            "10 degC", "30 degC", "--step", "20 K", "--output", "dma.csv"});
@@ -224,7 +227,8 @@ TEST_F(Export, DynamicModuliAgainstTemperature) {
   const auto expected = read_csv(cold.path() / "dma.csv");
   for (const auto* column : {"shear_storage_modulus_Pa", "shear_loss_modulus_Pa", "youngs_storage_modulus_Pa",
                              "youngs_loss_modulus_Pa", "poisson_ratio_real"}) {
-    EXPECT_NEAR(table.numbers(column)[0] / expected.numbers(column)[0], 1.0, 3e-3) << column;  // two reduced bases
+    EXPECT_NEAR(table.numbers(column)[0] / expected.numbers(column)[0], 1.0, 3e-3)
+        << column;  // tolerance of two reduced bases
   }
 }
 
@@ -261,7 +265,7 @@ TEST_F(Export, RefusesUnknownFormatsAndDirectories) {
   EXPECT_THAT(without.errors, HasSubstr("--format"));
 }
 
-/// A typing error, MPa for GPa: the card is written, and the error stream says what is odd.
+/// After a typing error, MPa for GPa, the card is written, and the error stream has a warning about the odd value.
 TEST_F(Export, WarnsOfAnOddPoissonsRatio) {
   const auto outcome = export_card("abaqus", {"--boundary", "displacement", "--bulk", "1 MPa"});
   EXPECT_EQ(outcome.exit_code, 0);
@@ -271,7 +275,7 @@ TEST_F(Export, WarnsOfAnOddPoissonsRatio) {
   EXPECT_EQ(export_card("abaqus", {"--boundary", "displacement", "--poisson", "0.3"}).errors, "");
 }
 
-/// The card at another temperature is that of a run there.
+/// The card at another temperature agrees with that of a run at this temperature.
 TEST_F(Export, ComputesTheCardAtAnotherTemperature) {
   const std::vector<std::string> options = {"--boundary", "traction", "--poisson", "0.3", "--tolerance", "0.1 %"};
   auto at_temperature = options;
@@ -291,13 +295,13 @@ TEST_F(Export, ComputesTheCardAtAnotherTemperature) {
   const auto at_run = parse_card("csv", export_card("csv", options).output);
   EXPECT_GT(at_run.shear.at(1e-3) / card_there.shear.at(1e-3), 1.1) << "the temperature makes a difference";
   for (const double time : {1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1.0, 10.0}) {
-    // Twice the tolerance of the cards, and that of two reduced bases.
+    // The tolerance is twice that of the cards plus that of two reduced bases.
     EXPECT_NEAR(card.shear.at(time) / card_there.shear.at(time), 1.0, 2e-3 + 1e-3) << time;
   }
   EXPECT_NEAR(card.density, card_there.density, 1e-6);
 }
 
-/// The lines of a text that warn.
+/// The lines of a text with warnings.
 std::vector<std::string> warnings_in(const std::string& text) {
   std::vector<std::string> warnings;
   std::istringstream lines(text);

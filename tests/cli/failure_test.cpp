@@ -68,14 +68,14 @@ TEST(RunFailure, NoRoomForStandardOutput) {
   fs::create_symlink("/dev/full", study.path() / "stdout");
   test::RunningCommand check(study.path(), StudyDirectory::arguments("check"));
   EXPECT_FALSE(check.reaches([] { return false; }));
-  fs::remove(study.path() / "stdout");  // reading it would not end
+  fs::remove(study.path() / "stdout");  // reading the file would not end
   study.write("stdout", "");
   const auto outcome = check.wait();
   EXPECT_EQ(outcome.exit_code, 4);
   EXPECT_EQ(outcome.errors, "standard output: cannot write\n");
 }
 
-/// With no program on the PATH, such as the ssh with which Open MPI would start other processes.
+/// Tests without any program on the PATH, such as ssh, with which Open MPI would start other processes.
 class OnABareMachine : public testing::Test {
  protected:
   const test::ScopedPath path{"/nonexistent"};
@@ -126,7 +126,7 @@ TEST(RunFailure, ExplicitDiscsOverlap) {
   EXPECT_THAT(study.breccia("check").errors, HasSubstr("crosses a wall by 0.0005 m"));
 }
 
-/// Times and mass scaling factors for a box of the matrix, and why they do not go together.
+/// Times and mass scaling factors for a box of the matrix, and the reason why they are incompatible.
 struct BadFactors {
   const char* times;
   const char* factors;

@@ -53,7 +53,7 @@ double tabulated(const StudyDirectory& study, const std::string& boundary, doubl
   return std::nan("");
 }
 
-/// Every file of fields averages to the tables. Returns their number.
+/// Expects the averages of every file of fields to agree with the tables. Returns the number of files.
 int expect_averages(const StudyDirectory& study) {
   int files = 0;
   const auto record = Json::parse(read_text(study.result("study.json")));
@@ -98,7 +98,8 @@ TEST(Fields, AreSavedAtTheLastTimeByDefaultAndNotWithNone) {
   for (const auto& name : study.results()) EXPECT_THAT(name, ::testing::Not(HasSubstr("fields")));
 }
 
-// Both methods see the same fields where waves are fast and raised slowly; their mean is quasi-static much earlier.
+// Both methods have the same fields where waves are fast and the load rises slowly; the mean of the fields is
+// quasi-static much earlier.
 TEST(Fields, OfBothMethodsAgree) {
   const StudyDirectory study(test::model_deck);
   const auto run = study.breccia(
@@ -158,7 +159,7 @@ TEST(Fields, OfACubeAverageToTheirCurves) {
   }
   EXPECT_THAT(read_text(study.result("A/fields-stress.svg")), HasSubstr("seen along y"));
   EXPECT_THAT(read_text(study.result("report.html")), HasSubstr("fields-periodic-quasistatic-1-strain.svg"));
-  // With no fields asked for none are left.
+  // No files of fields remain if none are requested.
   ASSERT_EQ(study.breccia("run", {"--overwrite", "--set", "tests.fields=none"}).exit_code, 0);
   for (const auto& name : study.results()) EXPECT_THAT(name, ::testing::Not(HasSubstr("fields")));
 }

@@ -41,7 +41,7 @@ class Fit : public ::testing::Test {
   }
   [[nodiscard]] CsvTable result(const std::string& name) const { return read_csv(directory.path() / name); }
 
-  /// Two columns: a value at each of some times.
+  /// Writes a file with two columns: times, and the value at each.
   void write_curve(const std::string& name, const std::string& header, const std::vector<double>& at,
                    const Function& function) const {
     std::string text = header + "\n";
@@ -52,7 +52,7 @@ class Fit : public ::testing::Test {
   test::TemporaryDirectory directory;
 };
 
-/// The largest relative difference of a column from a function of another.
+/// The largest relative difference of a column from a function of another column.
 double worst_difference(const CsvTable& table, const std::string& at, const std::string& column,
                         const Function& function) {
   double worst = 0.0;
@@ -145,7 +145,7 @@ TEST_F(Fit, ItsSeriesGoesIntoADeck) {
   EXPECT_THAT(check.output, ::testing::ContainsRegex("relaxing to (1[.]99|2[.]00)[0-9]* MPa"));
 }
 
-// What is printed goes into a deck as it is; so does the table of shift factors.
+// The printed text can be copied into a deck; so can the table of shift factors.
 TEST_F(Fit, ItsMaterialGoesIntoADeck) {
   const auto outcome = run({(data / "synthetic_dma.csv").string(), "--reference-temperature", "19 degC"});
   EXPECT_THAT(outcome.output, HasSubstr("    -41 degC        6.50"));
@@ -169,7 +169,7 @@ TEST_F(Fit, ItsMaterialGoesIntoADeck) {
   EXPECT_THAT(material, HasSubstr("shear = { prony = \"prony.csv\" }\ntemperature_shift = { law = \"wlf\""));
 }
 
-// DMA in tension as an instrument may export it: of Young's modulus, which no deck must take for that of shear.
+// Data of DMA in tension as an instrument may export them: a deck must not take Young's modulus as a shear modulus.
 TEST_F(Fit, CarriesTheKindOfTheModulus) {
   std::string text = "Instrument;DMA\n\nFrequency;E';E\";Note\nHz;MPa;MPa;\n";
   for (const double hertz : logarithmic(1e-2, 1e2, 5)) {

@@ -1,4 +1,4 @@
-// Grains of a tessellation through the command line.
+// Tests of grains of a tessellation through the command line.
 
 #include <array>
 #include <filesystem>
@@ -47,7 +47,7 @@ mixing = "points"
 fields = "none"
 )";
 
-/// The reference sites, whose box has a side of 1, for one of 1 mm.
+/// The reference sites, whose box has a side of 1, scaled to a box of 1 mm.
 std::string sites_in_millimetres() {
   const auto table = read_csv(BRECCIA_SOURCE_DIRECTORY "/tests/reference/voronoi_sites_25.csv");
   std::string text = "x_mm,y_mm\n";
@@ -57,7 +57,7 @@ std::string sites_in_millimetres() {
   return text;
 }
 
-// G(t) of the same composite by another program.
+// The expected G(t) of this composite was computed by another program.
 TEST(Grains, OfTheReferenceSitesHaveTheirModulus) {
   const StudyDirectory study(voronoi_deck);
   study.write("sites.csv", sites_in_millimetres());
@@ -116,7 +116,7 @@ TEST(GrainsAndFilms, HaveTheModulusOfCellsThatResolveTheFilms) {
   const auto curves = read_csv(study.result("curves.csv"), {"stage", "load", "boundary", "method", "cells"});
   EXPECT_EQ(curves.text("cells").front(), "films");
   const auto curve = test::read_curve(study.result("curves.csv"), "grains", "shear");
-  // Mixed cells, 1024 a side, which are above the limit by 2 % at most (docs/verification.md).
+  // The reference has mixed cells, 1024 a side, whose modulus is above the limit by 2 % at most (docs/verification.md).
   EXPECT_NEAR(test::modulus_at(curve, 1e-2) / 296e6, 1.0, 0.03);
   const auto record = nlohmann::json::parse(read_text(study.result("study.json")))["stages"][0];
   EXPECT_EQ(record["tests"][0]["cells"], "films");

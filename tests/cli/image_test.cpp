@@ -1,4 +1,4 @@
-// Images of microstructures, and the labels of material points, through the command line.
+// Tests of images of microstructures, and of the labels of material points, through the command line.
 
 #include <array>
 #include <cmath>
@@ -56,7 +56,8 @@ std::string deck_of(std::string_view stage) {
   return fmt::format("{}\n[[stages]]\nname = \"A\"\nmatrix = \"binder\"\n{}\n{}", materials, stage, tests);
 }
 
-/// A stage of the labels that another one has written, with the matrix 0 and these further labels.
+/// A stage whose image is the labels that another stage has written, with the label 0 for the matrix and these further
+/// labels.
 std::string stage_of_labels(std::string_view file, std::string_view walls, std::string_view labels) {
   return fmt::format(
       "box = \"1 mm\"\npacking = {{ method = \"image\", file = \"{}\", periodic = {}, labels = [{{ value = 0, material "
@@ -65,7 +66,7 @@ std::string stage_of_labels(std::string_view file, std::string_view walls, std::
       file, walls, labels);
 }
 
-/// A microstructure, and the labels that it has beside that of the matrix.
+/// A microstructure, and its labels other than that of the matrix.
 struct Original {
   std::string name;
   std::string stage;
@@ -76,7 +77,7 @@ struct Original {
 
 class LabelsOf : public testing::TestWithParam<Original> {};
 
-// The image has the same points, and so the same bits of G(t).
+// The image has the same points, so that G(t) is bitwise identical.
 TEST_P(LabelsOf, AMicrostructureAreReadBack) {
   const auto& [name, stage, periodic, labels, array] = GetParam();
   const StudyDirectory original(deck_of(stage));
@@ -201,7 +202,7 @@ std::string layers(std::string_view lines) {
 /// An image of horizontal layers: the value of each row of pixels, from the top.
 void write_layers(const StudyDirectory& study, const std::vector<std::uint16_t>& rows) {
   const std::array<std::size_t, 2> extents = {rows.size(), rows.size()};
-  std::vector<std::uint16_t> values;  // from the bottom
+  std::vector<std::uint16_t> values;  // values of the rows from the bottom
   for (auto row = rows.rbegin(); row != rows.rend(); ++row) values.insert(values.end(), rows.size(), *row);
   write_npy(study.path() / "layers.npy", extents, values);
 }

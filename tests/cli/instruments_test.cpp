@@ -1,5 +1,5 @@
-// Files in the forms in which instruments and spreadsheets export them (tests/reference/instrument_files.py), of a
-// solid whose moduli are known; five of them are not sound.
+// Tests of files in the forms in which instruments and spreadsheets export them (tests/reference/instrument_files.py),
+// with data of a solid whose moduli are known; five of the files have mistakes.
 
 #include <array>
 #include <cmath>
@@ -170,7 +170,7 @@ std::string file_of(const std::vector<Condition>& conditions) {
   return text;
 }
 
-/// The same at 0.3, 3 and 30 Hz in turn, which may scatter, at temperatures that are given.
+/// A file of moduli of the known solid at 0.3, 3 and 30 Hz in turn, which may scatter, at given temperatures.
 std::string ramp_through(const std::vector<double>& temperatures, double scatter = 0.0) {
   std::vector<Condition> conditions;
   for (const double celsius : temperatures) {
@@ -205,7 +205,7 @@ TEST_F(Instruments, RampsThatFallOrAreUneven) {
               HasSubstr("both.csv: the temperature rises and falls: keep the rows of one direction"));
 }
 
-// One sweep of five drifts by 2.4 K: none is interpolated.
+// One sweep of five drifts by 2.4 K: no sweep is interpolated.
 TEST_F(Instruments, ASweepThatDriftsIsNoRamp) {
   std::vector<Condition> conditions;
   for (int sweep = 0; sweep < 5; ++sweep) {

@@ -37,7 +37,7 @@ TEST_P(Interruption, KeepsFinishedTimeDomains) {
 }
 
 TEST_P(Interruption, KeepsAPackingOnItsWay) {
-  // So many particles that packing takes a while.
+  // There are so many particles that packing takes a while.
   const StudyDirectory study(test::replaced(std::string(test::good_deck), "\"1 mm\"", "\"20 um\""));
   test::RunningCommand pack(study.path(), StudyDirectory::arguments("pack", {"--set", "stages.A.filler.gap=0 m"}));
   ASSERT_TRUE(pack.reaches([&] { return std::filesystem::exists(study.path() / "out"); })) << pack.wait().errors;

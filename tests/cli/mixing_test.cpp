@@ -1,4 +1,4 @@
-// Decks with tests.mixing.
+// Tests of decks with the key tests.mixing.
 
 #include <algorithm>
 #include <cmath>
@@ -48,15 +48,15 @@ TEST(Mixing, BothMethodsAgreeOnMixedCells) {
   ASSERT_EQ(slow.size(), fast.size());
   ASSERT_FALSE(slow.empty());
   for (std::size_t i = 0; i < slow.size(); ++i) EXPECT_NEAR(fast[i] / slow[i], 1.0, 0.01) << i;
-  // The limit of points, from 48 and 96 cells of another program that agrees to four digits. Points with 24 cells are
-  // off by 10 % after 1 ms, and by 33 % after 30 ms.
+  // The expected value is the limit of points, from 48 and 96 cells of another program that agrees to four digits.
+  // Points with 24 cells are off by 10 % after 1 ms, and by 33 % after 30 ms.
   EXPECT_NEAR(slow.front() / (2.0 * 0.822523e6 - 0.841164e6), 1.0, 0.015);
   EXPECT_NEAR(slow.back() / (2.0 * 0.0957985e6 - 0.102588e6), 1.0, 0.04);
   const auto record = nlohmann::json::parse(read_text(study.result("study.json")));
   for (const auto& test : record.at("stages").at(0).at("tests")) EXPECT_EQ(test.at("mixing"), "series");
 }
 
-// The deck takes standard points, and so each point has the phase at its place.
+// The deck has standard points, so that each point has the phase at its position.
 TEST(Mixing, IsInSeriesWhereStrainsAreAveraged) {
   const StudyDirectory study(model_deck);
   EXPECT_THAT(study.breccia("check", {"--set", "tests.volumetric=averaged"}).output, HasSubstr("mixed in series"));
@@ -98,7 +98,7 @@ times  = ["10 us", "10 s"]
 fields = "none"
 )";
 
-/// Shear moduli [Pa] of the second stage under the displacement boundary on a grid.
+/// Shear moduli [Pa] of the second stage under the displacement boundary on one grid.
 std::vector<double> of_second_stage(const StudyDirectory& study, const std::string& cells) {
   const auto table = read_csv(study.result("curves.csv"), {"stage", "load", "boundary", "method", "cells"});
   std::vector<double> moduli;
@@ -118,7 +118,7 @@ TEST(Mixing, StagesBuildOnStagesAndTheFinestGridGivesTheResult) {
   EXPECT_EQ(of_second_stage(study, "extrapolated"), fine);
   const auto bands = read_csv(study.result("extrapolation.csv"), {"stage", "load", "boundary", "method"});
   std::size_t rows = 0;
-  double change = 0.0;  // the largest so far
+  double change = 0.0;  // largest change so far
   for (std::size_t row = 0; row < bands.rows(); ++row) {
     if (bands.text("stage")[row] != "coarse" || bands.text("boundary")[row] != "displacement") continue;
     change = std::max(change, std::abs(coarse.at(rows) / fine.at(rows) - 1.0));
@@ -126,7 +126,7 @@ TEST(Mixing, StagesBuildOnStagesAndTheFinestGridGivesTheResult) {
     ++rows;
   }
   EXPECT_EQ(rows, fine.size());
-  // The limit of points, from many more cells.
+  // The limit of points is taken from many more cells.
   const StudyDirectory points(stages_on_two_grids);
   const auto finer = points.breccia("run", {"--set", "tests.mixing=points", "--set", "stages.*.cells=[120, 240]"});
   ASSERT_EQ(finer.exit_code, 0) << finer.errors;

@@ -1,6 +1,6 @@
-// Decks with a mistake each, run through the command: a mistake is told with its place, or the deck runs to its end, or
-// the run says why its numbers are impossible; and nothing half done is left. BRECCIA_MUTATED_DECKS=300 takes more of
-// them and prints a table (scripts/fuzz-decks).
+// Decks with one mistake each, run through the command: the mistake is reported with its location, or the deck runs to
+// its end, or the run reports why its numbers are impossible; and no unfinished files remain. BRECCIA_MUTATED_DECKS=300
+// takes more of them and prints a table (scripts/fuzz-decks).
 
 #include <algorithm>
 #include <array>
@@ -162,7 +162,7 @@ class MemoryLimit {
   rlimit before_{};
 };
 
-/// Runs the command on the deck of a directory; exit code -1 if it takes longer than any of these decks may.
+/// Runs the command on the deck of a directory; the exit code is -1 if it takes longer than any of these decks may.
 test::Outcome run(const fs::path& directory) {
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::seconds longest(20);
@@ -197,7 +197,7 @@ std::string flaw_of_results(const fs::path& directory) {
   return {};
 }
 
-/// The same of a study or of all tasks of a sweep.
+/// The defects of the results of a study or of all tasks of a sweep; empty if there are none.
 std::string flaw_of_all_results(const fs::path& directory) {
   if (!fs::exists(directory / "sweep.json")) return flaw_of_results(directory);
   std::string flaws;
@@ -207,7 +207,7 @@ std::string flaw_of_all_results(const fs::path& directory) {
   return flaws;
 }
 
-/// Files that were being written, and directories in which nothing is.
+/// The half-written files and empty directories among the results; empty if there are none.
 std::string half_done(const fs::path& directory) {
   if (!fs::exists(directory)) return {};
   if (fs::is_empty(directory)) return directory.filename().string() + " is empty";
@@ -253,7 +253,7 @@ TEST(MutatedDecks, RunWithoutTheirMistakes) {
 
 TEST(MutatedDecks, AreRefusedWithTheirPlaceOrRun) {
   const auto& mutations = test::deck_mutations();
-  std::map<std::string, std::map<int, int>> outcomes;  // by mutation and exit code
+  std::map<std::string, std::map<int, int>> outcomes;  // number of runs by mutation and exit code
   std::mt19937_64 random(7);
   for (int i = 0; i < decks_to_try(); ++i) {
     const auto& [name, apply] = mutations[static_cast<std::size_t>(i) % mutations.size()];

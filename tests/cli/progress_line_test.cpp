@@ -26,7 +26,7 @@ constexpr milliseconds short_while(1);
 class ProgressTest : public testing::Test {
  protected:
   [[nodiscard]] std::string shown() const { return read_text(file); }
-  /// Waits for as long as it takes.
+  /// Waits until so many lines have been written, without a time limit.
   void wait_for_lines(std::ptrdiff_t count) const {
     for (auto text = shown(); std::ranges::count(text, '\n') < count; text = shown()) {
       std::this_thread::sleep_for(short_while);
@@ -93,7 +93,7 @@ TEST(Heartbeat, BeatsUntilItIsDestroyed) {
 }
 
 TEST(Heartbeat, EndsAtOnce) {
-  // A test of an hour otherwise.
+  // Without an early end the test would take an hour.
   const Heartbeat heartbeat(std::chrono::hours(1), [] {});
 }
 

@@ -109,7 +109,7 @@ TEST_F(Quasistatic, BoundsOfTheShearModulusAreInOrder) {
     EXPECT_LT(lower[i].value, between[i].value);
     EXPECT_LT(between[i].value, upper[i].value);
   }
-  // An independent computation: standard points, 24 cells.
+  // The expected values are from an independent computation with standard points and 24 cells.
   EXPECT_NEAR(only(rows, "shear", "displacement").front().value / 0.884355e6, 1.0, 1e-4);
 }
 
@@ -144,7 +144,7 @@ TEST_F(Quasistatic, ProvenanceRecordsSnapshotsAndResiduals) {
 }
 
 TEST_F(Quasistatic, RespondGivesTheSameWithTheSameMatrixAndTheRunWithAnother) {
-  // At another temperature all times are ten times as long; so is the answer.
+  // At another temperature all relaxation times are ten times as long, and so are those of the response.
   study->write("slow.toml",
                "density = \"1 g/cm^3\"\nbulk = \"1 MPa\"\n"
                "shear = { terms = [{ time = \"100 ms\", modulus = \"0.5 MPa\" }] }\n");
@@ -197,7 +197,7 @@ TEST(QuasistaticRun, SteppingAgreesWithTheReducedBasis) {
   const auto stepped = rows_of(study.result("curves.csv"), "modulus_Pa");
   ASSERT_EQ(stepped.size(), reduced.size());
   for (std::size_t i = 0; i < stepped.size(); ++i) {
-    // From creep the modulus comes by a fit and interconversion.
+    // The modulus follows from the creep compliance by a fit and interconversion.
     EXPECT_NEAR(stepped[i].value / reduced[i].value, 1.0, stepped[i].boundary == "traction" ? 1e-2 : 1e-3);
   }
   EXPECT_FALSE(std::filesystem::exists(study.result("A/response.h5")));

@@ -137,7 +137,7 @@ TEST(ReportCommand, OfASweepHoldsTheCurvesOfItsTasks) {
   write_text(study.result("sweep.json"), R"({"title": ""})");
   EXPECT_THAT(report(study).errors, HasSubstr("out/sweep.json: not as `breccia run` writes it"));
   write_text(study.result("sweep.json"), record);
-  // A single run in its place leaves nothing of the sweep.
+  // A single run that replaces the sweep leaves no file of it.
   study.write("deck.toml", std::string(test::model_deck));
   ASSERT_EQ(study.breccia("run", {"--overwrite", "--set", "tests.method=quasistatic"}).exit_code, 0);
   EXPECT_FALSE(fs::exists(study.result("sweep.json")));

@@ -1,4 +1,4 @@
-// `breccia respond --material` with the materials of several phases.
+// Tests of `breccia respond --material` with the materials of several phases.
 
 #include <algorithm>
 #include <cmath>
@@ -82,7 +82,7 @@ class RespondWithMaterials : public ::testing::Test {
     arguments.insert(arguments.begin(), {"respond", "out"});
     return run_breccia(study->path(), arguments);
   }
-  /// Holds the curve in a directory to that of a run of its own, which samples the matrix alone.
+  /// Compares the curve in a directory with that of a separate run, which samples the matrix alone.
   static void expect_run(const std::string& directory, const std::vector<std::string>& settings) {
     const StudyDirectory other(coated);
     std::vector<std::string> more = {"--set", "tests.quasistatic.vary={}", "--set", "tests.quasistatic.tolerance=1e-6"};

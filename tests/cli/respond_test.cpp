@@ -1,4 +1,5 @@
-// `breccia respond` against runs with the other matrix: whatever the temperature, without another solution.
+// Tests of `breccia respond` against runs with the other matrix: it gives their curves at any temperature without
+// another solution.
 
 #include <algorithm>
 #include <cmath>
@@ -157,7 +158,7 @@ TEST_F(Respond, RefusesInvalidTemperatures) {
     EXPECT_EQ(outcome.exit_code, 2) << message;
     EXPECT_THAT(outcome.errors, HasSubstr(message));
   }
-  // All at once, and nothing is written.
+  // All mistakes are reported at once, and no file is written.
   const auto several =
       respond({"--temperature", "41 degC", "--temperature", "-110 degC", "--temperature", "-130 degC"});
   EXPECT_EQ(several.exit_code, 2);
@@ -201,7 +202,8 @@ shear   = { equilibrium = "1 MPa", terms = [{ time = "1 ms", modulus = "20 MPa" 
   }
 }
 
-// The particles of the deck are few cells apart, whatever the binder; its own spectrum is replaced.
+// The warning about particles that are few cells apart holds for any binder; that about the spectrum of the deck's
+// binder does not.
 TEST(RespondToAWarnedRun, RepeatsTheWarningsOfTheRunOnce) {
   const StudyDirectory study(chain);
   const auto run = study.breccia("run", {"--set", "stages.*.cells=6", "--set", "tests.fit_tolerance=0.5", "--set",

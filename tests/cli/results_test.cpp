@@ -28,7 +28,7 @@ using ::testing::Lt;
 using ::testing::SizeIs;
 using Json = nlohmann::json;
 
-/// The lines of a text that are no comments.
+/// The lines of a text without comments.
 std::vector<std::string> data_lines(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream stream(text);
@@ -183,7 +183,8 @@ TEST_F(Results, FieldsHoldTheDiscsAndAverageToTheLoad) {
   EXPECT_NEAR(static_cast<double>(std::accumulate(material.begin(), material.end(), std::int64_t{0})) / (48.0 * 48.0),
               provenance()["stages"][0]["filler_point_fraction"].get<double>(), 1e-12);
 
-  // Fields of the first load, a unit engineering shear strain. The stress is that at the last time, up to ringing.
+  // The fields are those of the first load, a unit engineering shear strain. The stress is that at the last time, apart
+  // from ringing.
   ASSERT_THAT(fields.shape(data + "strain"), ElementsAre(48U * 48U, 6U));
   constexpr std::size_t xx = 0, xy = 3;
   const auto strain = fields.read_numbers(data + "strain");

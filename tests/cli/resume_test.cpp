@@ -23,7 +23,7 @@ using testing::HasSubstr;
 using testing::Not;
 using Json = nlohmann::json;
 
-/// A study that ends at the first moment at which it can, time and again, until it is done.
+/// A study whose runs are interrupted at the first possible moment, again and again, until it is complete.
 class Resume : public testing::Test {
  protected:
   /// A time limit that grows with the number of interruptions, so that slow builds end, too.
@@ -73,7 +73,7 @@ double wall_time_of_packing(const StudyDirectory& study) {
 }
 
 TEST_F(Resume, PackingDoesNotChangeTheResultsOfARun) {
-  // Until the second of two tests has left its state.
+  // Runs until the second of two tests has saved its state.
   int interruptions = 0;
   while (study_.breccia("run", {"--resume", "--time-limit", time_limit(interruptions++)}).exit_code == 130 &&
          Json::parse(read_text(study_.result("study.json")))["stages"][0]["tests"].empty()) {
@@ -84,7 +84,7 @@ TEST_F(Resume, PackingDoesNotChangeTheResultsOfARun) {
 }
 
 TEST_F(Resume, PackingsGoOnToTheSameDiscsAndRunsFromThere) {
-  // So many particles that a packing takes a few parts.
+  // There are so many particles that a packing takes several steps.
   const std::string deck = test::replaced(std::string(test::good_deck), "\"1 mm\"", "\"0.1 mm\"");
   const std::vector<std::string> options = {"--set", "stages.A.filler.gap=1 um", "--set", "tests.method=quasistatic"};
   const auto and_resume = [&] {
@@ -181,7 +181,7 @@ TEST_F(Resume, HalfWrittenFilesOfAKilledRunAreRemoved) {
   write_text(study_.result("A/modulus.svg.123.partial"), "half");
   ASSERT_EQ(study_.breccia("run", {"--resume"}).exit_code, 0);
   EXPECT_THAT(study_.results(), Not(Contains(EndsWith(".partial"))));
-  // Also of one that was killed when only its page was still to be written.
+  // This also holds for a run that was killed when only its page was still to be written.
   write_text(study_.result("report.html.124.partial"), "half");
   ASSERT_EQ(study_.breccia("run", {"--resume"}).exit_code, 0);
   EXPECT_THAT(study_.results(), Not(Contains(EndsWith(".partial"))));

@@ -23,7 +23,7 @@ using test::read_curve;
 using test::StudyDirectory;
 using testing::HasSubstr;
 
-/// Quasi-static values of the model composite from an independent computation, standard points.
+/// Quasi-static values of the model composite from an independent computation with standard points.
 struct Known {
   double time;
   double modulus;
@@ -76,12 +76,12 @@ frequencies = ["0.1 Hz", "10 Hz"]
   EXPECT_THAT(run.output, HasSubstr("dynamic.csv, engineering.csv, engineering_dynamic.csv\n"));
   const auto table = read_csv(study.result("engineering_dynamic.csv"), {"stage", "boundary", "method", "cells"});
   const auto& omega = table.numbers("angular_frequency_rad_per_s");
-  ASSERT_EQ(omega.size(), 41U);  // twenty a decade
+  ASSERT_EQ(omega.size(), 41U);  // twenty frequencies a decade
   constexpr double per_cycle = 2.0 * std::numbers::pi;
   EXPECT_NEAR(omega.front() / (0.1 * per_cycle), 1.0, 1e-14);
   EXPECT_NEAR(omega[20] / per_cycle, 1.0, 1e-14);
   EXPECT_NEAR(omega.back() / (10.0 * per_cycle), 1.0, 1e-14);
-  const std::complex<double> turn(0.0, 0.1 * per_cycle);  // of the term at 1 Hz
+  const std::complex<double> turn(0.0, 0.1 * per_cycle);  // omega tau of the term at 1 Hz
   const std::complex<double> shear = 1e6 + 80e6 * turn / (1.0 + turn), young = 9.0 * 3e9 * shear / (9e9 + shear);
   EXPECT_NEAR(table.numbers("youngs_storage_modulus_Pa")[20] / young.real(), 1.0, 1e-4);
   EXPECT_NEAR(table.numbers("youngs_loss_modulus_Pa")[20] / young.imag(), 1.0, 1e-4);
@@ -217,7 +217,7 @@ TEST(Examples, TwoFillersHaveTheirStatistics) {
   double fraction = 0.0;
   for (const auto& filler : fillers) fraction += filler["fraction"].get<double>();
   EXPECT_NEAR(fraction, record["microstructure"]["fraction"].get<double>(), 1e-12);
-  // Each within half a particle of what the deck asks for.
+  // Each fraction is within half a particle of the requested one.
   EXPECT_NEAR(fillers[0]["fraction"].get<double>(), 0.38, 0.016);
   EXPECT_NEAR(fillers[1]["fraction"].get<double>(), 0.17, 0.0032);
   EXPECT_NEAR(fillers[2]["fraction"].get<double>(), 0.12, 0.0007);
@@ -234,7 +234,8 @@ TEST(Examples, AreWithoutMistakes) {
     if (entry.path().extension() != ".toml") continue;
     ++decks;
     std::vector<std::string> arguments = {"check", entry.path().string()};
-    // To tell its plan a check packs: a minute at the fraction of these decks; and one of them is for 16 GB of memory.
+    // A check packs the boxes for its plan, which takes a minute at the fractions of these decks; and one of them needs
+    // 16 GB of memory.
     if (entry.path().stem() == "pbx9501-direct")
       arguments.insert(arguments.end(), {"--set", "stages.0.filler.fraction=0.6"});
     if (entry.path().stem() == "pbx9501-all-sizes")

@@ -1,4 +1,4 @@
-// Grains, stacks of images and ellipsoids in three dimensions through the command line.
+// Tests of grains, stacks of images and ellipsoids in three dimensions through the command line.
 
 #include <cmath>
 #include <cstddef>
@@ -208,7 +208,8 @@ std::string numpy_array(const IsGlass& is_glass) {
   return bytes;
 }
 
-// Layers are stiff along themselves and soft across: the load that does not shear them tells their normal.
+// Layers are stiff along themselves and soft across: the load that does not shear them shows the direction of their
+// normal.
 TEST(SpaceImages, LayersHaveTheNormalOfTheirFile) {
   const double harmonic = 1.0 / (0.25 / 30e9 + 0.75 / 100e6), mean = 0.25 * 30e9 + 0.75 * 100e6;
   StudyDirectory study(deck_of(stack("layers.npy"), "loads = [\"shear\", \"shear-yz\", \"shear-zx\"]\n"));
@@ -222,7 +223,7 @@ TEST(SpaceImages, LayersHaveTheNormalOfTheirFile) {
   for (const auto* load : {"shear", "shear-yz"}) EXPECT_NEAR(modulus(study, load) / harmonic, 1.0, 1e-6) << load;
 }
 
-// A body without any symmetry: its three middle planes, and the labels of its points.
+// The body has no symmetry, so that its three middle planes, and the labels of its points, are all different.
 TEST(SpaceImages, PicturesShowTheMiddlePlanes) {
   const auto is_glass = [](int x, int y, int z) { return x + 2 * y < 9 && (z > 2 || x == 4) && (x + z) % 3 != 0; };
   StudyDirectory study(deck_of(stack("body.npy")));
@@ -251,7 +252,8 @@ TEST(SpaceImages, PicturesShowTheMiddlePlanes) {
 }
 
 TEST(SpaceImages, ExtrudedAlongZHaveTheModuliOfThePlane) {
-  // Standard volumetric strains: averaged ones are those of a cell, which a square and a cube have differently.
+  // The test uses standard volumetric strains, because averaged ones are those of a cell and differ between a square
+  // and a cube.
   constexpr auto standard = "loads = [\"shear\", \"shear-xx-yy\"]\nmixing = \"points\"\nvolumetric = \"standard\"\n";
   const auto is_glass = [](std::size_t x, std::size_t y) { return (x > 1 && x < 5 && y > 2) || (x == 6 && y < 3); };
   StudyDirectory space(deck_of(stack("image.npy"), standard));
@@ -311,7 +313,8 @@ TEST(SpaceEllipsoids, WithEqualAxesAreSpheres) {
 
 TEST(SpaceEllipsoids, TurnWithTheirModuli) {
   constexpr auto loads = "loads = [\"shear\", \"shear-yz\", \"shear-zx\", \"shear-xx-yy\", \"shear-yy-zz\"]\n";
-  // With the longest axis along x, the next along y, and turned so that x becomes y, y z, and z x.
+  // The longest axis is along x and the next along y; the second body is turned so that x becomes y, y becomes z, and z
+  // becomes x.
   StudyDirectory before(deck_of(listed(), loads)), after(deck_of(listed(), loads));
   before.write("particles.csv", fmt::format("{}0.5,0.5,0.5,0.9,0.6,0.4,0,0,0\n", angles));
   after.write("particles.csv", fmt::format("{}0.5,0.5,0.5,0.9,0.6,0.4,90,0,90\n", angles));
@@ -347,7 +350,7 @@ TEST(SpaceEllipsoids, AtRandomAreReadBack) {
   const auto run = random.breccia("run");
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   const auto stage = stage_of(random);
-  // Six of them, whose volume is nearest to the fraction.
+  // There are six ellipsoids, whose volume is nearest to the fraction.
   EXPECT_NEAR(stage["microstructure"]["fraction"].get<double>(), 3.14159265358979 * 0.4 * 0.4 * 0.4, 1e-12);
   EXPECT_GE(stage["microstructure"]["smallest_gap_m"].get<double>(), 20e-6);
   EXPECT_NEAR(stage["microstructure"]["largest_diameter_m"].get<double>(), 0.4e-3, 0.02e-3);

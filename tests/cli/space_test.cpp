@@ -1,4 +1,4 @@
-// Studies in three dimensions through the command line.
+// Tests of studies in three dimensions through the command line.
 
 #include <cmath>
 #include <cstddef>
@@ -79,7 +79,7 @@ TEST(Space, AHomogeneousCubeHasTheModuliOfItsMaterial) {
       ASSERT_FALSE(curve.empty());
       for (const auto& [time, modulus] : curve) EXPECT_NEAR(modulus / shear_of_rubber(time), 1.0, tolerance) << stage;
     }
-    // K itself, not K + G/3.
+    // The modulus in bulk is K itself, not K + G/3.
     for (const auto& [time, modulus] : read_curve(study.result("curves.csv"), stage, "bulk")) {
       EXPECT_NEAR(modulus / 2e9, 1.0, tolerance) << stage;
     }
@@ -118,7 +118,7 @@ TEST(Space, ALatticeOfSpheresLeavesItsFiles) {
   }
 }
 
-// A sphere in a cube: stress waves come to rest where the method without inertia has its solution.
+// In a cube with a sphere, stress waves come to rest at the solution of the method without inertia.
 TEST(Space, BothMethodsAgreeOnALatticeOfSpheres) {
   StudyDirectory study(fmt::format("{}{}{}method = [\"quasistatic\", \"dynamic\"]\n", materials, lattice, tests));
   const std::vector<std::string> few = {"--set", "tests.loads=[\"shear-zx\", \"bulk\"]", "--set",

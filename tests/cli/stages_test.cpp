@@ -21,7 +21,7 @@ namespace {
 using ::testing::HasSubstr;
 using Json = nlohmann::json;
 
-/// A box without particles is its matrix: whatever the stage before it became must come out again.
+/// A box without particles has the moduli of its matrix, so that it must reproduce the result of the stage before it.
 const std::string passing_on = std::string(model_deck) + R"(
 [[stages]]
 name   = "B"
@@ -182,7 +182,7 @@ shear = { curve = "points.csv" }
 times = ["2 ms", "1 s"]
 )");
   study.write("solid.csv", "relaxation_time_s,modulus_Pa\ninf,1e5\n");
-  // A straight line in logarithmic axes: 1e5 Pa (t / 1 ms)^(-1/2).
+  // The measurement is a straight line in logarithmic axes: 1e5 Pa (t / 1 ms)^(-1/2).
   study.write("points.csv", "time_s,modulus_Pa\n1e-3,1e5\n0.1,1e4\n");
   const auto run = study.breccia("run", {"--set", "tests.method=quasistatic"});
   ASSERT_EQ(run.exit_code, 0) << run.errors;

@@ -12,14 +12,14 @@
 
 namespace breccia::test {
 
-/// A directory with `deck.toml`, and `out`, where its results go.
+/// A directory with `deck.toml`, and with `out` for the results.
 class StudyDirectory : public TemporaryDirectory {
  public:
   explicit StudyDirectory(std::string_view deck) { write("deck.toml", deck); }
 
-  /// `breccia COMMAND deck.toml --out out --threads 1 MORE...`
+  /// Runs `breccia COMMAND deck.toml --out out --threads 1 MORE...`.
   [[nodiscard]] Outcome breccia(const std::string& command, const std::vector<std::string>& more = {}) const;
-  /// The arguments of that.
+  /// The arguments of the command that breccia() runs.
   [[nodiscard]] static std::vector<std::string> arguments(const std::string& command,
                                                           const std::vector<std::string>& more = {});
   /// A file of the results.
@@ -31,11 +31,11 @@ class StudyDirectory : public TemporaryDirectory {
 /// The curve of a stage under a load in a file curves.csv.
 Curve read_curve(const std::filesystem::path& curves, const std::string& stage, const std::string& load);
 
-/// The same by one method.
+/// The curve of a stage under a load and by one method in a file curves.csv.
 Curve read_curve(const std::filesystem::path& curves, const std::string& stage, const std::string& load,
                  const std::string& method);
 
-/// A curve between its samples, where it is taken as exponential.
+/// The value of a curve at a time [s], with exponential interpolation between its samples.
 double modulus_at(const Curve& curve, double time);
 
 }  // namespace breccia::test

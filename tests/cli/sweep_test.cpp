@@ -70,7 +70,7 @@ TEST(Sweep, SeedsAreShortForASweepOverThem) {
 }
 
 TEST(Sweep, ThatWillNotFitIsRefusedBeforeAnyTaskRuns) {
-  // 5 and 20 TB.
+  // The tasks need 5 and 20 TB.
   const StudyDirectory study(test::good_deck);
   const auto run = study.breccia("run", {"--sweep", "stages.A.cells=[12, 90000, 180000]", "--sweep",
                                          "stages.A.packing.seed=[1, 2, 3]", "--set", "tests.method=quasistatic"});
@@ -168,7 +168,7 @@ TEST(Sweep, ItsClosingTableNamesKeysAndValuesOnce) {
   EXPECT_THAT(run.output, HasSubstr("\nModulus of the last stage\n\n"
                                     "    fraction           0.1                        0.12\n"
                                     "        time   upper bound   lower bound   upper bound   lower bound\n"));
-  // As in the tables of a run of its own.
+  // The values are those in the tables of a separate run.
   const StudyDirectory single(deck.substr(0, deck.find("[sweep]")));
   const auto alone =
       single.breccia("run", {"--set", "stages.A.filler.fraction=0.1", "--set",

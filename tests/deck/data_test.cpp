@@ -28,7 +28,7 @@ TEST(Data, BinderInBothReadings) {
   for (const double t : {1e-9, 1e-6, 1e-3, 1.0}) EXPECT_NEAR(shifted.at(t), binder.at(10.0 * t), 1e-9 * shifted.at(t));
 }
 
-// The sum of the five moduli: 944 + 173.8 + 521.2 + 908.5 + 687.5 MPa.
+// The unrelaxed modulus is the sum of the five moduli: 944 + 173.8 + 521.2 + 908.5 + 687.5 MPa.
 TEST(Data, MeasuredComposite) {
   const auto measured = series_of("pbx9501_measured_relaxation.csv");
   EXPECT_EQ(measured.equilibrium(), 944e6);
@@ -41,7 +41,7 @@ double interpolated(const std::vector<double>& x, const std::vector<double>& y, 
   return y[i - 1] + (y[i] - y[i - 1]) * (at - x[i - 1]) / (x[i] - x[i - 1]);
 }
 
-// What the volume fractions of the three classes ask for: 12.3 % below 14 um, 44.6 % below 100 um.
+// The volume fractions of the three classes require 12.3 % below 14 um and 44.6 % below 100 um.
 TEST(Data, SizesOfHmx) {
   const auto table = read_csv(data / "hmx_sizes.csv");
   const auto& diameters = table.numbers("diameter_m");

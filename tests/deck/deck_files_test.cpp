@@ -7,7 +7,7 @@
 
 #include "decks.hpp"
 
-// Files that a deck names, in other units and written otherwise than Breccia writes them.
+// Tests of files that a deck names, in other units and in other forms than Breccia writes them.
 
 namespace breccia {
 namespace {
@@ -59,7 +59,7 @@ TEST_F(DeckFiles, MeasuredCurvesInOtherUnits) {
   EXPECT_DOUBLE_EQ(series.at(1.0), 1e6 + 3e6 * std::exp(-1.0));
 }
 
-// One Maxwell element of 3 MPa and 10 ms beside 1 MPa, at 1 to 1000 rad/s.
+// The data are those of a Maxwell element of 3 MPa and 10 ms in parallel with 1 MPa, at 1 to 1000 rad/s.
 TEST_F(DeckFiles, MeasuredDynamicModuliAreFitted) {
   std::string table = "angular_frequency_rad_per_s,storage_modulus_Pa,loss_modulus_Pa\n";
   for (int i = 0; i <= 30; ++i) {

@@ -9,7 +9,7 @@
 #include "decks.hpp"
 #include "viscoelasticity/engineering_moduli.hpp"
 
-// Materials given by two of bulk, shear, young and poisson, and by measured data.
+// Tests of materials given by two of bulk, shear, young and poisson, and by measured data.
 
 namespace breccia {
 namespace {
@@ -30,7 +30,7 @@ class EngineeringMaterials : public testing::Test {
   test::DeckDirectory directory;
 };
 
-/// Of K = 5 GPa and G = 3 GPa: E = 9 K G / (3 K + G) = 7.5 GPa, nu = 1/4.
+/// With K = 5 GPa and G = 3 GPa, E = 9 K G / (3 K + G) = 7.5 GPa and nu = 1/4.
 TEST_F(EngineeringMaterials, AnyTwoElasticConstants) {
   for (const auto* two : {"bulk = \"5 GPa\"\nshear = \"3 GPa\"", "young = \"7.5 GPa\"\npoisson = 0.25",
                           "shear = \"3 GPa\"\npoisson = 0.25", "bulk = \"5 GPa\"\npoisson = 0.25",
@@ -50,7 +50,7 @@ poisson = 0.25)");
   EXPECT_NEAR(binder.shear.terms().at(0).modulus / 0.8e6, 1.0, 1e-14);
 }
 
-/// The Young's modulus that the bulk and the shear modulus of the material have together is the one that was given.
+/// The Young's modulus that follows from the bulk and the shear modulus of the material is the given one.
 TEST_F(EngineeringMaterials, ARelaxingYoungsModulusAndABulkModulus) {
   const PronySeries young(3e6, {{10.0, 2e6}, {1e-2, 4e7}, {1e-5, 9e8}});
   directory.write("E.csv", "relaxation_time_s,youngs_modulus_Pa\ninf,3e6\n10,2e6\n1e-2,4e7\n1e-5,9e8\n");

@@ -1,4 +1,4 @@
-// Images in the deck.
+// Tests of images in the deck.
 
 #include <array>
 #include <cstdint>

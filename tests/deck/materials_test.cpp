@@ -62,7 +62,8 @@ temperature_shift = { law = "arrhenius", activation_energy = "120 kJ/mol", refer
   EXPECT_NEAR(std::log(binder.shear.terms().at(0).relaxation_time), expected, 1e-10);
 }
 
-// Half between the rows at 0 and 20 degC, from the reference at 20 degC; the rows may have any order.
+// The temperature is halfway between the rows at 0 and 20 degC, the reference is at 20 degC; the rows may have any
+// order.
 TEST_F(DeckMaterials, TemperatureShiftByATable) {
   const auto* text = R"(shear = { terms = [{ time = "1 s", modulus = "1 MPa" }] }
 temperature_shift = { law = "table", table = "a.csv", reference = "20 degC", temperature = "10 degC" })";

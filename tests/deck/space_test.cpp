@@ -1,4 +1,4 @@
-// Boxes of three dimensions in the deck.
+// Tests of boxes of three dimensions in the deck.
 
 #include <algorithm>
 #include <cstddef>
@@ -244,7 +244,7 @@ TEST_F(DeckInSpace, HasLoadsOfItsOwn) {
   EXPECT_EQ(std::ranges::count(flat, '\n'), 2) << "each load once: " << flat;
 }
 
-// The same file lists the centres of discs only where all of them lie in one plane.
+// A file with z coordinates lists the centres of discs only if all of them lie in one plane.
 TEST_F(DeckInSpace, PlacesInSpaceAreNoneOfASquare) {
   directory.write("spheres.csv", "x_mm,y_mm,z_mm,diameter_mm\n0.25,0.25,0.25,0.3\n0.75,0.7,0.6,0.4\n");
   directory.write("discs.csv", "x_mm,y_mm,z_mm,diameter_mm\n0.25,0.25,0,0.3\n0.75,0.7,0,0.4\n");

@@ -29,7 +29,7 @@ typename CellShape<dim>::Values nodal(Field&& field) {
 
 constexpr Moduli soft = {3.0, 0.7}, stiff = {40.0, 20.0};
 
-/// Points that are soft and stiff in turn.
+/// The moduli of points that are soft and stiff in turn.
 template <int dim>
 typename CellShape<dim>::PointModuli mixed_moduli() {
   typename CellShape<dim>::PointModuli moduli{};
@@ -72,7 +72,7 @@ TYPED_TEST(CellShapeOf, WeightsSumToOneAndReproduceThePositionOfThePoint) {
   EXPECT_DOUBLE_EQ(Shape::points * Shape::point_volume, 1.0);
 }
 
-/// The patch test: every point of a cell sees a uniform strain as it is, and its stress does the right work.
+/// The patch test: every point of a cell reproduces a uniform strain, and its stress does the right work.
 TYPED_TEST(CellShapeOf, UniformStrainIsExact) {
   constexpr int dim = TypeParam::value;
   using Shape = CellShape<dim>;

@@ -19,7 +19,7 @@ using testing::ElementsAre;
 
 const std::vector<PhaseIndex> same_phases = {0, 1, 2};
 
-/// An image of three labels at random, of the same side whatever its pixels.
+/// A random image of three labels, whose side does not depend on the number of pixels.
 LabelImage<2> random_image(int pixels) {
   LabelImage<2> image = {{pixels, pixels}, 3.0 / pixels, Walls::hard, {}};
   std::mt19937 random(7);  // NOLINT(cert-msc32-c,cert-msc51-cpp): the same in every run
@@ -34,7 +34,7 @@ Grid<2> grid_of(int cells) {
 TEST(ImageCells, PointsHaveThePhaseOfTheirPixel) {
   for (const int pixels : {1, 3, 8, 13, 40}) {
     const auto image = random_image(pixels);
-    // Numbers of cells for which no point is on the border of two pixels, where rounding would decide.
+    // With these numbers of cells no point is on the border of two pixels, where rounding would decide.
     for (const int cells : {3, 5, 11}) {
       if (2 * pixels % (4 * cells) == 0 || pixels % 4 == 0) continue;
       const auto labelled = discretise(grid_of(cells), image, same_phases);
@@ -108,7 +108,8 @@ TEST(ImageCells, MixturesHaveTheAreasOfThePixels) {
           share = part == mixture->end() ? 0.0 : part->fraction;
         }
         sum += share;
-        // Half a step for the rounding to steps, twice where the largest part has the rest, and 1 % for the samples.
+        // The tolerance is half a step for the rounding to steps, twice that where the largest part has the rest, and 1
+        // % for the samples.
         EXPECT_NEAR(share, sampled_share(image, grid, cell, phase), 1.0 / mixture_steps + 0.01);
       }
       EXPECT_DOUBLE_EQ(sum, 1.0);

@@ -43,7 +43,7 @@ TEST(Labels, GiveThePointsOfTheSameBall) {
   EXPECT_TRUE(std::ranges::equal(labelled.cells(), painted.cells()));
 }
 
-/// Largest and root-mean-square difference of the fractions of the cells that an interface crosses from exact ones.
+/// Largest and root-mean-square error of the fractions of the cells that an interface crosses.
 struct FractionError {
   double mean_square = 0.0;
   double largest = 0.0;

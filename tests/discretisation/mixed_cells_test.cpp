@@ -66,7 +66,7 @@ TEST(MixedCells, SeeTheImagesInAPeriodicBox) {
 }
 
 TEST(MixedCells, ThatAreHalfFilledAlongAFaceAreExact) {
-  // The side of a disc so large that it is a straight line to rounding of the steps.
+  // The disc is so large that its side is a straight line within the rounding to steps.
   const Microstructure<2> half = {1.0, Walls::hard, {Disc{{-1e3 + 0.3125, 0.5}, 2e3}}};
   const auto mixed = discretise_mixed(half, 8, 0, filler, 2);
   const auto* cut = mixed.mixture(mixed.cell({2, 3})[0]);

@@ -86,7 +86,8 @@ TEST(MixedCubes, HoldTheVolumeOfACoating) {
   EXPECT_NEAR(fractions[2], ball_volume<3>(0.71) - ball_volume<3>(0.61), 2e-4);
 }
 
-// A sphere so large that its surface is a plane to rounding of the steps: one cell is particle and coating alone.
+// The sphere is so large that its surface is a plane within the rounding to steps: one cell is particle and coating
+// alone.
 TEST(MixedCubes, InsideACoatedParticleHoldNoMatrix) {
   const Microstructure<3> half = {1.0, Walls::hard, {{{-1e3 + 0.24, 0.5, 0.5}, 2e3}}};
   const std::vector<ParticlePhases> coated = {{1, 2, 0.18}};
@@ -158,7 +159,7 @@ TEST(MixedCubes, OfAnImageHoldTheVolumesOfItsVoxels) {
   whole.grid().for_each_cell(
       [&](const Index<3>& cell) { EXPECT_EQ(whole.cell(cell)[0], image.labels[whole.grid().cell_index(cell)]); });
   const auto mixed = discretise_mixed(unit_cube(4), image, same, 2);
-  double share = 0.0;  // of the first cell, by eighths of voxels
+  double share = 0.0;  // share of the first cell, by eighths of voxels
   for_each_index(Index<3>{}, Index<3>{3, 3, 3}, [&](const Index<3>& half) {
     const std::size_t voxel = static_cast<std::size_t>(half[0] / 2) + 6 * static_cast<std::size_t>(half[1] / 2) +
                               36 * static_cast<std::size_t>(half[2] / 2);

@@ -24,7 +24,7 @@ TEST(Phases, HaveTheNumbersOfTheirPositions) {
 }
 
 TEST(Phases, PutMaterialsInTheirOrder) {
-  // Neither the order of the alphabet nor that of the map; two phases of one material.
+  // The order is neither that of the alphabet nor that of the map, and two phases have one material.
   const Phases phases({"matrix", "fine", "coarse"});
   const auto materials = phases.materials({{"fine", glass}, {"coarse", glass}, {"matrix", binder}});
   EXPECT_EQ(materials, (std::vector<Material>{binder, glass, glass}));

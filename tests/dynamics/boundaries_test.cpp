@@ -35,7 +35,7 @@ class Boundaries : public testing::TestWithParam<std::tuple<Formulation, Volumet
     return make_dynamic_solver(std::get<Formulation>(GetParam()), with_step(std::move(problem), courant));
   }
 
-  /// Averages at a time [s], when all has long come to rest.
+  /// Averages at a time [s] at which all waves have died away.
   [[nodiscard]] Averages<2> at_rest(const DynamicProblem<2>& problem, double time) const {
     const auto run = solver(problem);
     std::vector<Averages<2>> averages;
@@ -59,7 +59,7 @@ TEST_P(Boundaries, AHomogeneousPeriodicBoxStrainsUniformly) {
     EXPECT_NEAR(modulus_of(load, averages.back().stress) / expected, 1.0, 1e-9);
     EXPECT_NEAR(2.0 * averages.back().strain.xy, load == Load::shear ? 1.0 : 0.0, 1e-9);
     const auto momentum = run->momentum();
-    // Points that move by the amplitude, a millionth, weigh that much differently.
+    // The points move by the amplitude, a millionth, so that their weights change by as much.
     EXPECT_NEAR(momentum[0], 0.0, 1e-6);
     EXPECT_NEAR(momentum[1], 0.0, 1e-6);
   }
@@ -170,7 +170,7 @@ TEST_P(Boundaries, ABodyUnderTractionNeitherDriftsNorTurns) {
     }
     EXPECT_LT(std::abs(drift[0]) / weight, 1e-9 * largest);
     EXPECT_LT(std::abs(drift[1]) / weight, 1e-9 * largest);
-    // The nodes keep their angular momentum; points weigh the displacements slightly differently.
+    // The nodes conserve their angular momentum; the points weight the displacements slightly differently.
     EXPECT_LT(std::abs(turn) / weight, 1e-2 * largest);
   }
 }
@@ -309,7 +309,7 @@ TEST(PeriodicBox, MovingPointsThatLeaveItComeBack) {
   run->set_velocities([](const Vector<2>&) { return Vector<2>{6.0, -4.0}; });
   const auto momentum = run->momentum();
   std::vector<Averages<2>> averages;
-  while (run->time() < 0.3) run->advance(1, averages);  // nearly twice through the box
+  while (run->time() < 0.3) run->advance(1, averages);  // the body crosses the box nearly twice
   for (const auto& [stress, strain] : averages) EXPECT_NEAR(stress.xx, 0.0, 1e-6);
   EXPECT_NEAR(run->momentum()[0], momentum[0], 1e-9 * momentum[0]);
   const auto fields = run->fields();

@@ -37,7 +37,7 @@ TEST(MovingPoints, ARigidBodyCrossesCellsWithoutStress) {
   const auto run = travelling_body([&](const Vector<2>&) { return velocity; });
   const auto momentum = run->momentum();
   std::vector<Averages<2>> averages;
-  while (run->time() < 0.03) run->advance(1, averages);  // 3.6 and 2.4 cells
+  while (run->time() < 0.03) run->advance(1, averages);  // the body moves by 3.6 and 2.4 cells
   for (const auto& [stress, strain] : averages) EXPECT_NEAR(stress.xx, 0.0, 1e-6);
   EXPECT_NEAR(run->momentum()[0], momentum[0], 1e-10 * momentum[0]);
   EXPECT_NEAR(run->momentum()[1], momentum[1], 1e-10 * momentum[1]);
@@ -72,7 +72,7 @@ TEST(MovingPoints, LeavingTheGridStopsTheRun) {
   EXPECT_THROW(run->advance(200, averages), NumericalError);
 }
 
-/// A homogeneous cube that is strained at once as a whole shows the modulus of the load, and has no momentum.
+/// A homogeneous cube that is strained at once as a whole has the modulus of the load as its stress, and no momentum.
 TEST(ClassicalInThreeDimensions, HomogeneousCubeShowsItsModuli) {
   for (const auto load : {Load::shear, Load::diagonal_shear, Load::bulk}) {
     for (const auto volumetric : {Volumetric::averaged, Volumetric::standard}) {

@@ -1,4 +1,4 @@
-// The forces of cubic cells against the stiffness of each cell.
+// Tests of the forces of cubic cells against the stiffness of each cell.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -27,7 +27,7 @@ struct CubeCase {
   Volumetric volumetric;
 };
 
-/// What a modulus makes of a strain that was reached in one step [Pa].
+/// The effective modulus [Pa] for a strain that was reached in one step.
 double after_a_step(const PronySeries& series, double step) {
   double modulus = series.equilibrium();
   for (const auto& [time, term] : series.terms()) modulus += term * time / step * (1.0 - std::exp(-step / time));
@@ -47,13 +47,13 @@ class LayersOfCubes : public testing::TestWithParam<CubeCase> {
     for (auto& u : displacements_) u = {uniform(), uniform(), uniform()};
   }
 
-  /// Whole cells on the left, points of two materials and of none on the right.
+  /// Fills the left part with whole cells, and the right part with points of two materials and of none.
   void mix_points() {
     problem_.discretisation.paint([&](const Vector<3>& x) { return x[0] > 1.0 && uniform() > 0.0; }, 1);
     problem_.discretisation.paint([&](const Vector<3>& x) { return x[0] > 1.0 && uniform() > 0.6; }, no_phase);
   }
 
-  /// Cells of one material each, in an order without order.
+  /// Fills the layers with cells of one material each, in an irregular order.
   void mix_cells() {
     auto& box = problem_.discretisation;
     const auto mixture = box.add_mixture({{0, 0.375}, {1, 0.625}}, 3);
@@ -117,7 +117,7 @@ class LayersOfCubes : public testing::TestWithParam<CubeCase> {
     return problem_.discretisation.grid().node_index(node);
   }
 
-  /// From the stiffness of the cells and the strains of their points.
+  /// The expected sums, from the stiffness of the cells and the strains of their points.
   [[nodiscard]] Found expected() const {
     const auto& grid = problem_.discretisation.grid();
     Found expected;
@@ -169,7 +169,7 @@ TEST_P(LayersOfCubes, OfPointsHaveTheForcesOfTheirStiffness) {
   expect_forces_of_the_stiffness();
 }
 
-/// Mixed cells have averaged volumetric strains.
+/// Tests of mixed cells, which have averaged volumetric strains.
 class LayersOfMixedCubes : public LayersOfCubes {};
 
 TEST_P(LayersOfMixedCubes, HaveTheForcesOfTheirStiffness) {

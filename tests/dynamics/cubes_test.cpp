@@ -1,4 +1,4 @@
-// Both formulations in three dimensions.
+// Tests of both formulations in three dimensions.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -34,7 +34,7 @@ double modulus_under(Load load, double bulk, double shear) {
   return load == Load::bulk ? bulk : shear;
 }
 
-/// Lists of two groups of numbers, of which none is zero or like another.
+/// A strain whose components are all different and not zero.
 constexpr Strain<3> some_strain = {.xx = 0.1, .yy = -0.2, .zz = 0.15, .yz = 0.3, .zx = -0.25, .xy = 0.5};
 constexpr Stress<3> some_stress = {.xx = 0.2, .yy = -0.4, .zz = 0.3, .yz = 0.5, .zx = -0.6, .xy = 1.0};
 
@@ -45,7 +45,7 @@ class Cubes : public testing::TestWithParam<std::tuple<Formulation, Volumetric>>
     return make_dynamic_solver(std::get<Formulation>(GetParam()), with_step(std::move(problem), courant));
   }
 
-  /// Averages at a time [s], when all has long come to rest.
+  /// Averages at a time [s] at which all waves have died away.
   [[nodiscard]] Averages<3> at_rest(const DynamicProblem<3>& problem, double time) const {
     const auto run = solver(problem);
     std::vector<Averages<3>> averages;
@@ -200,7 +200,7 @@ TEST_P(CubesUnderEveryBoundary, GiveTheSameBitsOnEveryInstructionSet) {
   for (const auto set : supported_instruction_sets()) EXPECT_EQ(run(set), baseline) << name_of(set);
 }
 
-// Single samples of runs that still ring; SphereInACube compares curves.
+// The test compares single samples of runs that still ring; SphereInACube compares curves.
 TEST_P(CubesUnderEveryBoundary, BothFormulationsAgree) {
   auto problem = loaded({sphere_in_box(6), {relaxing, stiff}});
   problem.mass_scaling = 3e-4;

@@ -32,7 +32,8 @@ inline Discretisation<3> sphere_in_box(int cells) {
   return discretise<3>({1.0, Walls::hard, {Ball<3>{{0.45, 0.52, 0.47}, 0.71}}}, cells, 0, 1);
 }
 
-/// The same with mixed cells, and the materials of the phases and of their mixtures.
+/// A sphere of material 1 in a box of material 0 with mixed cells, and the materials of the phases and of their
+/// mixtures.
 inline DynamicProblem<3> mixed_sphere_in_box(int cells, std::vector<Material> materials) {
   constexpr std::array<PhaseIndex, 1> sphere = {1};
   const Microstructure<3> microstructure = {1.0, Walls::hard, {Ball<3>{{0.45, 0.52, 0.47}, 0.71}}};

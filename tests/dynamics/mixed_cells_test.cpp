@@ -1,4 +1,4 @@
-// Mixed cells under the dynamic method: each is of one material, and neighbours differ.
+// Tests of mixed cells under the dynamic method: each cell has one material, which differs from that of its neighbours.
 
 #include "discretisation/mixed_cells.hpp"
 
@@ -39,8 +39,8 @@ DynamicProblem<2> disc_in_box(int cells, Boundary boundary) {
   return problem;
 }
 
-/// A row of cells of two phases, a mixture of them and nothing, in an order without order, under random displacements
-/// that are made in one step.
+/// A row of cells of two phases, of a mixture of them and of no phase, in an irregular order, under random
+/// displacements that are reached in one step.
 class RowOfMixedCells : public testing::TestWithParam<InstructionSet> {
  protected:
   static constexpr int columns = 29, length = 40;
@@ -140,8 +140,8 @@ TEST_P(RowOfMixedCells, HasTheForcesOfTheStiffnessOfEachCell) {
   expect_near(forces(GetParam()), expected, 1e-13 * 1e8);
 }
 
-/// What a modulus makes of displacements u that come in steps: M u + the sum of the stresses of its Maxwell terms, of
-/// which each decays over a step and grows with what is added (theory, Eq. 10).
+/// A modulus applied to displacements u that change in steps: M u plus the sum of the stresses of its Maxwell terms,
+/// each of which decays over a step and grows with the increment (theory, Eq. 10).
 struct Hereditary {
   explicit Hereditary(PronySeries modulus) : series(std::move(modulus)), terms(series.terms().size()) {
     for (auto& term : terms) term.setZero();
@@ -196,7 +196,7 @@ TEST_P(RowOfMixedCells, RemembersEarlierSteps) {
   for (std::size_t column = 0; column < columns; ++column) {
     add(-of_shear * shear[column].value() - of_bulk * bulk[column].value(), column, expected);
     if (phase_of(column) == no_phase) continue;
-    // The histories that the stresses of points are found from (theory, Eq. 6).
+    // The histories from which the stresses of points are computed (theory, Eq. 6).
     const auto found = layout.histories({static_cast<int>(column), 0}, phase_of(column));
     const auto along_x = [](const CellShape<2>::Values& u) { return 0.5 * ((u[2] - u[0]) + (u[6] - u[4])); };
     const auto along_y = [](const CellShape<2>::Values& u) { return 0.5 * ((u[5] - u[1]) + (u[7] - u[3])); };
@@ -235,7 +235,7 @@ TEST(MixedCells, HaveOneAnswerInBothFormulations) {
     const auto fast = averages_of(Formulation::total_lagrangian, boundary, load);
     const auto classical = averages_of(Formulation::classical, boundary, load);
     ASSERT_EQ(fast.size(), classical.size());
-    // Over a thousand steps, so that the waves that are left cancel.
+    // The sums are over a thousand steps, so that the remaining waves cancel.
     double sum = 0.0, of_classical = 0.0;
     for (std::size_t i = fast.size() - 1000; i < fast.size(); ++i) {
       sum += fast[i].stress.xy + fast[i].stress.xx;

@@ -1,5 +1,5 @@
-// Prints, to the last bit, what runs of the total-lagrangian formulation give under each boundary: the first process
-// speaks for all, and the others only say that they were there.
+// Prints, to the last bit, the results of runs of the total-lagrangian formulation under each boundary. The first
+// process prints the results of all, and the other processes only print that they ran.
 
 #include <array>
 #include <cstddef>
@@ -51,7 +51,7 @@ std::string bits_of(DynamicProblem<dim> problem, Boundary boundary, Volumetric v
   run->advance(50, averages);
   auto bits = fmt::format("momentum {:a}\n", fmt::join(run->momentum(), " "));
   for (const auto& [stress, strain] : averages) bits += bits_of(stress) + bits_of(strain) + "\n";
-  // Each process has those of its cells.
+  // Each process has the fields of its own cells.
   const auto fields = run->fields();
   const auto indices = places_of_timed_fields(grid, fields.cells);
   const auto all = [&](const auto& own) {
@@ -68,7 +68,7 @@ std::string bits_of(DynamicProblem<dim> problem, Boundary boundary, Volumetric v
   return bits;
 }
 
-/// Under every boundary.
+/// Prints the results under every boundary.
 template <int dim>
 std::string bits_of(const DynamicProblem<dim>& points, const DynamicProblem<dim>& mixed) {
   std::string all;

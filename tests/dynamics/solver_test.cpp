@@ -20,7 +20,7 @@ using testing_materials::soft;
 using testing_materials::stiff;
 using testing_materials::with_step;
 
-/// Velocities without order, the same for the same position.
+/// Irregular velocities that depend only on the position.
 Vector<2> scattered(const Vector<2>& position) {
   const double phase = 1e4 * position[0] + 3e4 * position[1] * position[1];
   return {std::sin(phase), std::cos(1.7 * phase)};
@@ -34,7 +34,7 @@ class BothFormulations : public testing::TestWithParam<std::tuple<Formulation, V
   }
 };
 
-/// Answer of one Maxwell element to a raised-cosine ramp of duration T that is over, per unit modulus (theory, Eq. 13).
+/// Response of one Maxwell element after a raised-cosine ramp of duration T, per unit modulus (theory, Eq. 13).
 double ramped_exponential(double t, double relaxation_time, double duration) {
   const double a = 0.5 * duration / relaxation_time;
   const double k = std::numbers::pi;
@@ -108,7 +108,8 @@ TEST_P(BothFormulations, ConserveTheEnergyOfAnElasticFreeBody) {
   DynamicProblem<2> problem{testing_materials::disc_in_box(12), {soft, stiff}};
   problem.boundary = Boundary::traction;
   const auto run = solver(problem, lagrangian ? 0.99 : 0.2);
-  // Central differences conserve it for any motion; update strain average for motions that the grid resolves.
+  // Central differences conserve the energy for any motion; "update strain average" does so for motions that the grid
+  // resolves.
   if (lagrangian) {
     run->set_velocities(scattered);
   } else {
@@ -132,7 +133,7 @@ TEST_P(BothFormulations, StopWithStepAndPlaceWhenTheyAreUnstable) {
   const auto run = solver(problem);
   run->set_velocities([](const Vector<2>& x) { return Vector<2>{x[0] > 0.5 ? 1e308 : -1e308, 0.0}; });
   std::vector<Averages<2>> averages;
-  // Material points of the classical formulation move, and are gone before a number overflows.
+  // Material points of the classical formulation move, and leave the grid before a number overflows.
   const auto* const expected = lagrangian ? "unstable at step [0-9]+, .* s after the load.* motion at .* m; likely "
                                           : "the point .* m left the grid at step [0-9]+; likely cause: ";
   EXPECT_THAT(test::message_of<NumericalError>([&] { run->advance(100, averages); }), testing::ContainsRegex(expected));
@@ -199,7 +200,8 @@ TEST(Laminate, InParallelItsModuliAddUp) {
 }
 
 TEST(Laminate, InSeriesItsCompliancesAddUp) {
-  // The sides hold the layers back near the ends of the box; the effect falls with one over its length.
+  // The sides hold the layers back near the ends of the box; the effect is inversely proportional to the length of the
+  // box.
   const std::vector<Material> materials = {damped(1e6, 0.3e6), damped(5e6, 3e6)};
   const auto modulus = [&](int columns) { return relaxed_laminate(columns, materials, {.xy = 0.5}).xy; };
   const double endless = 2.0 * modulus(128) - modulus(64);

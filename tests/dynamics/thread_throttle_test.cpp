@@ -30,7 +30,7 @@ TEST(ThreadThrottle, KnowsThatAThreadAloneHasMoreOfTheCores) {
   EXPECT_EQ(best_number_of_threads({0.0, 0.0}), 1);
 }
 
-/// Two threads at work: steps of so many seconds, of which its threads have a core for a share.
+/// A simulation of two threads at work: steps of so many seconds, during a share of which the threads have a core.
 class ThrottleOfTwo {
  public:
   ThreadThrottle throttle{2};
@@ -51,9 +51,9 @@ TEST(ThreadThrottle, TriesAllThreadsAgain) {
   EXPECT_EQ(two.throttle.threads(), 1);
   int pieces = 0;
   for (; two.throttle.threads() == 1 && pieces < 100; ++pieces) two.work(100, 1e-3, 1.0);
-  EXPECT_GE(pieces, 10);  // after a second of work at the earliest
+  EXPECT_GE(pieces, 10);  // all threads are tried again after at least a second of work
   EXPECT_EQ(two.throttle.threads(), 2);
-  // Alone now, and faster.
+  // One thread alone is faster now.
   for (int i = 0; i < 9; ++i) {
     two.work(100, 6e-4, 1.0);
     EXPECT_EQ(two.throttle.threads(), 2);
@@ -67,18 +67,18 @@ TEST(ThreadThrottle, KeepsAllThreadsOnlyWhereThatIsFaster) {
     for (int i = 0; i < 100 && two.throttle.threads() == 1; ++i) two.work(100, 1e-3, 0.7);
     ASSERT_EQ(two.throttle.threads(), 2);
   };
-  // The threads are not displaced, and slower than one of them for another reason.
+  // The threads are not displaced, but slower than one of them for another reason.
   until_all_take_part();
   two.work(100, 2e-3, 1.0);
   EXPECT_EQ(two.throttle.threads(), 1);
   for (int i = 0; i < 100 && two.throttle.threads() == 1; ++i) two.work(100, 1e-3, 0.7);
-  // They are displaced, and faster all the same.
+  // The threads are displaced, but faster all the same.
   two.work(100, 6e-4, 0.6);
   EXPECT_EQ(two.throttle.threads(), 2);
 }
 
 TEST(ThreadThrottle, SpendsLittleOnTrials) {
-  // Where steps of two threads take a hundred times as long.
+  // Steps of two threads take a hundred times as long.
   ThrottleOfTwo two;
   double of_two = 0.0, of_one = 0.0;
   while (of_one < 1000.0) {

@@ -33,14 +33,14 @@ Unknowns affine(const FilmStretch& stretch, const Eigen::Matrix2d& gradient) {
   return u;
 }
 
-// Squeezed between rigid faces, with no pressure at its ends, an incompressible film resists with g V (L/t)^3 for the
-// velocity (here displacement) V, by the flow alone (Reynolds); its sides shear and stretch it besides.
+// An incompressible film that is squeezed between rigid faces, without pressure at its ends, resists with g V (L/t)^3
+// for the velocity (here displacement) V by the flow alone (Reynolds); in addition its sides shear and stretch it.
 TEST(FilmElement, IsSqueezedOutAsReynoldsHasIt) {
   constexpr double length = 0.7, thickness = 0.02, closing = 1e-3;
   const auto element = film_element(straight(length, thickness));
   Unknowns u = Unknowns::Zero();
   for (const int node : {3, 4, 5}) u[2 * node + 1] = -closing;
-  // Only the middle pressure is free: its work on the closing is that on the flow.
+  // Only the middle pressure is free: its work on the closing equals that on the flow.
   const auto flow_part = element.shear.bottomRightCorner<2, 2>();
   const Eigen::RowVector2d of_flow = element.dilatation.row(1).tail<2>();
   const double pressure =
@@ -71,7 +71,7 @@ TEST(FilmElement, IsExactForUniformStrains) {
     const auto element = film_element(stretch);
     EXPECT_NEAR(element.volume.sum(), area, 1e-15);
     const auto u = affine(stretch, Eigen::Matrix2d{{1.0, 0.5}, {0.7, 3.0}});
-    // Twice the energy: 2 (eps : eps - tr^2 / 3) times the area.
+    // Twice the energy is 2 (eps : eps - tr^2 / 3) times the area.
     EXPECT_NEAR(u.dot(element.shear * u), 2.0 * (1.0 + 9.0 + 2.0 * 0.36 - 16.0 / 3.0) * area, 1e-12);
     EXPECT_NEAR((element.dilatation * u).sum(), 4.0 * area, 1e-14);
   }

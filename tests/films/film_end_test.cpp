@@ -1,5 +1,5 @@
-// Ends of films against Stokes flow in junctions of three channels (tests/reference/film_end.py), solved by Taylor-Hood
-// elements without Breccia.
+// Tests of the ends of films against Stokes flow in junctions of three channels (tests/reference/film_end.py), solved
+// by Taylor-Hood elements without Breccia.
 
 #include "films/assembly/film_end.hpp"
 

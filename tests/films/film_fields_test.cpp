@@ -22,7 +22,7 @@ namespace {
 using test::all_boundaries;
 using test::all_loads;
 
-/// Means over the box.
+/// Means of the fields over the box.
 struct Means {
   double area = 0.0, work = 0.0;
   Stress<2> stress;
@@ -56,7 +56,7 @@ FilmFields elastic_fields(const FilmProblem& problem, const Moduli& binder, Load
   return fields_of(composite, problem, load, state);
 }
 
-// A binder like the grains makes one material of the box: stress and strain are the same everywhere, in periodic boxes
+// If the binder has the moduli of the grains, the box is homogeneous: stress and strain are uniform, in periodic boxes
 // and under displacements to rounding.
 TEST(FilmFields, OfOneMaterialAreUniform) {
   for (const auto boundary : {Boundary::periodic, Boundary::displacement}) {
@@ -129,7 +129,7 @@ TEST(FilmFields, HaveTheMeansOfTheCurves) {
   }
 }
 
-// Films and grains meet in the same displacement.
+// The displacements of films and grains agree where they meet.
 TEST(FilmFields, AreContinuousInTheDisplacement) {
   const auto problem = test::voronoi_problem(Boundary::displacement);
   const auto fields = elastic_fields(problem, {test::binder_bulk, 1e6}, Load::shear);
@@ -155,7 +155,7 @@ TEST(FilmFields, AreContinuousInTheDisplacement) {
   EXPECT_EQ(first, fields.corners.size());
 }
 
-// A soft binder is where the box deforms: nearly all of the strain is in films and junctions.
+// With a soft binder nearly all of the strain is in films and junctions.
 TEST(FilmFields, ShowWhereASoftBinderWorks) {
   const auto fields = elastic_fields(test::voronoi_problem(), {test::binder_bulk, 1e5}, Load::shear);
   double all = 0.0, in_binder = 0.0;

@@ -41,7 +41,7 @@ Tessellation<2> square_grains(Walls walls) {
   return Tessellation<2>(sites);
 }
 
-// Euler's formula on a torus: three films for each grain, and two junctions.
+// By Euler's formula on a torus there are three films and two junctions for each grain.
 TEST(FilmNetwork, OfPeriodicGrainsHasThreeFilmsAndTwoJunctionsAGrain) {
   const auto network = film_network(test::voronoi_problem().tessellation, 0.001, 0.3);
   EXPECT_EQ(network.films.size(), 75U);

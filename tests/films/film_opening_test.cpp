@@ -1,5 +1,5 @@
-// Openings of films against a layer cut by a wall (tests/reference/film_opening.py), solved by Taylor-Hood elements
-// without Breccia.
+// Tests of the openings of films against a layer cut by a wall (tests/reference/film_opening.py), solved by Taylor-Hood
+// elements without Breccia.
 
 #include "films/assembly/film_opening.hpp"
 

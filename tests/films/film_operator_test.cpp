@@ -15,7 +15,7 @@ namespace {
 using test::all_boundaries;
 using test::all_loads;
 
-// A binder like the grains makes one material of the box.
+// If the binder has the moduli of the grains, the box is homogeneous.
 TEST(FilmOperator, PassesThePatchTest) {
   for (const auto boundary : {Boundary::periodic, Boundary::displacement}) {
     for (const double thickness : {test::film_of_25, 0.03}) {
@@ -74,7 +74,7 @@ TEST(FilmOperator, HasTheDerivativesOfTheModulusAsItsParts) {
                                     modulus_at(1.0, 1.0 + step) - modulus_at(1.0, 1.0 - step)};
     const double modulus = modulus_at(1.0, 1.0);
     const auto solution = solver.solve(Load::shear, composite.zero());
-    // Under a traction it is the derivative of the compliance, with the opposite sign.
+    // Under a traction boundary the parts are derivatives of the compliance, with the opposite sign.
     const double scale = boundary == Boundary::traction ? modulus * modulus : 1.0;
     for (std::size_t part = 0; part < binder.size(); ++part) {
       const double energy = work(composite.part_forces(part, Load::shear, solution), solution);

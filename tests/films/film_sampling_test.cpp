@@ -15,7 +15,7 @@
 namespace breccia {
 namespace {
 
-/// The binder of PBX-9501, of 22 terms over 22 decades.
+/// The binder of PBX-9501, with 22 terms over 22 decades.
 Material binder() {
   const auto table = read_csv(BRECCIA_DATA_DIRECTORY "/pbx9501_binder_prony.csv", {});
   std::vector<MaxwellTerm> terms;
@@ -27,12 +27,12 @@ Material binder() {
 
 const TimeWindow window = {1e-8, 1e2};
 
-/// s times the Laplace transform of a modulus [Pa].
+/// The Carson transform of a modulus [Pa].
 double carson_transform(const PronySeries& series, double s) {
   return carson_moduli({"composite", 1.0, PronySeries(0.0), series}, s).shear;
 }
 
-// The curve in time and single elastic solutions meet at every real Laplace variable.
+// The curve in time and single elastic solutions agree at every real Laplace variable.
 TEST(FilmSampling, GivesTheCurveOfTheBinderOfPbx9501) {
   const auto material = binder();
   const auto path = carson_path(material, window);

@@ -36,8 +36,8 @@ FilmProblem five_grains(Boundary boundary) {
           .face_share = 0.5};
 }
 
-// Both methods integrate one network of springs and dashpots: the one by steps, the other exactly on a few elastic
-// solutions.
+// Both methods integrate the same network of springs and dashpots: one by time steps, the other exactly in a basis of a
+// few elastic solutions.
 TEST(FilmStepping, MeetsTheReducedResponse) {
   const auto material = test::relaxing_binder();
   constexpr int per_decade = 40;

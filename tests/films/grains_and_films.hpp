@@ -13,7 +13,7 @@ namespace breccia::test {
 
 inline constexpr Moduli hmx = {.bulk = 13.4e9, .shear = 5.84e9};
 inline constexpr double binder_bulk = 3.6e9;
-inline constexpr double film_of_25 = 2.4 / 256.0;  ///< with which 25 grains fill 91.11 % of the unit square
+inline constexpr double film_of_25 = 2.4 / 256.0;  ///< thickness with which 25 grains fill 91.11 % of the unit square
 inline constexpr std::array all_loads = {Load::shear, Load::diagonal_shear, Load::bulk};
 inline constexpr std::array all_boundaries = {Boundary::displacement, Boundary::traction, Boundary::periodic};
 

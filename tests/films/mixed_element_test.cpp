@@ -9,7 +9,7 @@
 namespace breccia::films {
 namespace {
 
-/// Corners, the middles of the edges and, of a quadrilateral, the centre.
+/// The nodes of an element: corners, the middles of the edges and, for a quadrilateral, the centre.
 template <std::size_t count>
 std::vector<Eigen::Vector2d> nodes_of(const std::array<Eigen::Vector2d, count>& corners) {
   std::vector<Eigen::Vector2d> nodes(corners.begin(), corners.end());
@@ -30,7 +30,7 @@ void expect_exact_for_uniform_strain(const MixedElement& element, const std::vec
   const auto u = displacements(nodes, [](const Eigen::Vector2d& x) -> Eigen::Vector2d {
     return Eigen::Matrix2d{{1.0, 0.5}, {0.7, 3.0}} * x;
   });
-  // Twice the energy: 2 (eps : eps - tr^2 / 3) times the area.
+  // Twice the energy is 2 (eps : eps - tr^2 / 3) times the area.
   EXPECT_NEAR(u.dot(element.shear * u), 2.0 * (1.0 + 9.0 + 2.0 * 0.36 - 16.0 / 3.0) * area, 1e-13);
   EXPECT_NEAR((element.dilatation * u).sum(), 4.0 * area, 1e-14);
   EXPECT_NEAR(element.volume.sum(), area, 1e-15);
@@ -57,7 +57,8 @@ TEST(MixedElement, HasTheParabolaOfAFlow) {
   EXPECT_LT((element.dilatation * u).cwiseAbs().maxCoeff(), 1e-14);
 }
 
-// The change of area weighted by a pressure that grows along the element: of the stretch x^2 / 2 by x.
+// The test integrates the change of area by the displacement x^2 / 2, weighted by the pressure x, which grows along the
+// element.
 TEST(MixedElement, WeighsTheChangeOfVolume) {
   const std::array square = {Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(1.0, 0.0), Eigen::Vector2d(1.0, 1.0),
                              Eigen::Vector2d(0.0, 1.0)};

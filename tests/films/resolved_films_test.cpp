@@ -1,4 +1,4 @@
-// Films that are resolved by layers of elements.
+// Tests of films that are resolved by layers of elements.
 
 #include <array>
 #include <cmath>
@@ -36,7 +36,7 @@ void expect_one_material(const FilmProblem& problem) {
   }
 }
 
-// A binder like the grains makes one material of the box, and the elements fill it without gaps.
+// If the binder has the moduli of the grains, the box is homogeneous, and the elements fill it without gaps.
 TEST(ResolvedFilms, PassThePatchTest) {
   for (const auto boundary : all_boundaries) expect_one_material(with_layers(test::voronoi_problem(boundary), 2));
 }
@@ -82,7 +82,7 @@ TEST(FilmsOfSeveralThicknesses, PassThePatchTest) {
   }
 }
 
-// Thin ones against layers, at moduli of the binder from stiff to soft.
+// Thin films are compared with layers of elements, at moduli of the binder from stiff to soft.
 TEST(FilmsOfSeveralThicknesses, AreThoseThatLayersResolve) {
   const std::array binders = {Moduli{test::binder_bulk, 5e8}, Moduli{test::binder_bulk, 3e7},
                               Moduli{test::binder_bulk, 7e5}};
@@ -95,7 +95,8 @@ TEST(FilmsOfSeveralThicknesses, AreThoseThatLayersResolve) {
   }
 }
 
-// Windows under tractions: without the slip of the openings (Eq. 63b) thin films are several per cent too stiff.
+// The test is for windows under tractions: without the slip of the openings (Eq. 63b) thin films are several per cent
+// too stiff.
 TEST(ThinFilms, OpenInWallsUnderTractionsAsLayersDo) {
   const std::array binder = {Moduli{test::binder_bulk, 1e6}};
   const auto problem = test::voronoi_problem(Boundary::traction);
@@ -106,7 +107,7 @@ TEST(ThinFilms, OpenInWallsUnderTractionsAsLayersDo) {
   }
 }
 
-// Mixed cells of the same grains err alike with films of one thickness and of several.
+// Mixed cells of the same grains have similar errors with films of one thickness and of several.
 TEST(FilmsOfSeveralThicknesses, ChangeTheModuliOfCellsAsMuch) {
   const auto by_cells = [](const FilmProblem& problem) {
     const Material grain = {"hmx", 1850.0, PronySeries(test::hmx.bulk), PronySeries(test::hmx.shear)};
@@ -153,7 +154,7 @@ TEST(ResolvedFilms, AreOrderedByTheBoundary) {
   for (std::size_t l = 0; l < all_loads.size(); ++l) EXPECT_GT(upper.front()[l], lower.front()[l]);
 }
 
-// The reduced basis serves them as it serves thin films.
+// The reduced basis works for resolved films as for thin ones.
 TEST(ResolvedFilms, HaveAReducedResponse) {
   const auto problem = with_layers(test::voronoi_problem(), 1);
   const std::array path = {Moduli{test::binder_bulk, 1e8}, Moduli{test::binder_bulk, 3e7},

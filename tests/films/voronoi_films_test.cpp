@@ -1,4 +1,4 @@
-// Grains and films against conforming elements that resolve the films with six layers (tests/reference).
+// Tests of grains and films against conforming elements that resolve the films with six layers (tests/reference).
 
 #include <array>
 #include <string>
@@ -16,9 +16,9 @@ namespace {
 
 constexpr double mega = 1e6;
 
-/// The modulus [MPa] in every row of the reference, and that of the model of films.
+/// The moduli [MPa] in the rows of the reference, and those of the model of films.
 struct Comparison {
-  double shear;  ///< of the binder [MPa]
+  double shear;  ///< shear modulus of the binder [MPa]
   std::string load;
   double reference, found;
 };
@@ -53,7 +53,7 @@ TEST(VoronoiFilms, ConvergeToWithinHalfAPerCentAndTheErrorOfTheReference) {
   }
 }
 
-// Moduli along the axes [MPa] for a binder of 0.7 MPa, found before with four layers across every film.
+// The expected moduli along the axes [MPa] for a binder of 0.7 MPa were computed with four layers across every film.
 TEST(VoronoiFilms, OfOtherThicknessesErrMoreTheThickerTheFilms) {
   struct Case {
     double thickness, modulus, tolerance;

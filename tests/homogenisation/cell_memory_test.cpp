@@ -25,14 +25,15 @@ Study box_of_matrix(int cells) {
   return study;
 }
 
-// What runs of HB-1 of PBX-9501 without fields took (docs/performance.md): direct, and on substructures.
+// The measured memory of runs of HB-1 of PBX-9501 without fields (docs/performance.md): by the direct method, and on
+// substructures.
 TEST(CellMemory, IsNotLessThanThatOfMeasuredRuns) {
   const auto small = box_of_matrix(256), large = box_of_matrix(2000);
   EXPECT_GT(quasistatic_memory(small, small.stages.front(), 256), 0.26e9);
   EXPECT_GT(quasistatic_memory(large, large.stages.front(), 2000), 2.69e9);
 }
 
-// The least box takes what the program takes, which is most of it.
+// The smallest box takes little more than the program itself.
 TEST(CellMemory, IsNeverLessThanThatOfTheProgram) {
   const auto study = box_of_matrix(2);
   EXPECT_GT(quasistatic_memory(study, study.stages.front(), 2), measured_costs::program);
@@ -55,8 +56,8 @@ TEST(CellMemory, GrowsWithTheCells) {
   }
 }
 
-// Two nodal vectors of eight bytes for each of the two terms of the matrix and each load, of the fine run and the
-// coarse.
+// Stepping has two nodal vectors of eight bytes for each of the two terms of the matrix and each load: one for the fine
+// run and one for the coarse run.
 TEST(CellMemory, OfSteppingGrowsWithTheTermsAndTheLoads) {
   auto study = box_of_matrix(100);
   study.tests.loads = {Load::shear, Load::diagonal_shear, Load::bulk};
@@ -92,7 +93,7 @@ Study cube_of(double aspect) {
   return study;
 }
 
-// 18 strains of a phase in 3/2 cells per h^2 of the interface, in each of three nodal vectors.
+// Each of three nodal vectors has 18 strains of a phase in 3/2 cells per h^2 of the interface.
 TEST(CellMemory, OfFlatEllipsoidsHasTheStrainsInTheirLargerInterface) {
   const auto spheres = cube_of(1.0), flat = cube_of(0.1);
   const double unknowns = 3.0 * 64 * 64 * 64, h = 1e-3 / 64;

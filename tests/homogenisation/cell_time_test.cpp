@@ -67,7 +67,7 @@ TEST(CellTime, GrowsWithTheLoadsTheContrastAndTheSteps) {
   EXPECT_DOUBLE_EQ(quasistatic_time(study, stage, Boundary::periodic, 48), 2.0 * stepping);
 }
 
-// A binder of one modulus takes one solution; one that relaxes takes the more the further it does.
+// An elastic binder takes one solution; a binder that relaxes takes more solutions the further it relaxes.
 TEST(ExpectedSnapshots, GrowWithTheDecadesOverWhichThePhasesRelax) {
   auto study = long_curve();
   auto& stage = study.stages.front();

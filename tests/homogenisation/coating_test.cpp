@@ -53,8 +53,8 @@ EffectiveModuli moduli_of(const Study& study) {
   return {modulus(Load::bulk), 0.5 * (modulus(Load::shear) + modulus(Load::diagonal_shear))};
 }
 
-// Exact numbers from tests/reference/coated_cylinder.py. With 256 cells the coating is 2.9 cells wide. A stiff coating:
-// what the cylinder adds to the matrix.
+// Exact numbers from tests/reference/coated_cylinder.py. With 256 cells the coating is 2.9 cells wide. The coating is
+// stiff, and the test compares the contribution of the cylinder to the moduli of the matrix.
 TEST(Coating, OfADiluteCylinderHasTheExactModuli) {
   const auto computed = moduli_of(coated_cylinder(stiff_layer, 256));
   const double bulk = host.bulk.equilibrium() + host.shear.equilibrium() / 3.0, shear = host.shear.equilibrium();
@@ -62,15 +62,16 @@ TEST(Coating, OfADiluteCylinderHasTheExactModuli) {
   EXPECT_NEAR((computed.shear - shear) / (1013883780.0 - shear), 1.0, 3e-3);
 }
 
-// A coating ten times softer than the matrix hides a particle thirty times stiffer: what they add nearly cancels, so
-// that the error is that of the whole, for a hundredth of the area.
+// A coating ten times softer than the matrix hides a particle thirty times stiffer: their contributions nearly cancel,
+// so that the error is compared with the whole modulus, for a hundredth of the area.
 TEST(Coating, SofterThanTheMatrixHidesItsParticle) {
   const auto computed = moduli_of(coated_cylinder(soft_layer, 256));
   EXPECT_NEAR(computed.bulk / 3340487199.0, 1.0, 1e-4);
   EXPECT_NEAR(computed.shear / 998309900.0, 1.0, 1.2e-3);
 }
 
-// A coating of the material of its particle makes a larger particle, and one of the material of the matrix none.
+// A coating of the material of its particle makes a larger particle, and a coating of the material of the matrix has no
+// effect.
 TEST(Coating, OfTheMaterialOfItsParticleMakesALargerParticle) {
   const auto coated = coated_cylinder(ceramic, 64);
   auto whole = coated;

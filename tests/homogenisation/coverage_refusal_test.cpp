@@ -18,7 +18,7 @@ using testing::ElementsAre;
 using testing::EndsWith;
 using testing::HasSubstr;
 
-/// Sampled from 1 to 100 MPa in shear, at 2 GPa in bulk; usable 5 % and 10 % beyond.
+/// A response sampled from 1 to 100 MPa in shear and at 2 GPa in bulk, which is usable 5 % and 10 % beyond.
 ReducedResponse sampled(Boundary boundary) {
   return test::one_vector_response(Load::shear, boundary, {3.0, 2.0, 0.0},
                                    {{{{.bulk = 2e9, .shear = 1e8}}, 0.0}, {{{.bulk = 2e9, .shear = 1e6}}, 0.0}});
@@ -38,7 +38,7 @@ Responder with_matrix(const Material& matrix) {
   return Responder({stored()}).with({{"matrix", matrix}});
 }
 
-/// Its Carson modulus at s = 1/t is 1 GPa / (1 + t / 1 s).
+/// A material whose Carson modulus at s = 1/t is 1 GPa / (1 + t / 1 s).
 Material maxwell() {
   return {"gel", 1000.0, PronySeries(2e9), PronySeries(0.0, {{1.0, 1e9}})};
 }
@@ -47,7 +47,8 @@ MatrixUnder everywhere(const Material& material) {
   return [&material](Boundary) -> const Material& { return material; };
 }
 
-// 105 MPa at 8.52 s and 0.95 MPa at 1051.6 s. The times are looked at with 48 to a decade, and rounded inwards.
+// The modulus is 105 MPa at 8.52 s and 0.95 MPa at 1051.6 s. The times are checked with 48 to a decade, and rounded
+// inwards.
 TEST(CoverageRefusal, TellsWhatIsShownWhatWasSampledAndWhatIsCovered) {
   const auto gel = maxwell();
   EXPECT_EQ(test::message_of<InputError>([&] { static_cast<void>(with_matrix(gel).respond()); }),

@@ -180,7 +180,7 @@ TEST(Fillers, AreInTheCheckpointOfTheirPacking) {
   EXPECT_FALSE(again.fillers.at(1).size_deviation);
 }
 
-// 10 % of steel and 20 % of sand, with 5 % of wax around the sand, in a rubber of 1000 kg/m^3.
+// The composite has 10 % of steel and 20 % of sand, with 5 % of wax around the sand, in a rubber of 1000 kg/m^3.
 TEST(Fillers, AreInTheFillerOfTheWhole) {
   auto coated = filler_of(sand, {1e-3});
   coated.coating = Coating{wax, 0.1e-3};

@@ -37,9 +37,9 @@ Study study_of_grains(double side) {
   return study;
 }
 
-/// What runs of examples/pbx9501-films.toml took (docs/performance.md, "Grains and films").
+/// The measured costs of runs of examples/pbx9501-films.toml (docs/performance.md, "Grains and films").
 struct MeasuredFilms {
-  double side;  ///< of the box [m]
+  double side;  ///< side of the box [m]
   std::optional<int> layers;
   double unknowns, bytes;
 };
@@ -47,7 +47,7 @@ struct MeasuredFilms {
 const std::vector<MeasuredFilms> measured_films = {
     {0.443e-3, {}, 4871, 68e6}, {0.443e-3, 4, 96627, 299e6}, {8.854e-3, {}, 1938127, 3140e6}};
 
-// A run is refused by this memory, so that it must not be less than what runs take, but for a few per cent.
+// Runs are refused by this estimate, so that it must not be less than the measured memory, apart from a few per cent.
 TEST(FilmCosts, AreNotLessThanThoseOfMeasuredRuns) {
   for (const auto& [side, layers, unknowns, bytes] : measured_films) {
     auto study = study_of_grains(side);

@@ -9,8 +9,8 @@
 namespace breccia {
 namespace {
 
-/// The largest error of both bounds [-] of boxes like HB-1, between 10 ns and 10 ms, against eight cells in the
-/// narrowest gap and more; from docs/verification.md, "Cells in a gap".
+/// The largest error of both bounds [-] of boxes like HB-1, between 10 ns and 10 ms, relative to eight or more cells in
+/// the narrowest gap; from docs/verification.md, "Cells in a gap".
 struct Measured {
   double cells;
   double of_series;
@@ -44,7 +44,7 @@ TEST(GridError, TellsTheCellsForAnError) {
   EXPECT_EQ(error_rule_of_gaps(Mixing::series).cells_for(0.5), 1.5) << "below that the error may be of any size";
 }
 
-// docs/verification.md, "Thin films": the largest errors at any stiffness of the binder.
+// The largest errors at any stiffness of the binder, from docs/verification.md, "Thin films".
 TEST(GridError, OfFilmsIsOfTheSizeOfMeasuredErrors) {
   EXPECT_NEAR(error_rule_of_films().error_with(2.4).value(), 0.051, 0.005);
   EXPECT_NEAR(error_rule_of_films().error_with(4.8).value(), 0.022, 0.002);
@@ -75,7 +75,7 @@ TEST(GridError, OfSpheresIsOfTheSizeOfMeasuredErrors) {
   EXPECT_EQ(rule->cells_for(0.5), 4.5);
 }
 
-/// The place that the plan of a periodic cube of spheres of this fraction names.
+/// The location that the plan of a periodic cube of spheres of this fraction names.
 std::string place_of_spheres(double fraction) {
   Stage stage;
   stage.packing = PackingMethod<3>();

@@ -1,4 +1,4 @@
-// Stages that are images, and the labels of the points of others.
+// Tests of stages that are images, and of the labels of the points of other stages.
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ const Material bitumen = {"bitumen", 1000.0, PronySeries(1e9), PronySeries(1e4, 
 const Material flint = {"flint", 2000.0, PronySeries(10e9), PronySeries(5e9)};
 const Material iron = {"iron", 7800.0, PronySeries(160e9), PronySeries(80e9)};
 
-/// A box of 4 mm with a layer of flint above one of iron, each a quarter of it.
+/// A box of 4 mm with a layer of flint above a layer of iron, each a quarter of the box.
 Stage layered_image(Walls walls) {
   const LabelImage<2> image = {{4, 4}, 1e-3, walls, {0, 0, 0, 0, 2, 2, 2, 2, 1, 1, 1, 1, 0, 0, 0, 0}};
   return {.name = "A",
@@ -87,7 +87,7 @@ TEST(ImageStage, TakesTheMemoryOfItsMixedCells) {
 }
 
 TEST(PointLabels, TellTheParticleOfEveryPointWithItsCoating) {
-  // A disc in the corner of a periodic box, and one in the middle.
+  // The stage has a disc in the corner of a periodic box, and one in the middle.
   Stage stage = {.name = "A", .matrix = bitumen, .side = 1.0, .cells = 20};
   stage.fillers = {{.material = flint, .coating = Coating{iron, 0.1}}};
   stage.packing =

@@ -42,7 +42,7 @@ double number_after(const std::string& message, const std::string& words) {
   return at == std::string::npos ? 0.0 : std::stod(message.substr(at + words.size()));
 }
 
-/// Packings of one size, of two, of few particles and of many, too dense to begin with or to be reached.
+/// Packings of one size and of two, of few particles and of many, which are impossible by their density or jam.
 std::vector<Stage> impossible_stages() {
   std::vector<Stage> stages;
   for (const auto walls : {Walls::hard, Walls::periodic}) {
@@ -102,7 +102,7 @@ TEST(PackingAdvice, WithoutAGapAFractionAloneIsNamed) {
   EXPECT_NO_THROW(static_cast<void>(make_microstructure(stage))) << message;
 }
 
-// Between the walls 100 um are left for two gaps.
+// Between the walls 100 um remain for two gaps.
 TEST(PackingAdvice, AParticleThatDoesNotFit) {
   auto stage = box(0.9e-3, 0.35, 0.2e-3);
   stage.fillers[0].sizes = ListedSizes{{0.9e-3}};
@@ -132,7 +132,7 @@ double hundred_filled_with(double gap) {
   return 100.0 * std::numbers::pi / 4.0 * (0.05 + gap) * (0.05 + gap);
 }
 
-// 96 % of what has jammed will pack. A gap of 25.7 mm fills so much, and the advice has two digits.
+// A packing of 96 % of the jammed fraction is possible. A gap of 25.7 mm fills so much, and the advice has two digits.
 TEST(PackingAdvice, KeepsAShareOfWhatHasJammed) {
   const HundredDiscs discs;
   const double jammed = hundred_filled_with(0.0257) / 0.96;
@@ -145,7 +145,7 @@ TEST(PackingAdvice, KeepsAShareOfWhatHasJammed) {
   EXPECT_NEAR(*advice.fraction, 0.11, 1e-12);
 }
 
-// Discs at random reach 0.82, less 0.4 times their relative size, 0.1, in a small box.
+// Random discs reach 0.82, minus 0.4 times their relative size of 0.1 in a small box.
 TEST(PackingAdvice, KeepsToWhatDiscsAtRandomReach) {
   const HundredDiscs discs;
   const auto advice = packing_advice<2>(discs.stage, discs.request, {PackingObstacle::density, 0.9, "too dense"});
@@ -154,7 +154,7 @@ TEST(PackingAdvice, KeepsToWhatDiscsAtRandomReach) {
   EXPECT_GT(hundred_filled_with(*advice.gap + 0.001), 0.78) << "the next with two digits";
 }
 
-// Half the gap takes twice the cells where it is so many of them.
+// Where the gap is given in cells, half the gap takes twice the number of cells.
 TEST(PackingAdvice, NamesCellsWhereTheGapFollowsTheGrid) {
   HundredDiscs discs;
   discs.stage.fillers[0].gap_source = GapSource::points;
@@ -181,8 +181,8 @@ Stage coated_box(double fraction, double gap) {
   return stage;
 }
 
-// 160 um and the gap in place of 120 um: 44 % become 44 (200/120)^2 = 122 % of the box, and of its room of 960 um 132
-// %.
+// With 160 um and the gap in place of 120 um, 44 % become 44 (200/120)^2 = 122 % of the box, and 132 % of the room of
+// 960 um in it.
 TEST(PackingAdvice, TellsWhatCoatingsFill) {
   auto stage = coated_box(0.44, 40e-6);
   const auto message = message_on(stage);

@@ -171,7 +171,7 @@ double required_memory(const Study& study) {
   return enough;
 }
 
-// A fourth of the points take a fourth of the memory of an explicit run beside the program.
+// A fourth of the points takes a fourth of the memory of an explicit run without the program itself.
 TEST(RequiredMemory, OfTheDynamicMethodGrowsWithThePoints) {
   const double small = required_memory(box_to_plan(1000, {Method::dynamic})),
                middle = required_memory(box_to_plan(2000, {Method::dynamic})),
@@ -179,13 +179,14 @@ TEST(RequiredMemory, OfTheDynamicMethodGrowsWithThePoints) {
   EXPECT_NEAR((large - middle) / (middle - small), 4.0, 0.1);
 }
 
-// A grid of 1.7e10 cells is in no memory: the estimate does without it.
+// A grid of 1.7e10 cells does not fit into any memory: the estimate must not make it.
 TEST(RequiredMemory, OfTheDynamicMethodIsFoundWithoutItsGrid) {
   EXPECT_THAT(memory_refusal(box_to_plan(1 << 17, {Method::dynamic}), 1e9),
               HasSubstr("A: 131072 x 131072 cells take about "));
 }
 
-// 18 numbers for each cell of a cube and term of the matrix, 7 for each node, and the phases of the points: 25.6 GB.
+// The memory has 18 numbers for each cell of a cube and term of the matrix, 7 for each node, and the phases of the
+// points: 25.6 GB.
 TEST(RequiredMemory, OfTheDynamicMethodInCubesIsThatOfItsHistories) {
   auto study = box_to_plan(400, {Method::dynamic});
   study.stages.front().packing = PackingMethod<3>();
@@ -193,7 +194,8 @@ TEST(RequiredMemory, OfTheDynamicMethodInCubesIsThatOfItsHistories) {
                                                        "method, and 1 GB are left; cells = 13[0-9] would fit"));
 }
 
-// Mass scaling factors that are never valid have no plan; the other tests of the study are looked at all the same.
+// A test with mass scaling factors that are never valid has no plan; the memory of the other tests is checked all the
+// same.
 TEST(RequiredMemory, DoesNotTakeAPlanOfTimeDomains) {
   auto study = box_to_plan(4000, {Method::dynamic, Method::quasistatic});
   study.tests.dynamic.mass_scaling_factors = {1e12};
@@ -203,7 +205,7 @@ TEST(RequiredMemory, DoesNotTakeAPlanOfTimeDomains) {
   EXPECT_THAT(memory_refusal(study, 1e8), MatchesRegex("A: .* dynamic method.*\nA: .* quasi-static method.*"));
 }
 
-// Bug: a sweep whose last tasks do not fit was taken for one that fits.
+// A former bug: a sweep whose last tasks do not fit into the memory was accepted.
 TEST(RequiredMemory, OfASweepIsThatOfAllTasks) {
   const auto sweep = sweep_over_cells({40, 4000});
   EXPECT_NO_THROW(require_memory(sweep, unlimited));

@@ -225,7 +225,7 @@ TEST(Quality, GivesTheNarrowestGapOnEachGrid) {
   EXPECT_THAT(summary_of(quality_of(stage, result_of({}))), HasSubstr("; narrowest gap: 0.75, 1.5 and 3 cells;"));
 }
 
-// The half bands of both bounds together are at most twice the larger one.
+// The sum of the half bands of both bounds is at most twice the larger one.
 TEST(Quality, BoundsAreCrossedBeyondTheirBands) {
   EXPECT_FALSE((BoundsAtTime{1.0, 90.0, 100.0, 5.0}).crossing()) << "within the error of the grids";
   EXPECT_NEAR((BoundsAtTime{1.0, 89.0, 100.0, 5.0}).crossing().value(), 0.11, 1e-12);

@@ -1,4 +1,4 @@
-// Responses of composites whose moduli are linear in those of their matrix, so that the answers are known.
+// Tests of responses of composites whose moduli are linear in those of their matrix, so that the results are known.
 
 #include <string>
 #include <utility>
@@ -39,7 +39,7 @@ StageResponses linear_stage(const std::string& name, StageMatrix matrix, double 
   return stored;
 }
 
-// Twice the binder, and three times that.
+// The moduli are twice those of the binder, and three times that.
 TEST(Respond, TakesWhatAStageMakesOfTheMatrixAsTheMatrixOfTheNext) {
   const auto answers =
       Responder({linear_stage("coarse", EarlierStage{"fine"}, 3.0), linear_stage("fine", test::binder, 2.0)}).respond();
@@ -96,7 +96,7 @@ TEST(Respond, TakesAMaterialForEachThatStagesHaveAsTheirMatrix) {
   EXPECT_NEAR(both.at(1).tests.at(0).modulus.front().modulus / 3e7, 1.0, 1e-9);
 }
 
-// A file has no more than the name of the matrix.
+// A file holds only the name of the matrix.
 TEST(Respond, NeedsTheModuliOfEachMatrix) {
   const std::vector<StageResponses> stored = {linear_stage("fine", test::binder, 2.0),
                                               linear_stage("other", Material{"gel", 0.0, {}, {}}, 3.0)};

@@ -147,7 +147,7 @@ TEST(ResponderGradient, OfAHomogeneousChainIsTheShareOfItsMaterial) {
   }
 }
 
-// Through both stages, at a Laplace variable and one hundred times it.
+// The derivatives are taken through both stages, at a Laplace variable and at a hundred times that.
 TEST(ResponderGradient, OfAChainAgreesWithFiniteDifferences) {
   const auto responder = solved(test::two_stages());
   for (const double s : {20.0, 2000.0}) {
@@ -167,7 +167,8 @@ TEST(ResponderGradient, OfAChainAgreesWithFiniteDifferences) {
     };
     EXPECT_NEAR(modulus / modulus_at(at), 1.0, 1e-14);
     EXPECT_NEAR(gradient.at("binder").shear / difference(&Moduli::shear), 1.0, 1e-6) << s;
-    // The modulus hardly depends on K: its derivative is small beside G/K, and so is the difference beside rounding.
+    // The modulus hardly depends on K: its derivative is small compared with G/K, and so is the difference compared
+    // with rounding errors.
     EXPECT_NEAR(gradient.at("binder").bulk, difference(&Moduli::bulk), 1e-6 * modulus / at.shear) << s;
   }
 }

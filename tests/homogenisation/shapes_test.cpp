@@ -71,7 +71,7 @@ Stiffness stiffness_of(const Stage& stage) {
   study.tests.field_times = {1.0};
   study.tests.quasistatic.linear.tolerance = 1e-12;
   const auto stress = [&](Load load) {
-    study.tests.loads = {load};  // fields are those of the first load
+    study.tests.loads = {load};  // the fields are those of the first load
     const auto result = solve(study);
     const auto& test = preferred_test(result.stages.front().tests, load, Boundary::periodic);
     const auto& fields = std::get<GridFields<2>>(test.fields).at_times.front().fields;
@@ -81,13 +81,13 @@ Stiffness stiffness_of(const Stage& stage) {
     }
     return mean;
   };
-  // Unit strains of 1/2 along both axes, 1/2 and -1/2 along x and y, and 1/2 as xy.
+  // The unit strains are 1/2 along both axes, 1/2 and -1/2 along x and y, and 1/2 as xy.
   const auto bulk = stress(Load::bulk), diagonal = stress(Load::diagonal_shear), shear = stress(Load::shear);
   return {bulk[0] + diagonal[0], bulk[1] - diagonal[1], shear[3]};
 }
 
-// Exact numbers from tests/reference/elliptic_cylinder.py: what an ellipse adds to the stiffness per area fraction.
-// Here it fills 1 % of a periodic cell, whose other ellipses add up to 2 % of that.
+// The exact numbers, from tests/reference/elliptic_cylinder.py, are the contribution of an ellipse to the stiffness per
+// area fraction. Here it fills 1 % of a periodic cell; the effect of its images is up to 2 % of the contribution.
 TEST(Shapes, ADiluteEllipseHasTheExactStiffness) {
   const double fraction = 0.01, second = std::sqrt(2.0 * fraction / std::numbers::pi);
   const auto stiffness = stiffness_of(listed_box({{Ellipse{{2.0 * second, second}}, Pose({0.5, 0.5}, 0.0)}}, 128));

@@ -25,7 +25,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-// Without particles the box is its matrix: the modulus is that of the material at all times.
+// Without particles the modulus is that of the matrix at all times.
 TEST(Solve, ABoxWithoutParticlesHasTheModulusOfItsMatrix) {
   Study study;
   study.stages = {{.name = "plain", .matrix = test::binder, .side = 1e-3, .cells = 4}};
@@ -109,7 +109,7 @@ TEST(Solve, PassesItsPartsToASinkAsTheyAreComputed) {
   EXPECT_TRUE(result.seconds.has_value());
 }
 
-/// Knows the results of stages that were solved before.
+/// A sink that knows the results of stages that were solved before.
 class Memory final : public Recorder {
  public:
   explicit Memory(StudyResult before) : before_(std::move(before)) {}
@@ -139,7 +139,7 @@ TEST(Solve, TakesOverStagesThatASinkKnows) {
   }
 }
 
-/// Stores the fields of tests.
+/// A sink that stores the fields of tests.
 class FieldStore final : public StudySink {
  public:
   bool store_fields(const Stage&, const TestId& test, const TestFields& fields) override {
@@ -161,7 +161,7 @@ TEST(Solve, FieldsThatASinkStoresDoNotStayInTheMemory) {
   EXPECT_THAT(times_of(result.stages.front().tests.front().fields), IsEmpty());
 }
 
-/// Keeps the calculations that it was told of, each once.
+/// A sink that keeps the names of the calculations that report progress, each once.
 class Follower final : public StudySink {
  public:
   void progress(const Progress& now) override {
@@ -198,7 +198,7 @@ TEST(Solve, RefusesAStudyThatIsNotSound) {
   EXPECT_THROW(static_cast<void>(solve(study)), InputError);
 }
 
-/// Ends a solution at its first event.
+/// A sink that ends a solution at its first event.
 class Stopper final : public StudySink {
  public:
   void happened(const StudyEvent& /*event*/) override { throw Interrupted("enough"); }

@@ -34,8 +34,8 @@ std::vector<int> grids_of(const TestResult& test) {
   return std::get<ExtrapolationRecord>(test.record).cells;
 }
 
-// The modulus 10 + 40 h / L on two grids is 14 and 12; the band of two grids is half of what the finest is corrected
-// by.
+// The modulus 10 + 40 h / L on two grids is 14 and 12; the band of two grids is half of the correction of the finest
+// grid.
 TEST(ExtrapolateTests, TakesTheLimitOfTwoGrids) {
   const auto limits = limits_of({constant(10, 14.0), constant(20, 12.0)}, Mixing::points);
   ASSERT_EQ(limits.size(), 1U);
@@ -48,7 +48,7 @@ TEST(ExtrapolateTests, TakesTheLimitOfTwoGrids) {
   EXPECT_THAT(limits[0].compliance, IsEmpty());
 }
 
-// 18, 14 and 11: the two finest tell 8, the two coarsest 10.
+// The moduli are 18, 14 and 11: the two finest grids give the limit 8, the two coarsest 10.
 TEST(ExtrapolateTests, TakesTheBandFromThreeGrids) {
   const auto limits = limits_of({constant(10, 18.0), constant(20, 14.0), constant(40, 11.0)}, Mixing::points);
   ASSERT_EQ(limits.size(), 1U);
@@ -80,7 +80,7 @@ TEST(ExtrapolateTests, KeepsTestsApart) {
   EXPECT_THAT(limits[1].modulus.front().modulus, DoubleNear(5.0, 1e-12));
 }
 
-// With mixed cells: 15 is off by a quarter of 12, and 9 by a half of 6 at the last time.
+// With mixed cells the coarse modulus 15 differs from 12 by a quarter, and at the last time 9 differs from 6 by a half.
 TEST(ExtrapolateTests, TakesTheFinestGridOfMixedCells) {
   auto coarse = constant(20, 15.0), fine = constant(40, 12.0);
   coarse.modulus.back().modulus = 9.0;
@@ -102,7 +102,7 @@ TEST(ExtrapolateTests, IsOfSeveralGridsAlone) {
   EXPECT_THAT(limits_of({constant(20, 12.0)}, Mixing::points), IsEmpty());
 }
 
-// 30 and 10 have the limit -10.
+// The moduli 30 and 10 have the limit -10.
 TEST(ExtrapolateTests, RefusesALimitThatIsNoModulus) {
   const auto message = test::message_of<NumericalError>([] {
     static_cast<void>(limits_of({constant(10, 30.0), constant(20, 10.0)}, Mixing::points));
@@ -121,7 +121,7 @@ TEST(ExtrapolateTests, RefusesALimitThatIsNoModulus) {
   EXPECT_THAT(of_compliance, HasSubstr("extrapolation to vanishing cells gives -0.1 1/Pa at 10 ms"));
 }
 
-/// A test of the reduced solver, whose series tells the modulus at all times.
+/// A test of the reduced solver, whose series gives the modulus at all times.
 TestResult with_series(int cells, const PronySeries& series) {
   auto test = constant(cells, 1.0);
   test.series = series;
@@ -155,7 +155,7 @@ TEST(CurveAt, FollowsTheSeriesOfTheFinestGridOfMixedCells) {
   EXPECT_EQ(curve_at(limit, 1e-3, tests, Mixing::series, {1e-5}), (Curve{{1e-5, 12.0}}));
 }
 
-// A series that was fitted to a curve says nothing beyond it.
+// A series that was fitted to a curve is not valid beyond the curve.
 TEST(CurveAt, KeepsToTheCurveWhereASeriesIsAFit) {
   auto test = constant(20, 3.0);
   test.series = PronySeries(5.0);

@@ -41,7 +41,7 @@ class StageMaterials : public testing::Test {
   Study study = test::two_stages();
 };
 
-// 1000 and 2000 kg/m^3 mix to 1250.
+// The densities 1000 and 2000 kg/m^3 mix to 1250.
 TEST_F(StageMaterials, FollowTheCurvesOfTheirStage) {
   const PronySeries shear(1e5, {{1e-2, 2e6}}), plane_bulk(3e9, {{1e-2, 1e6}});
   const auto materials = materials_from(study, study.stages[0], {}, fine_with(shear, plane_bulk));

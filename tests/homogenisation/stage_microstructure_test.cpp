@@ -216,11 +216,11 @@ TEST(Grains, FillTheirFractionOfTheBox) {
   const auto packed = make_microstructure(box(grains(1e-3, 0.93)));
   ASSERT_NE(packed.grains(), nullptr);
   EXPECT_NEAR(packed.fraction, 0.93, 1e-12);
-  // As many as discs of that size that fill the box.
+  // The number of grains is that of discs of this size that fill the box.
   EXPECT_EQ(packed.particles(), static_cast<std::size_t>(std::lround(100.0 / (pi / 4.0))));
   EXPECT_EQ(packed.gap, packed.grains()->film);
   EXPECT_EQ(packed.wall_gap, std::numeric_limits<double>::infinity());
-  // What the films take is half a film along all outlines, but for the corners.
+  // The area of the films is half a film along all outlines, apart from the corners.
   EXPECT_NEAR(packed.interface_per_area * packed.gap / 2.0, 0.07, 0.003);
   ASSERT_EQ(packed.fillers.size(), 1U);
   EXPECT_NEAR(packed.fillers[0].smallest_diameter.value() / 1e-3, std::sqrt(0.93), 0.02);

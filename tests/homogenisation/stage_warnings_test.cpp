@@ -114,7 +114,7 @@ TEST(StageWarnings, OfTimesNotForAMatrixThatIsAStage) {
   EXPECT_THAT(warnings(stage, study), Each(Not(HasSubstr("times reach"))));
 }
 
-// In a study within which a stage of these discs is built on another.
+// The warnings in a study in which a stage of these discs builds on another stage.
 std::vector<std::string> warnings_on_second(const std::vector<Disc>& first, const std::vector<Disc>& second) {
   auto study = within(1.0, 2.0);
   study.stages = {two_discs(1e-3), two_discs(1e-3)};
@@ -233,7 +233,8 @@ Study periodic_study() {
   return study;
 }
 
-// Two sizes, 2 and 0.2 mm, the small ones with a hundredth of the area: films of 0.15 mm leave little of them.
+// The grains have two sizes, 2 and 0.2 mm, the small ones with a hundredth of the area: films of 0.15 mm take up most
+// of these.
 TEST(StageWarnings, OfGrainsThatTheFilmsTake) {
   std::vector<double> diameters(30, 2e-3);
   diameters.insert(diameters.end(), 30, 0.2e-3);
@@ -246,7 +247,7 @@ TEST(StageWarnings, OfGrainsThatTheFilmsTake) {
                              HasSubstr("as the particles of an earlier stage"))));
 }
 
-// Two listed cells of 10 x 7.5 and 10 x 2.5 mm: films of 3 mm leave only the wider one, and nobody asked for sizes.
+// Two listed cells of 10 x 7.5 and 10 x 2.5 mm: films of 3 mm leave only the wider one, and no sizes were requested.
 TEST(StageWarnings, OfListedGrainsThatVanish) {
   auto stage = grains_of({}, 3e-3);
   const LaguerreSites<2> bands = {10e-3, Walls::periodic, {{{3.75e-3, 5e-3}, 0.0}, {{8.75e-3, 5e-3}, -12.5e-6}}};

@@ -7,12 +7,13 @@
 namespace breccia {
 namespace {
 
-/// 30 % of the volume from 1 to 10 um, 70 % from 10 to 100 um.
+/// A distribution with 30 % of the volume from 1 to 10 um and 70 % from 10 to 100 um.
 SizeDistribution sizes() {
   return SizeDistribution::tabulated({1e-6, 10e-6, 100e-6}, {0.0, 0.3, 1.0});
 }
 
-// 80 % with coarse to fine 70:30: 24 of the 44 parts of the fine stage, 56 of the 100 of the coarse one.
+// The filler is 80 % with coarse to fine 70:30: 24 of the 44 parts of the fine stage, 56 of the 100 parts of the coarse
+// one.
 TEST(Staging, OfCoarseAndFine) {
   const auto stages = divide_into_stages(sizes(), {1e-6, 10e-6, 100e-6}, 0.8);
   ASSERT_EQ(stages.size(), 2U);

@@ -113,7 +113,8 @@ TEST_F(TestRequests, ExpectAStageToBeAboutItsMixture) {
   }
 }
 
-// A filler that is a tenth stiffer cannot stiffen by more; without a fraction it is a half, which would be threefold.
+// A filler that is a tenth stiffer than the matrix cannot stiffen it by more than a tenth. Without a fraction a half is
+// assumed, which would give a factor of three.
 TEST_F(TestRequests, ExpectNoStageStifferThanItsFiller) {
   const auto shear = [&] { return expected_matrix(study, coarse).shear.unrelaxed() / test::binder.shear.unrelaxed(); };
   EXPECT_NEAR(shear(), 3.0, 1e-12);

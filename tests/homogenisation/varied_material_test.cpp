@@ -1,4 +1,4 @@
-// Elastic materials of which the moduli are not known: one run answers for all of them.
+// Tests of elastic materials whose moduli are not known: one run serves all values of these moduli.
 
 #include <algorithm>
 #include <cmath>
@@ -68,7 +68,7 @@ TEST(VariedCoating, OneRunAnswersForAllModuliOfItsIntervals) {
   }
 }
 
-// With the moduli of the coating between its ends at all times, it may as well relax.
+// A coating whose moduli are in the interval at all times may also relax.
 TEST(VariedCoating, ACoatingThatRelaxesWithinTheIntervalMayTakeItsPlace) {
   auto study = coated_discs(interphase(100e6));
   study.tests.varied = {{"interphase", ModulusInterval{10e6, 1e9}, {}}};
@@ -79,7 +79,8 @@ TEST(VariedCoating, ACoatingThatRelaxesWithinTheIntervalMayTakeItsPlace) {
   EXPECT_LT(largest_difference(answer, solve(coated_discs(relaxing)).stages.front()), 5e-3);
 }
 
-// The fine stage becomes stiffer or softer with its coating, and so does what the coarse stage has sampled.
+// The fine stage becomes stiffer or softer with its coating, and the range that the coarse stage samples changes with
+// it.
 TEST(VariedCoating, OfAnEarlierStageVariesTheMatrixOfTheNext) {
   const auto chain_with = [](const Material& coating) {
     auto study = coated_discs(coating);
@@ -125,7 +126,7 @@ TEST(VariedCoating, IsAPhaseThatVariesOnlyWhereItIsAskedFor) {
   EXPECT_TRUE(other_varying_phases(study.tests, stage).contains("interphase"));
 }
 
-// A hundred cells: 20 000 unknowns, 8 bytes each in a snapshot.
+// With a hundred cells a side there are 20 000 unknowns, with 8 bytes each in a snapshot.
 TEST(VariedCoating, TakesMoreSnapshotsAndTheirMemory) {
   auto study = coated_discs(interphase(100e6));
   const auto& stage = study.stages.front();
@@ -139,7 +140,7 @@ TEST(VariedCoating, TakesMoreSnapshotsAndTheirMemory) {
   EXPECT_GT(quasistatic_memory(study, stage, 100) - bytes, 20000.0 * 8.0 * (over_both - 11.0));
 }
 
-/// Responses whose matrix, coating and filler vary, without anything to compute from.
+/// Responses whose matrix, coating and filler vary, without data for a computation.
 std::vector<StageResponses> names_alone() {
   StageResponses fine, coarse;
   fine.stage = "fine";

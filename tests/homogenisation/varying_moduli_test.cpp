@@ -54,7 +54,7 @@ TEST_F(VaryingModuli, OfAMaterialAreItsRelaxation) {
   EXPECT_EQ(moduli.back().bulk, 1e9);
 }
 
-// G' = 3 + 2 G and K' + G'/3 = 1 + 0.8 K + G.
+// The composite has G' = 3 + 2 G and K' + G'/3 = 1 + 0.8 K + G.
 TEST_F(VaryingModuli, OfAStageAreThoseOfItsCompositeAlongThePathOfTheBinder) {
   fine.tests = {linear_test(Load::shear, {3.0, 2.0, 0.0}), linear_test(Load::bulk, {1.0, 1.0, 0.8})};
   const auto moduli = of_coarse(), path = path_of_binder();
@@ -96,7 +96,7 @@ TEST_F(VaryingModuli, OfAStageWithFillersThatRelaxAreTakenAtOneLaplaceVariable) 
   EXPECT_EQ(moduli.back()[1].shear, 1e9);
 }
 
-// With 2 + 2 h / h(12 cells) times G the limit of vanishing cells is 2 G.
+// The modulus is (2 + 2 h / h(12 cells)) G, so that the limit of vanishing cells is 2 G.
 TEST_F(VaryingModuli, OfSeveralGridsAreTheLimit) {
   study.tests.mixing = Mixing::points;
   study.stages[0].coarser_cells = {6};
@@ -118,7 +118,7 @@ TEST_F(VaryingModuli, OfSeveralGridsWithMixedCellsAreThoseOfTheFinest) {
   EXPECT_NEAR(moduli.back().shear / (4.0 * path.back().shear), 1.0, 1e-12);
 }
 
-// G' = G - 0.1 MPa is no solid any more where G is below.
+// The modulus G' = G - 0.1 MPa is not that of a solid where G is below 0.1 MPa.
 TEST_F(VaryingModuli, EndWhereTheStageIsNoSolid) {
   fine.tests = {linear_test(Load::shear, {-1e5, 1.0, 0.0}), linear_test(Load::bulk, {0.0, 0.0, 1.0})};
   const auto moduli = of_coarse();
@@ -127,7 +127,7 @@ TEST_F(VaryingModuli, EndWhereTheStageIsNoSolid) {
   for (const auto& at : moduli) EXPECT_GT(at.shear, 0.0);
 }
 
-// G' rises where G falls.
+// The modulus G' rises where G falls.
 TEST_F(VaryingModuli, EndWhereTheyCeaseToFall) {
   fine.tests = {linear_test(Load::shear, {1e7, -1.0, 0.0}), linear_test(Load::bulk, {0.0, 0.0, 1.0})};
   EXPECT_EQ(of_coarse().size(), 1U);

@@ -1,4 +1,4 @@
-// Each warning on a stage from both sides of its threshold.
+// Tests of each warning on a stage on both sides of its threshold.
 
 #include <algorithm>
 
@@ -56,7 +56,7 @@ std::vector<std::string> warnings_at_gap(double gap, double wall_gap = 1.0) {
   return warnings_on(study_within(1.0, 2.0), stage, packed_with(gap, wall_gap));
 }
 
-// Three cells of 50 um.
+// The threshold is three cells of 50 um.
 TEST(WarningThresholds, OfGapsInCells) {
   EXPECT_THAT(warnings_at_gap(150e-6), IsEmpty());
   EXPECT_THAT(warnings_at_gap(149.9e-6), ElementsAre(HasSubstr("149.9 um, is 2.998 cells wide; below 3 cells")));
@@ -73,7 +73,7 @@ StageMicrostructure equal_spheres(double diameter, double gap, double wall_gap =
   return packed;
 }
 
-// Of mixed cells, 4.5 cells of 50 um across a sphere.
+// The threshold for mixed cells is 4.5 cells of 50 um across a sphere.
 TEST(WarningThresholds, OfCellsAcrossASphere) {
   auto stage = stage_with({1e-3});
   stage.packing = ExplicitPacking<3>{};
@@ -106,7 +106,7 @@ TEST(WarningThresholds, OfGapsBetweenSpheresAndWalls) {
                                           "the wall and the particles"))));
 }
 
-// Films between grains take the same cells in two and three dimensions.
+// Films between grains need the same number of cells in two and three dimensions.
 TEST(WarningThresholds, OfFilmsInSpace) {
   auto stage = stage_with({1e-3});
   stage.packing = ExplicitPacking<3>{};
@@ -149,7 +149,8 @@ TEST(WarningThresholds, OfPoissonsRatioNearAHalf) {
               ElementsAre(HasSubstr("Poisson's ratio is 0.49999 before it relaxes")));
 }
 
-// Below zero at the last time alone: the bulk modulus relaxes from 2 to 1 Pa, the shear modulus stays at 2 Pa.
+// Poisson's ratio is below zero at the last time alone: the bulk modulus relaxes from 2 to 1 Pa, the shear modulus
+// stays at 2 Pa.
 TEST(WarningThresholds, OfPoissonsRatioBelowZeroAtTheLastTime) {
   auto stage = stage_with({1e-3});
   stage.fillers.clear();
@@ -168,7 +169,7 @@ TEST(WarningThresholds, OfAFillerAsStiffAsItsBinderAtTheFirstTime) {
   EXPECT_THAT(warnings_of_soft_fillers(study_within(1e-3, 10.0), stage), IsEmpty());
 }
 
-/// Of a stage with particles of some sizes whose matrix has some others.
+/// The warning of a stage with particles of these sizes whose matrix has particles of other sizes.
 std::optional<std::string> warning_of_sizes(const std::vector<double>& below, const std::vector<double>& own,
                                             double gap = 1.0) {
   auto study = study_within(1.0, 2.0);
@@ -178,7 +179,7 @@ std::optional<std::string> warning_of_sizes(const std::vector<double>& below, co
   return warning_of_separation(study, study.stages[2], packed_with(gap));
 }
 
-// Through a stage without particles.
+// The comparison reaches through a stage without particles.
 TEST(WarningThresholds, OfSizesThatAreFiveTimesApart) {
   EXPECT_FALSE(warning_of_sizes({0.2e-3, 0.4e-3}, {2e-3, 3e-3}));
   EXPECT_THAT(

@@ -28,9 +28,10 @@ std::vector<std::vector<FillerStatistics>> packed(const std::vector<double>& fra
   return all;
 }
 
-// 20 % aluminium (2700) in a binder (900), of that mixture 45 % left around fine ammonium perchlorate (1950), and of
-// that 40 % around coarse: binder 0.8 * 0.45 * 0.4 = 0.144, aluminium 0.036, perchlorate 0.55 * 0.4 + 0.6 = 0.82.
-// Masses per volume: 129.6, 97.2 and 1599 of 1825.8 kg/m^3.
+// The first stage has 20 % aluminium (2700 kg/m^3) in a binder (900 kg/m^3). This mixture is 45 % of the second stage,
+// around fine ammonium perchlorate (1950 kg/m^3), which in turn is 40 % of the third, around coarse perchlorate: binder
+// 0.8 * 0.45 * 0.4 = 0.144, aluminium 0.036, perchlorate 0.55 * 0.4 + 0.6 = 0.82. Masses per volume: 129.6, 97.2 and
+// 1599 of 1825.8 kg/m^3.
 TEST(WholeFiller, OfAChainOfStagesWithTwoMaterials) {
   Study study;
   study.stages = {stage("al", material("binder", 900.0), "al", 2700.0), stage("fine", EarlierStage{"al"}, "ap", 1950.0),
@@ -47,7 +48,7 @@ TEST(WholeFiller, OfAChainOfStagesWithTwoMaterials) {
   EXPECT_EQ(in_words(whole), "85.6 % by volume, 92.9 % by mass (al 5.3 %, ap 87.6 %)");
 }
 
-// The stages of PBX-9501: 1 - 0.35 * 0.37 * 0.48.
+// The fraction of the stages of PBX-9501 is 1 - 0.35 * 0.37 * 0.48.
 TEST(WholeFiller, OfPbx9501) {
   Study study;
   study.stages = {stage("HB-1", material("binder", 1480.0), "hmx", 1850.0),

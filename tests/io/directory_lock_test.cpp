@@ -67,8 +67,8 @@ TEST_F(Lock, OfSomethingElseIsAFileError) {
   EXPECT_THROW(const DirectoryLock lock(directory()), FileError);
 }
 
-/// The directory is empty, so that each holder removes it when it ends: those who have opened it by then wait for a
-/// directory that is no more.
+/// The directory is empty, so that each holder removes it when it ends. Processes that have opened it by then wait for
+/// a directory that does not exist any more.
 TEST_F(Lock, LocksTheDirectoryThatThePathRefersTo) {
   constexpr int threads = 4, attempts = 1500;
   std::atomic<int> holders = 0, held = 0, mistakes = 0;

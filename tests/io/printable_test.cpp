@@ -25,9 +25,9 @@ TEST(Printable, ControlCharactersAndBrokenBytesAreEscaped) {
       {"\xb0"
        "C",
        "\\xb0C"},                           // Latin-1
-      {"\xc3", "\\xc3"},                    // cut
-      {"\xc0\xaf", "\\xc0\\xaf"},           // longer than need be
-      {"\xed\xa0\x80", "\\xed\\xa0\\x80"},  // half of a pair
+      {"\xc3", "\\xc3"},                    // a cut character
+      {"\xc0\xaf", "\\xc0\\xaf"},           // an encoding that is longer than needed
+      {"\xed\xa0\x80", "\\xed\\xa0\\x80"},  // half of a surrogate pair
   };
   for (const auto& [text, escaped] : cases) {
     EXPECT_FALSE(is_printable(text)) << escaped;

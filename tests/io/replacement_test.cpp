@@ -22,7 +22,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Pair;
 
-/// Old results of two stages with a note of the user, and new ones of two stages, one of which is new.
+/// Old results of two stages with a note of the user, and new results of two stages, one of which is new.
 class Replacement : public testing::Test {
  protected:
   Replacement() {
@@ -72,7 +72,7 @@ TEST_F(Replacement, PutsTheNewFilesIntoThePlaceOfTheOld) {
 }
 
 TEST_F(Replacement, ResumesFromEveryPointOfInterruption) {
-  // While old files were being removed, the record first.
+  // The replacement was interrupted while it removed old files, the record first.
   put("unfinished/removing.list", "study.json\ncurves.csv\nA/modulus.svg\nB/modulus.svg\n");
   put("unfinished/moving.list.17.partial", "stu");
   fs::remove(place_.path() / "study.json");
@@ -81,7 +81,7 @@ TEST_F(Replacement, ResumesFromEveryPointOfInterruption) {
 }
 
 TEST_F(Replacement, DoesNotRemoveFilesThatAreReplacedAlready) {
-  // While new files were being moved.
+  // The replacement was interrupted while it moved new files.
   for (const auto* name : {"study.json", "curves.csv", "A/modulus.svg", "B/modulus.svg", "unfinished/B/modulus.svg"}) {
     fs::remove(place_.path() / name);
   }
@@ -131,7 +131,7 @@ TEST_F(Replacement, TouchesNothingWhereTheNewRecordHasDisappeared) {
   EXPECT_EQ(files(), before);
 }
 
-// A list from someone else may name what is beyond a link.
+// A list from someone else may name a file behind a link.
 TEST_F(Replacement, RemovesNothingBeyondALink) {
   const test::TemporaryDirectory victim;
   victim.write("modulus.svg", "mine");

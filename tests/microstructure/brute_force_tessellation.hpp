@@ -15,7 +15,7 @@
 
 namespace breccia::test {
 
-/// The definition of a tessellation with films, site by site.
+/// A tessellation with films by its definition, evaluated site by site.
 template <int dim>
 class DefinedTessellation {
  public:
@@ -36,8 +36,8 @@ class DefinedTessellation {
   }
 
   struct Place {
-    std::size_t site;  // with the least q = |x - c|^2 - w
-    double depth;      // the least (q' - q) / (2 |c' - c|) - t/2, or that to a wall
+    std::size_t site;  // site with the least q = |x - c|^2 - w
+    double depth;      // depth, the least (q' - q) / (2 |c' - c|) - t/2, or that to a wall
   };
   [[nodiscard]] Place at(const Vector<dim>& point) const {
     std::vector<double> powers;

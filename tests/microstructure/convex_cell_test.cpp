@@ -154,7 +154,8 @@ TEST(ConvexCell, AShortEdgeVanishesInErosion) {
   cell.trim();
   ASSERT_NEAR(volume(cell), 0.5 * (2.2 + 0.2), 1e-15);
   const double d = 0.3;
-  // The slopes meet at the height 1.1; eroded, at 1.1 - d sqrt(2), which is below the upper side at 1 - d.
+  // The slopes meet at the height 1.1. After erosion they meet at 1.1 - d sqrt(2), which is below the upper side at 1 -
+  // d.
   const double height = 1.1 - d * std::numbers::sqrt2 - d;
   const auto eroded = cell.eroded(d);
   EXPECT_THAT(eroded.half_spaces(), SizeIs(3));

@@ -22,9 +22,9 @@ using std::numbers::pi;
 
 struct LatticeFacts {
   Lattice lattice;
-  std::size_t spheres;   // a cell
-  double nearest;        // distance of centres over the side of a cell
-  std::size_t touching;  // nearest neighbours
+  std::size_t spheres;   // number of spheres a cell
+  double nearest;        // distance of nearest centres over the side of a cell
+  std::size_t touching;  // number of nearest neighbours
   double densest;        // fraction of spheres that touch
 };
 

@@ -50,7 +50,7 @@ TEST(OverlapArea, OfTheCellsOfAGridIsThatOfTheDisc) {
   }
 }
 
-// The points of a fine lattice inside of both.
+// The test counts the points of a fine lattice inside of both.
 TEST(OverlapArea, AgreesWithPointsThatAreCounted) {
   const Disc disc = {{0.2, 0.1}, 1.3};
   const Vector<2> lower = {-0.31, 0.17}, upper = {0.42, 0.93};

@@ -11,7 +11,7 @@ namespace {
 TEST(Ellipse, AreaAndPerimeter) {
   const Ellipse ellipse = {{3.0, 2.0}};
   EXPECT_DOUBLE_EQ(area(ellipse), 1.5 * std::numbers::pi);
-  // Half axes 1.5 and 1: 4 a E(sqrt(5)/3), from tables of the complete elliptic integral.
+  // With half axes of 1.5 and 1 the perimeter is 4 a E(sqrt(5)/3), from tables of the complete elliptic integral.
   EXPECT_NEAR(perimeter(ellipse), 7.932719794645294, 1e-12);
   EXPECT_NEAR(perimeter({{2.0, 3.0}}), 7.932719794645294, 1e-12);
   EXPECT_DOUBLE_EQ(perimeter({{2.0, 2.0}}), 2.0 * std::numbers::pi);

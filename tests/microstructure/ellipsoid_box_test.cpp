@@ -44,7 +44,7 @@ EllipsoidBox spread(std::mt19937_64& engine) {
   return box;
 }
 
-/// The smallest gap by comparing all with all images of all.
+/// The smallest gap by comparing all particles with all images of all particles.
 double smallest_gap_of_all(const EllipsoidBox& box) {
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t one = 0; one < box.particles.size(); ++one) {

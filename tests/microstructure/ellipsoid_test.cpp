@@ -99,7 +99,7 @@ TEST(Ellipsoid, DistancesOnPlanesOfSymmetry) {
   EXPECT_NEAR(signed_distance(ellipsoid, {1e-17, 5.0, 0.0}), 3.0, 1e-15);
 }
 
-// Both bounds: no direction separates them farther, and no two points are nearer.
+// A gap is tested against both bounds: no direction separates the ellipsoids farther, and no two points are nearer.
 TEST(Ellipsoid, GapsAreBetweenTheirBounds) {
   std::mt19937_64 engine(11);
   int apart = 0;
@@ -119,7 +119,7 @@ TEST(Ellipsoid, GapsAreBetweenTheirBounds) {
     }
     if (found <= 0.0) continue;
     ++apart;
-    // No point of the other one is nearer than the gap.
+    // No point of the other ellipsoid is nearer than the gap.
     double nearest = std::numeric_limits<double>::infinity();
     for (int trial = 0; trial < 200; ++trial) {
       nearest = std::min(nearest, signed_distance(one, support(other, random_direction(engine))));

@@ -61,7 +61,7 @@ TEST(GrainLocator, FewGrainsMeetTheirOwnImages) {
   compare_with_definition<3>({1.0, Walls::periodic, {{{0.9, 0.05, 0.5}, 0.3}, {{0.4, 0.5, 0.9}, 0.0}}}, 0.1, 500, 3);
 }
 
-// Along the normal of a face, where no other face is near: the film ends t/2 from the face on both sides.
+// Tests points along the normal of a face, where no other face is near: the film ends t/2 from the face on both sides.
 template <int dim>
 void expect_exact_films(const LaguerreSites<dim>& sites, double film) {
   const Tessellation<dim> tessellation(sites);

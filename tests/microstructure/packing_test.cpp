@@ -37,7 +37,7 @@ PackingRequest equal(std::size_t count, double fraction, Walls walls) {
   return {side, walls, std::vector<double>(count, diameter)};
 }
 
-/// The smallest gap by comparing all with all, and the largest with its image.
+/// The smallest gap by comparing all pairs of particles, and the largest particle with its image.
 double smallest_gap_of_all_pairs(const PackingRequest& request, const std::vector<Disc>& discs) {
   double smallest = std::numeric_limits<double>::infinity();
   if (request.walls == Walls::periodic) smallest = request.side - std::ranges::max(request.diameters);
@@ -109,7 +109,7 @@ TEST(Packing, TheSeedDecides) {
 TEST(Packing, IsTheSameInEveryUnitOfLength) {
   PackingRequest request = hb1();
   const auto small = pack<2>(request);
-  const double factor = 1024.0;  // changes no digit
+  const double factor = 1024.0;  // a power of two changes no digit
   request.side *= factor;
   request.minimum_gap *= factor;
   for (double& diameter : request.diameters) diameter *= factor;
@@ -143,7 +143,7 @@ TEST(Packing, ReportsProgress) {
   EXPECT_DOUBLE_EQ(run.progress().fraction_to_reach, run.packing().fraction);
 }
 
-/// Begun anew from its state after every step.
+/// Packs in a run that is restarted from its state after every step.
 Packing<2> pack_in_parts(const PackingRequest& request) {
   PackingRun<2> run(request);
   while (!run.is_done()) {

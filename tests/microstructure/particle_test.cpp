@@ -17,7 +17,7 @@ double uniform(std::mt19937_64& engine, double from, double to) {
 
 Shape random_shape(std::mt19937_64& engine) {
   if (engine() % 2 == 0) return Ellipse{{uniform(engine, 0.2, 2.0), uniform(engine, 0.2, 2.0)}};
-  // Corners on an ellipse are those of a convex polygon.
+  // Corners on an ellipse make a convex polygon.
   const int count = 3 + static_cast<int>(engine() % 5);
   const double width = uniform(engine, 0.2, 1.0), height = uniform(engine, 0.2, 1.0);
   std::vector<Vector<2>> corners;
@@ -33,7 +33,7 @@ Particle random_particle(std::mt19937_64& engine) {
   return {random_shape(engine), pose};
 }
 
-/// Places on the outline of a particle, `count` on an ellipse and on each side of a polygon.
+/// Points on the outline of a particle, `count` of them on an ellipse and on each side of a polygon.
 std::vector<Vector<2>> outline(const Particle& particle, int count) {
   std::vector<Vector<2>> points;
   const auto add = [&](double x, double y) {

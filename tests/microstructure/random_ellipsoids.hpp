@@ -8,7 +8,7 @@
 
 namespace breccia::test {
 
-/// Uniform between two numbers, the same on every platform.
+/// A random number, uniform between two numbers, which is the same on every platform.
 inline double uniform_between(std::mt19937_64& engine, double low, double high) {
   return low + (high - low) * static_cast<double>(engine() >> 11) * 0x1p-53;
 }
@@ -19,7 +19,7 @@ inline Vector<3> random_direction(std::mt19937_64& engine) {
   return {radius * std::cos(angle), radius * std::sin(angle), z};
 }
 
-/// Anywhere near the origin, with axes from 0.2 to 2, turned in any way.
+/// A random ellipsoid near the origin, with axes from 0.2 to 2 and any orientation.
 inline Ellipsoid random_ellipsoid(std::mt19937_64& engine) {
   Ellipsoid ellipsoid{};
   for (double& x : ellipsoid.centre) x = uniform_between(engine, -1.5, 1.5);

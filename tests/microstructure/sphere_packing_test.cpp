@@ -35,7 +35,7 @@ PackingRequest sized(double smallest, double largest, double fraction, double si
   return {side, walls, draw_diameters<3>(sizes, fraction, side), gap};
 }
 
-/// The smallest gap by comparing all with all, and the largest with its image.
+/// The smallest gap by comparing all pairs of particles, and the largest particle with its image.
 double smallest_gap_of_all_pairs(const PackingRequest& request, const std::vector<Sphere>& spheres) {
   double smallest = std::numeric_limits<double>::infinity();
   if (request.walls == Walls::periodic) smallest = request.side - std::ranges::max(request.diameters);

@@ -101,7 +101,8 @@ TEST(Tessellation, BandsOfWeightedSites) {
   EXPECT_NEAR(volume(walls.grain(0, 0.5)), 1.7 * 3.5, 1e-14);
 }
 
-// The film between the bands has the mean of their shares; those to their own images, and along walls, have their own.
+// The film between the bands has the mean of their shares; the films to their own images, and along walls, have the
+// share of the band.
 TEST(Tessellation, SharesOfTheFilms) {
   auto sites = two_bands(Walls::periodic);
   sites.film_shares = {0.5, 1.5};
@@ -110,7 +111,7 @@ TEST(Tessellation, SharesOfTheFilms) {
   EXPECT_NEAR(volume(periodic.grain(1, 0.5)), 1.1 * 3.25, 1e-14);
   EXPECT_NEAR(film_thickness(periodic, grain_fraction(periodic, 0.5)), 0.5, 1e-12);
 
-  // Shares may be of any scale: the films are then as much thicker.
+  // Shares may have any scale: the thicknesses of the films scale with it.
   auto small = sites;
   small.film_shares = {0.5e-5, 1.5e-5};
   EXPECT_NEAR(film_thickness(Tessellation<2>(small), grain_fraction(periodic, 0.5)), 0.5e5, 1e-7);
@@ -193,7 +194,7 @@ TEST(Tessellation, CubicLattices) {
       1.0, Walls::periodic, lattice<3>(2, 0.5, {{0, 0, 0}, {0.5, 0.5, 0}, {0.5, 0, 0.5}, {0, 0.5, 0.5}})));
   EXPECT_THAT(fcc.cell(3).half_spaces(), SizeIs(12));
   EXPECT_THAT(cell_volumes(fcc), Each(DoubleNear(1.0 / 32.0, 1e-15)));
-  const double half_distance = 0.125 * std::sqrt(2.0);  // of the neighbours
+  const double half_distance = 0.125 * std::sqrt(2.0);  // half the distance of the neighbours
   EXPECT_NEAR(grain_fraction(fcc, 0.2 * half_distance), 0.729, 1e-14);
   EXPECT_NEAR(film_thickness(fcc, 0.729), 0.2 * half_distance, 1e-14);
 }

@@ -1,4 +1,4 @@
-// What the page draws of stages in three dimensions, from files of results.
+// Tests of the data that the page draws for stages in three dimensions, from files of results.
 
 #include <array>
 #include <cstddef>
@@ -61,7 +61,7 @@ class SpaceViews : public testing::Test {
     document.stages.front().dimensions = dimensions;
     write_study_document(directory.path(), document);
   }
-  /// A test that has left a file of fields.
+  /// A test with a file of fields.
   [[nodiscard]] static TestEntry test_with(const std::string& file) {
     TestEntry test{.id = {Load::shear, Boundary::displacement, Method::quasistatic, TestGrid(2)}};
     test.fields = {{1.0, file, "fields-stress.svg", "fields-strain.svg"}};
@@ -93,7 +93,7 @@ TEST_F(SpaceViews, OfSpheresHoldTheirTable) {
   const auto particles = view().at("microstructure").at("particles");
   EXPECT_EQ(particles.at("count"), 3);
   EXPECT_EQ(particles.at("listed"), 3);
-  // In 65535 steps from the smallest to the largest number.
+  // The numbers are stored in 65535 steps from the smallest to the largest.
   using testing::DoubleNear;
   EXPECT_THAT(numbers(particles.at("columns").at("x_m")), ElementsAre(0.0, 1.0, DoubleNear(0.25, 1e-5)));
   EXPECT_THAT(numbers(particles.at("columns").at("y_m")), ElementsAre(0.5, 0.5, 0.5));
@@ -114,7 +114,8 @@ TEST_F(SpaceViews, ShowTheLargestOfVeryManySpheres) {
   EXPECT_EQ(particles.at("columns").at("x_m").at("from"), 3.0) << "the first three are the smallest";
 }
 
-// Labels of 130 points along x: every second one is shown, of 2 along y and z the first one.
+// There are labels of 130 points along x, of which every second one is shown, and of 2 along y and z, of which the
+// first is shown.
 TEST_F(SpaceViews, OfVoxelsHoldTheirPhases) {
   write_study(3);
   std::vector<std::uint16_t> labels;
@@ -201,7 +202,7 @@ TEST_F(SpaceViews, OfFieldsHoldTheirColours) {
   }
 }
 
-// Blocks of two cells along each axis, one at the ends.
+// The blocks have two cells along each axis, and one at the ends.
 TEST_F(SpaceViews, OfManyCellsHoldMeans) {
   write_study(3, {test_with("fields.vtkhdf")});
   write_field(

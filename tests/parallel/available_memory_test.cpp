@@ -15,7 +15,7 @@ TEST(AvailableMemory, IsMoreThanThatOfThisProgram) {
   EXPECT_GT(available_memory(), 1e6);
 }
 
-/// Control groups as the kernel shows them.
+/// Control groups in the form in which the kernel shows them.
 class ControlGroups : public testing::Test {
  protected:
   void group(const std::string& path, const std::string& limit_file, const std::string& limit,

@@ -1,5 +1,5 @@
-// Two processes under mpirun: the first call of the library finds both, they share the cores, and they are divided
-// once.
+// A test of two processes under mpirun: the first call of the library finds both, they share the cores, and they are
+// divided once.
 
 #include <algorithm>
 #include <cstdio>
@@ -34,7 +34,7 @@ bool is_divided_again() {
 int main() {
   namespace parallel = breccia::parallel;
   bool holds = expect(!parallel::is_alone(), "a process under mpirun takes itself for the only one");
-  // They may run on all cores, which they share.
+  // Both processes may run on all cores, which they share.
   unsetenv("OMP_NUM_THREADS");
   const int shared = std::min(omp_get_max_threads(), std::max(1, omp_get_num_procs() / 2));
   holds = expect(parallel::threads_for(0) == shared, "two processes do not share the cores") && holds;

@@ -1,5 +1,5 @@
-// Processes under mpirun that make layers of a microstructure together get the bits that a single process makes, in
-// common memory and, where there is none, each in its own memory.
+// A test under mpirun: processes that make layers of a microstructure together get a result that is bitwise identical
+// to that of a single process, in common memory and, where there is none, each in its own memory.
 
 #include <algorithm>
 #include <array>
@@ -45,7 +45,7 @@ std::shared_ptr<std::byte> no_memory(std::size_t) {
   return nullptr;
 }
 
-/// Whether the parts that the processes make are the whole that each makes, with memory in common and without.
+/// Whether the joined parts of the processes equal the whole that each process makes, with common memory and without.
 template <int dim, class Make>
 bool is_joined(int layers, const Make& make) {
   const auto own = breccia::layers_of_part(layers, parallel::rank_on_machine(), parallel::ranks_on_machine());
@@ -72,7 +72,7 @@ bool memory_is_common() {
   return true;
 }
 
-/// Whether a mistake of the last process is thrown on all of them.
+/// Whether a mistake of the last process is thrown on all processes.
 bool mistakes_are_common() {
   try {
     static_cast<void>(parallel::made_by_all([] {
@@ -85,7 +85,8 @@ bool mistakes_are_common() {
   return false;
 }
 
-/// Whether a failure of the first process alone, where it writes for all, is thrown on all of them as the same kind.
+/// Whether a failure of the first process alone, which writes for all, is thrown on all processes as an error of the
+/// same kind.
 template <class Failure>
 bool is_thrown_on_all(const Failure& failure) {
   bool has_written = false;

@@ -1,6 +1,6 @@
-// Under mpirun the values of a lattice, of which each process but the last has a part of each row, are collected,
-// written to a state and read from it in the order of the lattice. Sums are taken in the order of the processes, and
-// the first process with the largest value is found.
+// A test under mpirun: the values of a lattice, of which each process except the last has a part of each row, are
+// collected, written to a state and read from it in the order of the lattice. Sums are taken in the order of the
+// processes, and the first process with the largest value is found.
 //
 //   ordered_processes DIRECTORY
 
@@ -31,7 +31,7 @@ double value_at(std::size_t place) {
   return 0.5 + static_cast<double>(place);
 }
 
-/// The places of the values of one of the processes that have some: columns of all rows.
+/// The places of the values of one of the processes that have values: some columns of all rows.
 parallel::OrderedPlaces places_of(std::size_t process, std::size_t processes) {
   const auto first = in_row * process / processes, size = in_row * (process + 1) / processes - first;
   return {size * rows, [=](std::size_t value) { return value / size * in_row + first + value % size; }};
@@ -44,8 +44,8 @@ bool is_whole(const std::vector<double>& values, std::size_t begin) {
   return true;
 }
 
-/// Adds a number to a large sum on each process, where it is lost, and takes the large one off on the last: in another
-/// order of the processes the sum would be another.
+/// Adds a small number to a large sum on each process, where it is lost by rounding, and subtracts the large number on
+/// the last process: in another order of the processes the sum would differ.
 bool adds_in_order(bool is_first, bool is_last) {
   constexpr double large = 0x1p60;
   std::vector<double> sums(2);
@@ -78,7 +78,7 @@ int main(int, char** arguments) {
   holds = expect(pieces == 2, "not as many pieces as meant") && holds;
 
   holds = expect(adds_in_order(process == 0, process + 1 == all), "sums are not in order") && holds;
-  // All but the first process have the largest value.
+  // All processes except the first have the largest value.
   holds =
       expect(parallel::is_first_largest(process == 0 ? 1.0 : 2.0) == (process == 1), "another has the largest value") &&
       holds;

@@ -1,4 +1,4 @@
-// Bounds that hold for the moduli of every composite (docs/verification.md).
+// Tests of bounds that hold for the moduli of every composite (docs/verification.md).
 
 #include <cmath>
 #include <map>
@@ -15,8 +15,8 @@ using test::boundaries;
 using test::FillerKind;
 using test::random_composite;
 
-/// s M~(s) [Pa] of a relaxation modulus M(t) at a real Laplace variable [1/s]: an elastic modulus of the composite
-/// whose materials have theirs at the same s.
+/// The Carson modulus s M~(s) [Pa] of a relaxation modulus M(t) at a real Laplace variable [1/s]: an elastic modulus of
+/// the composite whose materials have their Carson moduli at the same s.
 double carson(const PronySeries& series, double s) {
   double modulus = series.equilibrium();
   for (const auto& [relaxation_time, stiffness] : series.terms()) {
@@ -31,7 +31,7 @@ double modulus_under(Load load, const Material& material, double s) {
   return load == Load::bulk ? carson(material.bulk, s) + shear / 3.0 : shear;
 }
 
-/// Means over the points: of the moduli, and of their reciprocals.
+/// Arithmetic and harmonic means of the moduli over the points.
 struct Means {
   double voigt = 0.0, reuss = 0.0;  ///< [Pa]
 };
@@ -99,8 +99,8 @@ TEST(RandomComposites, LieBetweenReussAndVoigtInTheOrderOfTheirBoundaries) {
 }
 
 TEST(RandomComposites, MayExceedTheMeanModulusInTime) {
-  // A soft elastic phase in a stiff one that flows: strain goes over to where the stress has gone, and what flows is
-  // loaded less than by its own relaxation.
+  // A soft elastic phase is in a stiff one that flows: stress moves to the elastic phase with time, so that the flowing
+  // phase is loaded less than by its own relaxation.
   Microstructure<2> box = {1e-3, Walls::hard, {}};
   box.particles.push_back({{0.5e-3, 0.5e-3}, 0.9e-3});
   const test::Composite composite = {

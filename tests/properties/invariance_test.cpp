@@ -1,4 +1,4 @@
-// Changes of a composite that its modulus does not feel, or feels as its units do.
+// Tests of changes of a composite under which its modulus is invariant, or scales with the units.
 
 #include <algorithm>
 #include <cmath>
@@ -150,7 +150,7 @@ class DynamicInvariance : public testing::TestWithParam<Boundary> {
 };
 
 TEST_P(DynamicInvariance, OfScalesThatKeepTheSpeedOfWaves) {
-  // Twice the size with a quarter of the density: a wave takes the same time through the box.
+  // With twice the size and a quarter of the density a wave takes the same time through the box.
   EXPECT_EQ(curve_of(with_densities(with_lengths(composite, 2.0), 0.25)), curve_of(composite));
   EXPECT_LT(difference(curve_of(composite), curve_of(with_densities(with_moduli(composite, 1e3), 1e3)), 1e3), rounding);
   EXPECT_LT(difference(curve_of(composite), curve_of(with_densities(with_times(composite, 10.0), 100.0), 10.0)),

@@ -1,4 +1,4 @@
-// Loads add up, work is mutual, and the threads do not matter.
+// Tests of superposition of loads, of reciprocity of the work, and of the independence of the number of threads.
 
 #include <algorithm>
 #include <array>
@@ -67,7 +67,7 @@ double mean_work(const PointFields<2>& fields, Load load) {
   return work / static_cast<double>(fields.stress.size());
 }
 
-/// The composite as it is at once after a load.
+/// The composite with its unrelaxed moduli, right after a load.
 Composite unrelaxed(Composite composite) {
   for (auto& material : composite.materials) {
     material.bulk = PronySeries(material.bulk.unrelaxed());
@@ -76,7 +76,7 @@ Composite unrelaxed(Composite composite) {
   return composite;
 }
 
-/// Work of the stress under each load on the strain of the other, over that on its own; and their difference.
+/// Relative difference between the works of the stress under each of two loads on the strain under the other load.
 double mutual_work_difference(const Composite& composite, Boundary boundary) {
   const QuasistaticProblem<2> problem{
       .discretisation = discretise(composite.box, test::cells, test::matrix, test::filler),
@@ -94,8 +94,8 @@ double mutual_work_difference(const Composite& composite, Boundary boundary) {
 }
 
 TEST(RandomComposites, DoMutualWork) {
-  // Betti and Maxwell: the stress of one load works on the strain of the other as that of the other on the one's.
-  // Steps in time make no difference to a composite that does not relax, and little to one that does.
+  // By the theorem of Betti and Maxwell, the work of the stress of one load on the strain of another is mutual. Time
+  // steps make no difference for a composite that does not relax, and little for one that does.
   for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
     const auto composite = random_composite(seed, FillerKind::relaxing);
     for (const auto boundary : {Boundary::displacement, Boundary::periodic}) {

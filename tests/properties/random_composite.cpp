@@ -12,7 +12,7 @@ namespace {
 
 using Random = std::mt19937_64;
 
-/// Between 0 and 1, the same with every standard library.
+/// A random number between 0 and 1, which is the same with every standard library.
 double share(Random& random) {
   return static_cast<double>(random() >> 11U) * 0x1p-53;
 }
@@ -21,12 +21,12 @@ double between(double low, double high, Random& random) {
   return low + share(random) * (high - low);
 }
 
-/// By decades.
+/// A random number between two values, uniform in its logarithm.
 double over_decades(double low, double high, Random& random) {
   return low * std::pow(high / low, share(random));
 }
 
-/// Discs of about 0.2 to 0.55 of the box.
+/// A box of discs that fill about 0.2 to 0.55 of it.
 Microstructure<2> random_box(Random& random) {
   PackingRequest request;
   request.side = 2e-3;

@@ -30,7 +30,7 @@ TEST(ApparentModuli, OfAHomogeneousBoxAreThoseOfItsMaterial) {
   }
 }
 
-// Layers in a row under a shear along them: the stress is uniform, and Reuss's modulus is exact.
+// Under a shear along the layers the stress is uniform, and Reuss's modulus is exact.
 TEST(ApparentModuli, OfPeriodicLayersInShearAreReusss) {
   const Material soft = {"soft", 1.0, PronySeries(7.0), PronySeries(0.5)};
   const auto moduli = apparent_moduli(layers(soft, stiff, Boundary::periodic), std::array{Load::shear});

@@ -18,7 +18,7 @@ std::vector<Moduli> moduli_with(double contrast) {
   return {{.bulk = 13.4, .shear = 5.84}, {.bulk = 3.6, .shear = 5.84 / contrast}};
 }
 
-/// Points of two materials at random.
+/// A discretisation whose points have one of two materials at random.
 Discretisation<2> random_points(int cells, std::uint64_t seed) {
   Discretisation<2> discretisation(Grid<2>{{cells, cells}, 1.0});
   std::mt19937_64 random(seed);

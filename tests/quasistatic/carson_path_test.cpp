@@ -65,7 +65,8 @@ TEST(RelaxationPath, OfSeveralMaterialsIsTakenAtEqualLaplaceVariables) {
     ASSERT_EQ(moduli.size(), 3U);
     for (std::size_t m = 0; m < 3; ++m) EXPECT_EQ(moduli[m].shear, carson_moduli(materials[m], s).shear) << s;
   }
-  // Every material goes as smoothly as on a path of its own, where it relaxes and where another one does.
+  // The moduli of every material change as smoothly as on a path of its own, where the material relaxes and where
+  // another one does.
   for (std::size_t i = 1; i < path.size(); ++i) {
     EXPECT_LT(path[i].laplace_variable, path[i - 1].laplace_variable);
     for (std::size_t m = 0; m < 3; ++m) EXPECT_GT(path[i].moduli[m].shear, 0.7 * path[i - 1].moduli[m].shear);
@@ -90,7 +91,7 @@ double solved(const QuasistaticProblem<2>& problem, Load load, const Moduli& mat
       .modulus(matrix);
 }
 
-/// Responses that are sampled over the path of their matrix are as good everywhere on it as the tolerance asks.
+/// Expects responses that are sampled over the path of their matrix to meet the tolerance everywhere on it.
 void expect_good_all_along(const QuasistaticProblem<2>& problem) {
   const std::array loads = {Load::shear, Load::bulk};
   const auto path = relaxation_path(problem.materials.front(), {1e-7, 1e-3});

@@ -20,7 +20,7 @@ class Coarse : public testing::Test {
  protected:
   void SetUp() override { parallel::start(); }
 
-  /// The matrix of two unknowns with this off the diagonal, and 1 on it.
+  /// A solver for the matrix of two unknowns with `coupling` off the diagonal and 1 on it.
   static CoarseSolver solver(double coupling) {
     const Eigen::MatrixXd matrix{{1.0, coupling}, {coupling, 1.0}};
     return {2, 2, SharedValues(), {{{0, 1}, &matrix}}, 1.0};

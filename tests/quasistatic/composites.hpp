@@ -39,8 +39,8 @@ inline Microstructure<2> random_discs(std::uint64_t seed) {
   return {request.side, Walls::hard, pack<2>(request).balls};
 }
 
-/// These discs, which are stiff, in a binder with a spectrum like that of an elastomer, nearly incompressible where it
-/// has relaxed.
+/// The discs of random_discs(), which are stiff, in a binder with a spectrum like that of an elastomer, which is nearly
+/// incompressible when it has relaxed.
 inline QuasistaticProblem<2> random_composite(int n, std::uint64_t seed, Boundary boundary) {
   const auto box = random_discs(seed);
   const PronySeries shear(0.2e6, {{1e-7, 300e6}, {1e-6, 80e6}, {1e-5, 20e6}, {1e-4, 4e6}, {1e-3, 1e6}});

@@ -47,7 +47,7 @@ double largest_difference(const std::vector<double>& some, const std::vector<dou
 }
 
 /// A sphere under one boundary condition, and three vectors: the uniform strain, and sums of a solution and of the
-/// vectors before it, kept with the strains of their phases and without.
+/// earlier vectors, stored with and without the strains of their phases.
 class CondensedSphere {
  public:
   explicit CondensedSphere(Boundary boundary)
@@ -114,7 +114,8 @@ TEST(CondensedVectors, DoTheWorkOfWholeOnes) {
   }
 }
 
-// A solution that is all but another one, as snapshots close to each other have it: what is left of it is normalised.
+// A solution that nearly equals another one, like those of close snapshots: the remainder after orthogonalisation is
+// normalised.
 TEST(CondensedVectors, HoldWhereTheyAreNearlyDependent) {
   constexpr double apart = 1e-6;
   const CellComposite<3> composite(sphere(Boundary::periodic), std::vector<VaryingPhase>{{0, "soft"}});
@@ -135,7 +136,7 @@ TEST(CondensedVectors, HoldWhereTheyAreNearlyDependent) {
     condensed.add(vector.copy(), {parameters, of_earlier});
     whole.add(std::move(vector), {parameters, of_earlier});
   }
-  // What is left of the strains has lost as many digits.
+  // The remaining strains have lost as many digits.
   constexpr double rounding = 1e-15 / apart;
   for (std::size_t i = 0; i < whole.size(); ++i) {
     const auto expected = strains_of(whole.at(i));

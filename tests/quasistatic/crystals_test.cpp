@@ -1,4 +1,4 @@
-// Composites with phases of full stiffness against exact solutions.
+// Tests of composites with anisotropic phases against exact solutions.
 #include "breccia/discretisation/crystals.hpp"
 
 #include <array>
@@ -107,7 +107,7 @@ TEST(Crystals, InLayersOfPlaneStrainHaveTheExactStiffness) {
   }
 }
 
-/// An isotropic filler as a crystal, and by its moduli.
+/// Compares an isotropic filler given as a crystal with the same filler given by its moduli.
 template <class Problem, class Stiffness>
 void expect_the_moduli_of_isotropic_phases(Problem problem, const Stiffness& stiffness_of) {
   constexpr std::array loads = {Load::shear, Load::bulk};

@@ -1,4 +1,4 @@
-// Cubic arrays of spheres, rigid and elastic, against spectral elements that follow the sphere
+// Tests of cubic arrays of spheres, rigid and elastic, against spectral elements that follow the sphere
 // (tests/reference/rigid_cubic_arrays.csv, elastic_cubic_arrays.csv).
 
 #include "breccia/microstructure/cubic_array.hpp"
@@ -92,7 +92,7 @@ void expect_within(const std::vector<Reference>& references, int cells, double t
   }
 }
 
-// An error of the first order in the cells' side that is 1 % with 64 cells.
+// The error is of the first order in the side of the cells, and 1 % with 64 cells.
 TEST(CubicArrays, OfElasticSpheresAreWithinPercent) {
   expect_within(elastic_references(), 16, 0.04);
 }

@@ -68,7 +68,7 @@ Eigen::MatrixXd averaged_energy_of_jumps(const Pair& pair) {
   return pair.s2() * (pair.s1() + pair.s2()).fullPivLu().solve(pair.s1());
 }
 
-/// How many times averaging multiplies the energy of jumps, mode by mode, rising.
+/// The factors by which averaging multiplies the energy of jumps, mode by mode, rising.
 Eigen::VectorXd ratios_of(const Eigen::MatrixXd& averaged, const Eigen::MatrixXd& least) {
   return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(averaged, least).eigenvalues();
 }

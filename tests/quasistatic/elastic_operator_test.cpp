@@ -39,13 +39,13 @@ Discretisation<2> of_different_cells(int side, int materials) {
   return discretisation;
 }
 
-/// What holds in two and in three dimensions.
+/// Tests for two and three dimensions.
 template <class Dimension>
 class ElasticOperatorOf : public testing::Test {};
 using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(ElasticOperatorOf, Dimensions, breccia::test::DimensionNames);
 
-/// Cells of one material, not as many along one axis as along another.
+/// A discretisation of one material with different numbers of cells along the axes.
 template <int dim>
 Discretisation<dim> homogeneous() {
   Grid<dim> grid{.cell_side = 1e-3};
@@ -72,12 +72,13 @@ TYPED_TEST(ElasticOperatorOf, UniformStrainIsInEquilibriumWithTheTraction) {
     const double modulus = modulus_under<dim>(load);
     EXPECT_NEAR(work(difference, strain), modulus * elastic_operator.volume(), 1e-11);
     difference.add(-modulus, elastic_operator.load_forces(load));
-    difference.set_macroscopic(0.0);  // has no meaning here
+    difference.set_macroscopic(0.0);  // the macroscopic part is undefined here
     EXPECT_LT(std::sqrt(work(difference, difference)), 1e-12);
   }
 }
 
-/// A homogeneous body under the affine motion of a load has no forces on its nodes, and the energy of its modulus.
+/// A homogeneous body under the affine motion of a load has no forces on its nodes, and its energy is that of its
+/// modulus.
 TYPED_TEST(ElasticOperatorOf, AffineMotionLeavesNoNodalForce) {
   constexpr int dim = TypeParam::value;
   for (const auto boundary : {Boundary::displacement, Boundary::periodic}) {
@@ -106,7 +107,7 @@ TYPED_TEST(ElasticOperatorOf, HoldsAsManyComponentsAsThereAreRigidMotions) {
   };
   EXPECT_EQ(held(Boundary::traction), dim * (dim + 1) / 2);
   EXPECT_EQ(held(Boundary::periodic), dim);
-  // All nodes but those inside: 20 - 6 of 4 x 5 nodes, 120 - 24 of 4 x 5 x 6.
+  // All nodes except those inside are held: 20 - 6 of 4 x 5 nodes, 120 - 24 of 4 x 5 x 6 nodes.
   EXPECT_EQ(held(Boundary::displacement), dim == 2 ? 2 * 14 : 3 * 96);
 }
 

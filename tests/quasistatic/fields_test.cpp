@@ -73,7 +73,7 @@ TEST(Fields, AverageToTheCurve) {
   }
 }
 
-/// Largest difference of two lists of components over the largest of them.
+/// Largest difference of two lists of components over the largest component.
 template <std::size_t n>
 double difference(const std::vector<std::array<double, n>>& one, const std::vector<std::array<double, n>>& other) {
   double largest = 0.0, furthest = 0.0;
@@ -144,7 +144,7 @@ QuasistaticProblem<3> relaxing_spheres(Mixing mixing, Boundary boundary) {
   return problem;
 }
 
-/// Mean over the cells.
+/// Mean of a tensor over the cells.
 template <class Tensor>
 Tensor mean_tensor(const std::vector<std::array<double, 6>>& tensors) {
   Tensor mean;

@@ -27,7 +27,7 @@ std::vector<Complex> some_values(std::size_t count) {
   return values;
 }
 
-/// sum_j x_j exp(-+ 2 pi i j k / n)
+/// The wave sum_j x_j exp(-+ 2 pi i j k / n).
 Complex wave_of(const std::vector<Complex>& row, std::size_t k, WaveDirection direction) {
   const double sign = direction == WaveDirection::forward ? -1.0 : 1.0;
   Complex sum;
@@ -43,7 +43,7 @@ struct Transforms {
   std::unique_ptr<RealTransform> (*of_reals)(const RealRows&);
 };
 
-/// Those that the solvers take, and those that need no FFTW.
+/// The transforms that the solvers use, and those that need no FFTW.
 constexpr Transforms all_transforms[] = {{wave_transform, real_transform},
                                          {wave_transform_of_eigen, real_transform_of_eigen}};
 

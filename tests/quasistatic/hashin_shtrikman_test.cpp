@@ -3,8 +3,8 @@
 // with mixed cells).
 //
 // In a periodic box the bounds hold for K and for the mean of G over all directions, wherever the spheres are: the
-// variational principle, with a uniform polarisation of each phase and averaged over the rotations of the load, sees
-// the fractions alone.
+// variational principle, with a uniform polarisation of each phase and averaged over the rotations of the load, depends
+// on the fractions alone.
 
 #include <algorithm>
 #include <array>
@@ -31,7 +31,7 @@ namespace {
 
 using Random = std::mt19937_64;
 
-/// Between two values by decades, the same with every standard library.
+/// A random number between two values, uniform in its logarithm, which is the same with every standard library.
 double over_decades(double low, double high, Random& random) {
   const double share = static_cast<double>(random() >> 11U) * 0x1p-53;
   return low * std::pow(high / low, share);
@@ -39,7 +39,7 @@ double over_decades(double low, double high, Random& random) {
 
 constexpr TimeWindow spectrum_times = {1e-6, 1.0};
 
-/// Two to five equal spheres, 10 to 40 %.
+/// A box of two to five equal spheres that fill 10 to 40 % of it.
 Microstructure<3> random_spheres(Random& random) {
   PackingRequest request;
   request.side = 1.0;
@@ -65,7 +65,7 @@ std::vector<Material> random_materials(Random& random) {
           {"sphere", 1.0, PronySeries(3.0 * contrast * unrelaxed), PronySeries(contrast * unrelaxed)}};
 }
 
-/// The same spheres with z in the place of x, x in that of y and y in that of z.
+/// The box after a cyclic change of the axes: z takes the place of x, x that of y and y that of z.
 Microstructure<3> turned(Microstructure<3> box) {
   for (auto& sphere : box.particles) std::rotate(sphere.centre.begin(), sphere.centre.end() - 1, sphere.centre.end());
   return box;
@@ -78,7 +78,7 @@ double volume_of(const Microstructure<3>& box) {
   return volume;
 }
 
-/// s M~(s) [Pa].
+/// The Carson modulus s M~(s) [Pa].
 double carson(const PronySeries& series, double s) {
   double modulus = series.equilibrium();
   for (const auto& [time, stiffness] : series.terms()) modulus += stiffness * s * time / (1.0 + s * time);
@@ -92,7 +92,8 @@ Discretisation<3> mixed_cells_of(const Microstructure<3>& box) {
   return discretise_mixed(box, cells, 0, std::span<const PhaseIndex>(spheres), 2);
 }
 
-/// Cells of the phase that fills most of them: a composite of two phases, of which elements find moduli from above.
+/// A discretisation in which each cell has the phase that fills most of it: a composite of two phases, for which finite
+/// elements give moduli that are too high.
 Discretisation<3> voxels_of(const Microstructure<3>& box) {
   const auto mixed = mixed_cells_of(box);
   Discretisation<3> voxels(mixed.grid());
@@ -137,7 +138,7 @@ Bounds of_shear(const std::array<double, 2>& fractions, const std::array<double,
           mean_with(extra(incompressible, stiff), fractions, shear)};
 }
 
-/// The relaxation moduli of which K and the mean of G over all directions are made.
+/// The relaxation moduli from which K and the mean of G over all directions follow.
 std::vector<PronySeries> relaxation_moduli(const Discretisation<3>& box, const Discretisation<3>& turned_box,
                                            const std::vector<Material>& materials) {
   constexpr std::array loads = {Load::bulk,     Load::shear,          Load::shear_yz,
@@ -167,8 +168,8 @@ std::array<Isotropic, 2> bounds(double filled, const std::vector<Material>& mate
   return {Isotropic{bulk.lower, shear.lower}, Isotropic{bulk.upper, shear.upper}};
 }
 
-// Voxels find moduli from above, by up to 10 % on so coarse a grid, so they must be above the lower bounds. Mixed
-// cells, which are too soft where the contrast is small, must be below the upper ones.
+// Moduli with voxels are too high, by up to 10 % on such a coarse grid, so that they must be above the lower bounds.
+// Moduli with mixed cells, which are too soft where the contrast is small, must be below the upper bounds.
 TEST(HashinShtrikman, BoundsHoldAtRealLaplaceVariables) {
   constexpr double of_basis = 1e-4;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {

@@ -1,4 +1,4 @@
-// The iterative solver of cubes: when it ends, beside sparse factors.
+// Tests of the iterative solver of cubes against sparse factors: where its iteration ends.
 #include "quasistatic/solvers/lattice/lattice_solver.hpp"
 
 #include <array>
@@ -60,7 +60,7 @@ class SphereInSoftMatrix {
   }
 
  private:
-  /// Of the unit strain, or of a traction as large as that of the matrix under it.
+  /// The forces of the unit strain, or of a traction as large as that of the matrix under it.
   [[nodiscard]] Forces forces() const {
     if (operator_.boundary() == Boundary::traction) {
       auto tractions = operator_.load_forces(tested_load);
@@ -85,7 +85,7 @@ Displacement by_factors(const SphereInSoftMatrix& box) {
   return box.solve(solver, {});
 }
 
-// Beside a soft matrix the fluctuation has far more energy than the composite, which must be right.
+// In a soft matrix the fluctuation has far more energy than the composite, whose energy must be accurate.
 TEST(LatticeSolver, EndsWhereTheEnergyOfTheCompositeIsRight) {
   for (const auto boundary : {Boundary::periodic, Boundary::displacement}) {
     const SphereInSoftMatrix box(boundary, 1e8);
@@ -99,7 +99,7 @@ TEST(LatticeSolver, EndsWhereTheEnergyOfTheCompositeIsRight) {
   }
 }
 
-// The residual that follows by recurrence has drifted after so many iterations.
+// The residual of the recurrence has drifted after so many iterations.
 TEST(LatticeSolver, IsAccurateAfterThousandsOfIterations) {
   const SphereInSoftMatrix box(Boundary::displacement, 1e9);
   const auto exact = by_factors(box);
@@ -109,7 +109,7 @@ TEST(LatticeSolver, IsAccurateAfterThousandsOfIterations) {
   EXPECT_GT(solver.effort().iterations, 1000);
 }
 
-// Tractions prescribe no displacement of which rounding errors could be told beforehand.
+// Tractions prescribe no displacement from which rounding errors could be estimated beforehand.
 TEST(LatticeSolver, EndsAtRoundingUnderTractions) {
   const SphereInSoftMatrix box(Boundary::traction, 1e9);
   const auto exact = by_factors(box);

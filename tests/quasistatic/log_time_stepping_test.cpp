@@ -21,11 +21,12 @@ namespace {
 
 constexpr std::array all_loads = {Load::shear, Load::diagonal_shear, Load::bulk};
 
-/// Relaxation modulus of the model composite in pure shear [MPa], an independent computation with 80 steps a decade.
+/// Relaxation modulus of the model composite in pure shear [MPa] from an independent computation with 80 steps a
+/// decade.
 struct ModelValues {
   Volumetric volumetric;
   int cells;
-  std::array<double, 8> moduli;  ///< right after the step, and at 1, 3, 10, 30, 50, 70 and 100 ms
+  std::array<double, 8> moduli;  ///< moduli right after the step, and at 1, 3, 10, 30, 50, 70 and 100 ms
 };
 
 const std::vector<double> model_times = {1e-3, 3e-3, 10e-3, 30e-3, 50e-3, 70e-3, 100e-3};
@@ -92,7 +93,7 @@ TEST(LogTimeStepping, AHomogeneousBoxCreepsAsItsMaterial) {
   for (const auto& response : result.responses) {
     const auto expected = creep_compliance(measured(response.load));
     for (std::size_t i = 0; i < times.size(); ++i) {
-      // Creep is not linear over a step: an error of second order, which the estimate tells.
+      // Creep is not linear over a step, which causes an error of second order; the estimate shows it.
       const double error = std::abs(response.values[i] / expected.at(times[i]) - 1.0);
       EXPECT_LT(error, 1e-3);
       EXPECT_LT(error, 2.0 * response.error_estimates[i] + 1e-6);

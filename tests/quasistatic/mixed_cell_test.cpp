@@ -95,7 +95,7 @@ TYPED_TEST(AnyMixedCell, UnderForcesIsInEquilibriumWithThem) {
   EXPECT_LT((stress - expected).norm(), 1e-13 * expected.norm());
 }
 
-// The projection of the reduced basis takes this for granted; moduli of zero are among its parts.
+// The projection of the reduced basis relies on this; its parts include moduli of zero.
 TYPED_TEST(AnyMixedCell, StressesAreAffineInTheModuli) {
   const typename TestFixture::Modes strain = this->random(TestFixture::Shape::modes);
   const auto unknown = this->random(this->cell.unknowns());

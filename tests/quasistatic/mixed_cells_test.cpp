@@ -1,4 +1,4 @@
-// Composites of mixed cells under the quasi-static method.
+// Tests of composites of mixed cells under the quasi-static method.
 
 #include "discretisation/mixed_cells.hpp"
 
@@ -23,7 +23,7 @@ namespace {
 
 using test::shear_and_bulk;
 
-/// random_composite with mixed cells.
+/// The composite random_composite() with mixed cells.
 QuasistaticProblem<2> mixed_composite(int n, std::uint64_t seed, Boundary boundary) {
   auto problem = test::random_composite(n, seed, boundary);
   const auto box = test::random_discs(seed);
@@ -116,7 +116,7 @@ TEST(MixedCellsOfOneMaterial, AreHomogeneous) {
   EXPECT_NEAR(responses[1].modulus(moduli) / (3.6e9 + 7e6 / 3.0), 1.0, 1e-9);
 }
 
-// Layers under a shear along them: the stress is uniform, so the series mixture of the cut cells is exact.
+// In layers under a shear along them the stress is uniform, so that the series mixture of the cut cells is exact.
 TEST(MixedCellsOfALaminate, InSeriesAreExact) {
   // A disc so large that its side is straight; it ends in the middle of a column.
   constexpr int n = 8;
@@ -133,8 +133,8 @@ TEST(MixedCellsOfALaminate, InSeriesAreExact) {
   EXPECT_NEAR(response.modulus(soft), 1.0 / ((1.0 - share) / 1.0 + share / 40.0), 1e-9);
 }
 
-// Three snapshots hold the answer to the bulk load to the last digit, while the shear load asks for more: its error
-// estimate, which is rounding then, must not ask for ever more of them.
+// Three snapshots contain the solution under the bulk load to the last digit, while the shear load needs more: the
+// error estimate of the bulk load, which is then rounding, must not cause ever more snapshots.
 TEST(MixedCellsOfARegularArray, NeedFewSnapshots) {
   constexpr double side = 6e-3;
   Microstructure<2> box = {side, Walls::hard, {}};

@@ -58,7 +58,7 @@ TEST(NetworkCompliance, OfOneVectorIsTheCreepOfASolidOfTwoTerms) {
   EXPECT_NEAR(relaxed * m0, 1.0, 1e-14);
 }
 
-// Poles and residues of the 2 x 2 inverse, with 60 digits.
+// The expected values are from poles and residues of the 2 x 2 inverse, with 60 digits.
 TEST(NetworkCompliance, AgreesWithPartialFractionsOfSixtyDigits) {
   const auto compliance = network_compliance(two_vectors(), std::array{relaxing});
   constexpr std::array<std::pair<double, double>, 8> expected = {{{0.0, 0.46526953588194121892},
@@ -104,7 +104,8 @@ TEST(NetworkCompliance, OfAModeThatNothingHoldsGrowsInATimeBeyondAllOthers) {
                                      Eigen::MatrixXd{{1.0, 0.0}, {0.0, 0.0}}, Eigen::VectorXd::Ones(2)),
                          std::array{material_of(PronySeries(1.0, {{1.0, 1.0}}), PronySeries(0.0, {{1e-3, 1.0}}))});
   EXPECT_GT(compliance.terms().front().retardation_time, 1e10);
-  // Meanwhile it flows like a Maxwell element, 1 + t / tau, to the root of the rounding that stands for no stiffness.
+  // Until then it flows like a Maxwell element, 1 + t / tau, with the accuracy of the square root of the rounding level
+  // that replaces a zero stiffness.
   const auto held =
       network_compliance(response_of(Eigen::MatrixXd::Ones(1, 1), Eigen::MatrixXd::Ones(1, 1),
                                      Eigen::MatrixXd::Ones(1, 1), Eigen::VectorXd::Ones(1)),

@@ -38,7 +38,7 @@ std::vector<AppliedModuli> elastic(const Displacement& displacement, const std::
   return applied;
 }
 
-// Hooke's law in plane strain, and the affine motion of the points.
+// The test checks Hooke's law in plane strain and the affine motion of the points.
 TEST(RecoverFields, OfAUniformStrainAreUniform) {
   Discretisation<2> discretisation(grid);
   discretisation.paint([](const Vector<2>& position) { return position[0] < 1.0; }, 1);
@@ -103,7 +103,7 @@ TEST(RecoverFields, OfABilinearDisplacementHaveItsStrainAtThePoints) {
 }
 
 TEST(RecoverFields, OfAPeriodicBoxJoinItsSides) {
-  // One node has moved: of a periodic box the one in all four corners.
+  // One node has moved; in a periodic box it is the node in all four corners.
   const Discretisation<2> discretisation(grid);
   const ElasticOperator<2> elastic_operator(discretisation, Volumetric::standard, Boundary::periodic);
   auto displacement = elastic_operator.zero();
@@ -123,8 +123,8 @@ TEST(RecoverFields, OfAPeriodicBoxJoinItsSides) {
   EXPECT_DOUBLE_EQ(moved(1, 1, 0), 0.0);
 }
 
-// Hooke's law in space. The cells of the first layer are of one phase, half of the points of those of the second are of
-// another.
+// The test checks Hooke's law in three dimensions. The cells of the first layer have one phase; half of the points of
+// the second layer have another.
 TEST(RecoverFields, OfACubeAreMeansOverItsCells) {
   const Grid<3> cube = {{2, 2, 2}, 0.5};
   Discretisation<3> discretisation(cube);

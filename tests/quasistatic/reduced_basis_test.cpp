@@ -55,14 +55,14 @@ class Basis {
   ReducedBasis<CellComposite<2>> basis_;
 };
 
-/// The left half is hard.
+/// A discretisation whose left half is hard.
 Discretisation<2> layers() {
   Discretisation<2> discretisation(Grid<2>{{8, 8}, 1.0});
   discretisation.paint([](const Vector<2>& position) { return position[0] < 4.0; }, 1);
   return discretisation;
 }
 
-/// A hard square in the middle.
+/// A discretisation with a hard square in the middle.
 Discretisation<2> inclusion() {
   Discretisation<2> discretisation(Grid<2>{{8, 8}, 1.0});
   discretisation.paint(
@@ -74,7 +74,8 @@ Discretisation<2> inclusion() {
 const std::vector<Moduli> others = {
     {.bulk = 3.0, .shear = 1e-4}, {.bulk = 0.5, .shear = 0.3}, {.bulk = 9.0, .shear = 40.0}};
 
-// The shear of layers in series is one field whatever the contrast: the uniform strain and a single solution span all.
+// The shear of layers in series has one fluctuation for any contrast: the uniform strain and a single solution span all
+// solutions.
 TEST(ReducedBasis, OfLayersInSeriesIsExactForEveryMatrixAfterOneSolution) {
   Basis basis(layers(), Boundary::periodic, Load::shear);
   EXPECT_NEAR(basis.response().modulus(reference), 0.5 * (reference.shear + 10.0), 1e-12);  // Voigt

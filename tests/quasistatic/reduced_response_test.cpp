@@ -28,7 +28,8 @@ std::vector<ReducedResponse> sampled(const QuasistaticProblem<2>& problem, doubl
       .responses;
 }
 
-/// Both ways through time must differ by no more than the steps' own error, which falls with their square.
+/// Expects the two methods of time integration to differ by no more than the error of the steps, which falls with their
+/// square.
 void expect_agreement_with_stepping(const QuasistaticProblem<2>& problem) {
   const auto responses = sampled(problem);
   const auto times = test::logarithmic(1e-3 * test::relaxation_window.begin, test::relaxation_window.end, 60);
@@ -62,7 +63,8 @@ TEST(ReducedResponse, AgreesWhereTheBulkModulusOfTheMatrixRelaxesToo) {
 }
 
 TEST(ReducedResponse, TwoWaysToTheSpectrumAgree) {
-  // A bulk modulus that relaxes by a trace takes the way of the network; without the trace, that of the poles.
+  // With a bulk modulus that relaxes slightly the compliance is computed by the network; without this relaxation, by
+  // poles.
   const auto problem = test::random_composite(20, 3, Boundary::traction);
   const auto& matrix = problem.materials.front();
   auto trace = matrix;
@@ -163,7 +165,7 @@ TEST(ReducedResponse, AMatrixThatHardlyRelaxesIsSampledAtItsEnds) {
   auto& matrix = problem.materials[0];
   matrix.shear = PronySeries(1e6, {{1e-2, 3e4}});
   expect_agreement_with_stepping(problem);
-  // A bulk modulus may rise: that of a stage's result.
+  // The bulk modulus of a stage's result may rise.
   matrix.shear = PronySeries(1e6);
   matrix.bulk = PronySeries::difference(PronySeries(2e6), PronySeries(0.0, {{1e-2, 5e5}}));
   const auto path = carson_path(matrix, {1e-3, 1e-1});

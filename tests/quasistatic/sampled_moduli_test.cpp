@@ -11,7 +11,7 @@
 namespace breccia {
 namespace {
 
-/// A response of which nothing but the range of its snapshots is known: 1 to 100 MPa in shear, 2 GPa in bulk.
+/// A response that has only the range of its snapshots: 1 to 100 MPa in shear, 2 GPa in bulk.
 ReducedResponse response_over_two_decades() {
   ReducedResponse response;
   response.parts = matrix_parts({}, {});
@@ -21,7 +21,7 @@ ReducedResponse response_over_two_decades() {
   return response;
 }
 
-/// Its Carson modulus at s = 1/t is G / (1 + t / tau).
+/// A material whose Carson modulus at s = 1/t is G / (1 + t / tau).
 Material maxwell(double modulus, double relaxation_time) {
   return {"m", 1000.0, PronySeries(2e9), PronySeries(0.0, {{relaxation_time, modulus}})};
 }

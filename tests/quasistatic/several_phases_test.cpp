@@ -1,4 +1,4 @@
-// Reduced responses in which the moduli of several phases vary.
+// Tests of reduced responses in which the moduli of several phases vary.
 
 #include <algorithm>
 #include <array>
@@ -157,7 +157,7 @@ TEST_P(SeveralPhases, HaveTheCarsonTransformOfTheElasticResponse) {
   }
 }
 
-/// The same with a phase of its own for the matrix on the left.
+/// A coated disc in a square whose left half has a separate phase for the matrix.
 PhaseAt coated_disc_in_two_halves(const Vector<2>& position) {
   constexpr PhaseIndex left = 3;
   const auto found = coated_disc(position);
@@ -229,7 +229,7 @@ TEST(LayersOfThreePhases, OfOneShearModulusHaveTheBulkModulusOfHill) {
   }
 }
 
-// A coating that is elastic in the study may vary, too: another elastic one is near enough to be covered.
+// A coating that is elastic in the study may vary, too: another elastic coating is close enough to be covered.
 TEST(AnElasticPhaseThatVaries, IsAnsweredWithOtherMaterialsThatAreCovered) {
   auto composite = coated(16, Boundary::periodic, Mixing::points);
   composite.materials[of_coating] = {"interphase", 1000.0, PronySeries(2e9), PronySeries(4e8)};
@@ -255,8 +255,8 @@ TEST(AnElasticPhaseThatVaries, IsAnsweredWithOtherMaterialsThatAreCovered) {
   EXPECT_FALSE(refused.times);
 }
 
-// The poles are those of one shear modulus that relaxes, whosever it is; with a trace of relaxation elsewhere the
-// network has them.
+// The poles belong to the single shear modulus that relaxes, of whichever phase; with a slight relaxation of another
+// modulus the network gives the same ones.
 TEST(SeveralPhasesOfWhichOneRelaxes, HaveTheSameSpectrumInTwoWays) {
   const auto composite = coated(12, Boundary::traction, Mixing::series);
   const auto response =
@@ -272,7 +272,7 @@ TEST(SeveralPhasesOfWhichOneRelaxes, HaveTheSameSpectrumInTwoWays) {
   }
 }
 
-// A run that is interrupted before every solution gives the same bits as one that is not.
+// A run that is interrupted before every solution gives results that are bitwise identical to those of one that is not.
 TEST(SamplingOfSeveralPhases, IsResumedWithTheSameBits) {
   const auto composite = coated(10, Boundary::traction, Mixing::series);
   const auto path = joint_path(composite, matrix_and_coating);

@@ -30,7 +30,7 @@ using Component = std::array<int, 3>;
 
 class DividedBlocks : public testing::TestWithParam<Case> {
  protected:
-  /// What an unknown of the interface of a process stands for.
+  /// The component of a node that each unknown of the interface of a process stands for.
   [[nodiscard]] std::map<int, Component> components_of(const BlockGrid& grid) const {
     std::map<int, Component> components;
     for (int b = 0; b < grid.blocks(); ++b) {

@@ -1,5 +1,5 @@
-// The quasi-static method in three dimensions: exact composites, two dimensions as its special case, and its solvers
-// against each other.
+// Tests of the quasi-static method in three dimensions: exact composites, two dimensions as a special case, and the
+// solvers against each other.
 
 #include <algorithm>
 #include <array>
@@ -119,7 +119,7 @@ TEST(Space, TheIterativeSolverFindsWhatTheDirectOneFinds) {
     problem.linear.method = LinearMethod::iterative;
     const auto found = apparent_moduli(problem, all_loads);
     for (std::size_t i = 0; i < all_loads.size(); ++i) {
-      // The square of the tolerance of the energy is far below.
+      // The square of the tolerance of the energy is far below this tolerance.
       EXPECT_NEAR(found[i] / expected[i], 1.0, 1e-9) << name_of(boundary) << ", " << name_of(all_loads[i]);
     }
   }
@@ -138,7 +138,7 @@ TEST(Space, AnyNumberOfThreadsHasTheSameBits) {
   }
 }
 
-// The box whose axes follow each other: what was y is x now.
+// The axes of the box are changed cyclically: y becomes x.
 TEST(Space, ACyclicChangeOfAxesChangesTheLoadsAlike) {
   for (const auto boundary : test::boundaries) {
     const auto found = apparent_moduli(two_spheres(6, boundary), all_loads);

@@ -1,4 +1,4 @@
-// Square arrays of discs against conforming finite elements (tests/reference/elastic_square_array.csv).
+// Tests of square arrays of discs against conforming finite elements (tests/reference/elastic_square_array.csv).
 
 #include <algorithm>
 #include <array>
@@ -22,7 +22,7 @@ namespace {
 struct Reference {
   double fraction, contrast, bulk_ratio;
   Load load;
-  double modulus;  ///< over the shear modulus of the matrix
+  double modulus;  ///< modulus over the shear modulus of the matrix
 };
 
 std::ostream& operator<<(std::ostream& stream, const Reference& reference) {
@@ -63,7 +63,7 @@ double found(const Reference& reference, int n, Volumetric volumetric, Mixing mi
 }
 
 struct Errors {
-  double coarse, fine;  ///< relative, with 64 and 128 cells
+  double coarse, fine;  ///< relative errors with 64 and 128 cells
   [[nodiscard]] double extrapolated() const { return 2.0 * fine - coarse; }
 };
 
@@ -82,12 +82,12 @@ TEST(SquareArray, AveragedPointsConvergeToConformingFiniteElementsAtFirstOrder) 
   for (const auto& reference : periodic_references()) {
     const auto error = errors(reference, Volumetric::averaged);
     EXPECT_LT(std::abs(error.extrapolated()), 0.016) << reference;
-    // Where filler and matrix resist alike there is next to no error whose order could be told.
+    // Where filler and matrix are almost equally stiff, the error is too small to determine its order.
     if (error.fine < 1e-3) continue;
     orders += std::log2(error.coarse / error.fine);
     ++count;
   }
-  // An interface sampled at points: the order of a single array scatters with the area fraction that is sampled.
+  // The interface is sampled at points: the order of a single array scatters with the area fraction that is sampled.
   EXPECT_NEAR(orders / count, 1.1, 0.2);
 }
 
@@ -96,7 +96,7 @@ double error_of_mixed_cells(const Reference& reference, int n) {
   return found(reference, n, Volumetric::averaged, Mixing::series) / reference.modulus - 1.0;
 }
 
-// A tenth of the points' error on the same grid (theory, section 2).
+// The error is a tenth of that of points on the same grid (theory, section 2).
 TEST(SquareArray, MixedCellsAreWithinPercentOnCoarseGrids) {
   struct Limits {
     int cells;

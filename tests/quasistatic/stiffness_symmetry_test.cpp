@@ -1,5 +1,5 @@
-// Symmetries of the whole stiffness tensor of a cube that has none itself: what any composite must keep, however coarse
-// its grid.
+// Tests of the symmetries of the whole stiffness tensor of a cube without symmetries of its own. Any composite must
+// have them, however coarse its grid is.
 
 #include <array>
 #include <cmath>
@@ -24,8 +24,9 @@ constexpr std::array six_loads = {Load::shear,          Load::shear_yz,         
 
 /// One of the 48 rotations and reflections that turn a cube into itself.
 struct CubeSymmetry {
-  std::array<int, 3> axes;         ///< the axis of the cube before that is the first, second and third one now
-  std::array<bool, 3> is_flipped;  ///< by axis of the turned cube
+  std::array<int, 3>
+      axes;  ///< the original axes of the cube that are the first, second and third axis after the symmetry
+  std::array<bool, 3> is_flipped;  ///< whether an axis of the turned cube is flipped
 };
 
 constexpr CubeSymmetry identity = {{0, 1, 2}, {false, false, false}};

@@ -16,7 +16,7 @@ TEST(Substructures, OfAHomogeneousBoxDifferByTheSidesThatAreHeld) {
   EXPECT_EQ(blocks.grid().blocks(), 25);
   EXPECT_EQ(blocks.blocks_by_kind().size(), 9U);
   EXPECT_EQ(blocks.blocks_by_kind()[static_cast<std::size_t>(blocks.kind_of(12))].size(), 9U);
-  // A block inside with nothing but blocks inside around it is none of its neighbours with one at a side.
+  // An inner block whose neighbours are all inner blocks is of another kind than one with a neighbour at a side.
   EXPECT_EQ(blocks.blocks_with_neighbours().size(), 25U);
   std::set<int> held;
   for (int b = 0; b < 25; ++b) {

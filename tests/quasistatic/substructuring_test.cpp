@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array loads = {Load::shear, Load::bulk};
 
-/// Elastic moduli of a composite, by load, and what finding them took.
+/// Elastic moduli of a composite, by load, and the cost of the solution.
 struct Solved {
   std::vector<double> moduli;
   LinearEffort effort;
@@ -40,7 +40,7 @@ class Substructuring : public testing::TestWithParam<std::tuple<Boundary, Volume
 TEST_P(Substructuring, AgreesWithCholeskyFactorsForAnyContrastInFewIterations) {
   constexpr double filler_shear = 5.84e9;
   std::uint64_t seed = 10;
-  for (const int cells : {32, 37}) {  // cut evenly, and not
+  for (const int cells : {32, 37}) {  // numbers of cells that can and cannot be divided evenly
     const auto problem = composite(cells, seed++);
     for (const double contrast : {1.0, 1e2, 1e5}) {
       for (const double bulk_over_shear : {3.0, 3600.0}) {
@@ -64,7 +64,7 @@ INSTANTIATE_TEST_SUITE_P(Boxes, Substructuring,
                                           testing::Values(Volumetric::averaged, Volumetric::standard)),
                          test::by_words);
 
-// The solution for nearly the same moduli is the guess for the second system: three decades of ten are left to it.
+// The solution for nearly the same moduli is the guess for the second system, so that three decades of ten remain.
 TEST(SubstructuringWithAGuess, TakesFewIterationsUnderEveryBoundary) {
   constexpr std::array shear = {Load::shear};
   const Moduli matrix = {3.6e9, 1e6}, nearly = {3.6e9, 1.0000001e6};

@@ -1,4 +1,5 @@
-// The accuracy in time of a composite that relaxes by orders of magnitude with the only time of its binder.
+// Tests of the accuracy in time of a composite that relaxes by orders of magnitude with the only relaxation time of its
+// binder.
 
 #include "quasistatic/reduced/target_curve.hpp"
 
@@ -44,7 +45,7 @@ class RelaxedComposite : public testing::Test {
 TEST_F(RelaxedComposite, IsAccurateInTimeWithATarget) {
   constexpr double tolerance = 1e-4;
   const double exact = modulus_of(sampled(1e-9, false));
-  // At Laplace variables both meet the tolerance. Less than a hundredth of the unrelaxed modulus is left here.
+  // At Laplace variables both bases meet the tolerance. Here less than a hundredth of the unrelaxed modulus remains.
   EXPECT_GT(std::abs(modulus_of(sampled(tolerance, false)) / exact - 1.0), 100.0 * tolerance);
   EXPECT_NEAR(modulus_of(sampled(tolerance, true)) / exact, 1.0, 10.0 * tolerance);
 }

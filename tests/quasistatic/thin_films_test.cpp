@@ -1,4 +1,5 @@
-// Grains that fill a box, parted by thin films of a soft binder: mixed cells and points against conforming elements.
+// Tests of grains that fill a box, separated by thin films of a soft binder: mixed cells and points against conforming
+// elements.
 
 #include <array>
 #include <cmath>
@@ -19,7 +20,7 @@ namespace {
 
 const std::string references = BRECCIA_REFERENCE_DIRECTORY;
 
-constexpr double film = 2.4 / 256.0;  ///< of a box of side 1
+constexpr double film = 2.4 / 256.0;  ///< thickness of the films in a box of side 1
 constexpr PhaseIndex binder = 0, grain = 1;
 
 Labelling<2> voronoi_grains() {
@@ -48,7 +49,7 @@ std::vector<double> moduli(const Discretisation<2>& discretisation, double binde
   return moduli;
 }
 
-/// The same by conforming elements.
+/// The moduli [MPa] by conforming elements.
 std::vector<double> reference(double binder_shear) {
   const auto table = read_csv(references + "/voronoi_films.csv", {"load"});
   std::vector<double> moduli;
@@ -78,7 +79,7 @@ TEST(ThinFilms, OfOneMixedCellCanSlide) {
   EXPECT_GT(squeezed[0] / reference(0.7)[0], 2.0);
 }
 
-// Found before with another program.
+// The expected values were computed with another program.
 TEST(ThinFilms, OfPointsAreBridged) {
   constexpr std::array<double, 2> shears = {10.0, 1.0}, found_before = {3834.0, 3814.0};
   const auto discretisation = discretise<2>({{128, 128}, 1.0 / 128}, voronoi_grains());

@@ -12,7 +12,7 @@
 namespace breccia::quasistatic {
 namespace {
 
-/// 2 sum_j x_j sin(pi j k / n).
+/// The sine wave 2 sum_j x_j sin(pi j k / n).
 double sine_wave(const std::vector<double>& row, std::size_t k) {
   const std::size_t n = row.size() - 1;
   double sum = 0.0;
@@ -22,7 +22,7 @@ double sine_wave(const std::vector<double>& row, std::size_t k) {
   return sum;
 }
 
-/// x_0 + (-1)^k x_n + 2 sum_j x_j cos(pi j k / n).
+/// The cosine wave x_0 + (-1)^k x_n + 2 sum_j x_j cos(pi j k / n).
 double cosine_wave(const std::vector<double>& row, std::size_t k) {
   const std::size_t n = row.size() - 1;
   double sum = row.front() + (k % 2 == 0 ? 1.0 : -1.0) * row.back();

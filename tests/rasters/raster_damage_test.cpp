@@ -1,5 +1,5 @@
-// Files that are cut off or damaged are refused, or read as an image; nothing crashes, and no memory is allocated that
-// the file cannot fill.
+// Tests of files that are cut off or damaged: they are refused, or read as an image; the program does not crash, and
+// allocates no memory that the file cannot fill.
 
 #include <filesystem>
 #include <optional>

@@ -27,7 +27,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Optional;
 
-const std::filesystem::path images = BRECCIA_TEST_IMAGES;  // of other programs, made by make.py
+const std::filesystem::path images = BRECCIA_TEST_IMAGES;  // images of other programs, made by make.py
 
 /// The values of make.py, whose rows count from the top, in the order of a raster.
 std::vector<std::int32_t> values_of_make(int layers, int modulus) {
@@ -235,7 +235,7 @@ TEST_F(RefuseRaster, NumpyHeadersWithMistakes) {
 }
 
 TEST_F(RefuseRaster, HugePngOfFewBytes) {
-  // 200000 x 10000 grey levels by the header, with its checksum, and no pixels.
+  // The file has a header for 200000 x 10000 grey levels, with its checksum, and no pixels.
   constexpr std::string_view bytes(
       "\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\x03\x0d\x40\0\0\x27\x10\x08\0\0\0\0"
       "\x35\x9c\xbe\x10"

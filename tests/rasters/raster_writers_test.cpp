@@ -1,4 +1,4 @@
-// Labels that Breccia has written are read back as they were.
+// Tests that labels are read back as Breccia has written them.
 
 #include <array>
 #include <filesystem>

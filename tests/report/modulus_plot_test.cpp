@@ -133,7 +133,7 @@ TEST(ModulusPlot, GrowsWithTheRowsOfItsLegend) {
   EXPECT_THAT(with_curves(4), HasSubstr(R"(viewBox="0 0 900 564")"));
 }
 
-// There are seven colours.
+// The palette has seven colours.
 TEST(ModulusPlot, TellsCurvesOfOneColourApartByTheirDashes) {
   for (const auto style : {PlotStyle::line, PlotStyle::dashed}) {
     const auto with_colour = [&](std::size_t colour) {

@@ -40,7 +40,7 @@ double shear_of(double young, double poisson) {
   return young / (2.0 * (1.0 + poisson));
 }
 
-/// M_0 (1 - sum of shares) and the terms M_0 share_i.
+/// The series with the equilibrium modulus M_0 (1 - sum of shares) and the terms M_0 share_i.
 PronySeries from_shares(double instantaneous, const std::vector<std::pair<double, double>>& shares_and_times) {
   double rest = 1.0;
   std::vector<MaxwellTerm> terms;
@@ -213,7 +213,7 @@ ParsedCard parse_moose(const std::string& text) {
   const bool is_elastic = parameters.at("type") == "ComputeIsotropicElasticityTensor";
   const double young = std::stod(parameters.at(is_elastic ? "youngs_modulus" : "young_modulus"));
   const double poisson = std::stod(parameters.at("poisson_ratio"));
-  // The first spring is what the branches leave of the instantaneous stiffness.
+  // The stiffness of the first spring is the instantaneous stiffness minus that of the branches.
   double shear = shear_of(young, poisson), bulk = bulk_of(young, poisson);
   std::vector<MaxwellTerm> of_shear, of_bulk;
   const auto numbers = [&](const std::string& name) {

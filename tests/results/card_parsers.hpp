@@ -8,7 +8,7 @@
 
 namespace breccia::test {
 
-/// What a finite element program makes of a card, in the units of the card.
+/// The material that a finite element program reads from a card, in the units of the card.
 struct ParsedCard {
   std::string name = {};
   double density = 0.0;
@@ -17,8 +17,8 @@ struct ParsedCard {
   std::optional<WilliamsLandelFerry> shift = {};
 };
 
-// Readers of the formats of docs/exports.md, each by the rules of its program and independent of what writes them. They
-// throw std::runtime_error where a text does not follow the format.
+// Readers of the formats of docs/exports.md, each by the rules of its program and independent of the writers in
+// Breccia. They throw std::runtime_error where a text does not follow the format.
 
 ParsedCard parse_abaqus(const std::string& text);
 ParsedCard parse_ansys(const std::string& text);

@@ -35,7 +35,7 @@ class Checksums : public testing::Test {
 };
 
 TEST_F(Checksums, AreThoseOfXxhsum) {
-  // `xxhsum -H1` of these files.
+  // The hashes were computed by `xxhsum -H1`.
   EXPECT_THAT(read_text(directory.path() / "checksums.txt"),
               StartsWith("126b170749e92aab  curves.csv\n"
                          "2e1472b57af294d1  study.json\n"

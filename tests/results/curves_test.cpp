@@ -77,7 +77,7 @@ TEST_F(WriteCurves, LeavesTheHalfBandsOfExtrapolatedTestsAlone) {
   EXPECT_THAT(table.numbers("half_band_Pa"), ElementsAre(0.5, 0.125));
 }
 
-/// A test with a series that has an equilibrium modulus alone.
+/// A test whose series has only an equilibrium modulus.
 TestResult elastic(Boundary boundary, Method method, TestGrid grid, double modulus) {
   auto test = test_with({Load::shear, boundary, method, grid}, {{1.0, modulus}});
   test.series = PronySeries(modulus);

@@ -109,7 +109,7 @@ TEST_F(FieldFiles, AreCopiedWithTheirStage) {
   EXPECT_THROW(copy_fields(directory.path(), other, record), FileError);
 }
 
-// Those of a test that was done before are not written again.
+// The fields of a test that was done before are not written again.
 TEST_F(FieldFiles, HaveTheSameNamesWithoutTheirNumbers) {
   const TestId test{Load::shear, Boundary::traction, Method::quasistatic, TestGrid(2)};
   const auto written = write_fields(directory.path(), study, study.stages[0], test,
@@ -148,7 +148,7 @@ TEST_F(FieldFiles, ShowTheStressAndTheStrainThatALoadRaises) {
               HasSubstr(">Largest shear strain over mean shear strain; it goes from 0.5 to 1.5<"));
 }
 
-// A traction of 1 Pa raises stresses that are shares of it.
+// A traction of 1 Pa causes stresses that are shares of it.
 TEST_F(FieldFiles, ShowStressesOverTheTraction) {
   for (std::size_t i = 0; i < 16; ++i) {
     fields.stress[i][3] = i < 8 ? 0.5 : 1.5;

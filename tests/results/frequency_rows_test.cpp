@@ -22,7 +22,7 @@ TEST(FrequencyRows, AreWholePartsOfDecadesInHertz) {
   Tests tests;
   tests.by_frequency = true;
   tests.points_per_decade = 4;
-  // From 0.3 to 100 Hz, by the times 1 / (2 pi f).
+  // The curve is from 0.3 to 100 Hz, by the times 1 / (2 pi f).
   const Curve curve = {{1.0 / (per_cycle * 100.0), 3.0}, {1e-2, 2.0}, {1.0 / (per_cycle * 0.3), 1.0}};
   std::vector<double> hertz;
   for (const double frequency : FrequencyRows::of(tests).of(curve)) hertz.push_back(frequency / per_cycle);

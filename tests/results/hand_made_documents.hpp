@@ -8,7 +8,7 @@
 
 namespace breccia::test {
 
-/// The record of a study with one stage and its tests, of which nothing else is known.
+/// The record of a study with one stage and its tests, without any further data.
 inline StudyDocument document_with(const std::string& stage, std::vector<TestEntry> tests = {}) {
   StudyDocument document;
   document.program = "breccia";

@@ -8,10 +8,10 @@
 
 namespace breccia::test {
 
-/// The columns of a table of results that tell tests apart.
+/// The columns of a table of results that distinguish tests.
 inline const std::vector<std::string> columns_of_tests{"stage", "load", "boundary", "method", "cells"};
 
-/// A test of which nothing but a curve is known.
+/// A test that has only a curve.
 inline TestResult test_with(const TestId& id, Curve modulus) {
   TestResult test{.id = id};
   test.modulus = std::move(modulus);

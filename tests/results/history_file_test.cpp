@@ -106,7 +106,7 @@ class HistoryFile : public testing::Test {
     }
     return names;
   }
-  /// What read_history says of a file with these numbers and the hash of a deck.
+  /// The error message of read_history() for a file with these numbers and the hash of a deck.
   [[nodiscard]] std::string refusal_of(const std::vector<double>& times, const std::vector<double>& moduli) const {
     const auto path = directory.path() / "shear-displacement-dynamic-24-1.h5";
     Hdf5Writer file(path);

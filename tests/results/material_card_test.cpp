@@ -1,4 +1,5 @@
-// Cards of finite element programs, read back by the rules of each program and compared in G(t) and K(t).
+// Tests of cards of finite element programs: they are read back by the rules of each program and compared in G(t) and
+// K(t).
 
 #include "results/material_card.hpp"
 
@@ -186,7 +187,7 @@ TEST_P(Card, OfAModulusThatRelaxesToNothingKeepsALittle) {
   EXPECT_LT(deviation_of(read.shear, composite.shear, composite.times), 0.0102);
 }
 
-/// Of a spectrum of twelve decades that is denser than the terms of LS-DYNA.
+/// The spectrum of twelve decades has more terms than LS-DYNA takes.
 TEST(MaterialCard, RefusesMoreTermsThanTheProgramTakes) {
   auto composite = composite_of_cards();
   std::vector<MaxwellTerm> dense;
@@ -197,7 +198,7 @@ TEST(MaterialCard, RefusesMoreTermsThanTheProgramTakes) {
   EXPECT_THAT(message, HasSubstr("LS-DYNA takes at most 17 terms"));
 }
 
-/// 22 decades of a measured binder, of which the times of the card have nine.
+/// The measured binder has 22 decades, of which the times of the card cover nine.
 TEST(MaterialCard, OfABinderFitsLsDyna) {
   auto composite = composite_of_cards();
   std::vector<MaxwellTerm> terms;
@@ -212,7 +213,7 @@ TEST(MaterialCard, OfABinderFitsLsDyna) {
   composite.times = {1e-8, 10.0};
   const CardSettings settings{.format = CardFormat::ls_dyna, .tolerance = 0.01};
   const auto card = material_card(composite, settings);
-  EXPECT_LE(card.shear.terms().size(), 13U);  // those from 1.5e-10 to 150 s
+  EXPECT_LE(card.shear.terms().size(), 13U);  // the terms from 1.5e-10 to 150 s
   const auto read = parse_card("ls-dyna", text_of(card, settings));
   EXPECT_LT(deviation_of(read.shear, composite.shear, composite.times), 0.0101);
 }

@@ -148,7 +148,7 @@ TEST_F(WriteProvenance, TellsTheFilesOfFieldsAndWhoHasAnswered) {
   EXPECT_FALSE(stages.at(1).contains("answered_from"));
 }
 
-// Its hash is that of its content, and it has no deck.
+// The study has the hash of its content, and no deck.
 TEST_F(WriteProvenance, OfAStudyThatWasChangedIsItsOwn) {
   write_provenance(directory.path(), study, {});
   std::ifstream file(directory.path() / "study.json");
@@ -183,8 +183,8 @@ TEST_F(WriteProvenance, TellsThePackingOfAStage) {
   EXPECT_EQ(random.at("events"), 99);
 }
 
-// A quarter of the box, and of three quarters of the whole a half: 0.5 + 0.5 * 0.25 by volume. By mass 2000 * 0.625 of
-// 2000 * 0.625 + 1000 * 0.375.
+// The filler is a quarter of the first box, which is half of the second one: 0.5 + 0.5 * 0.25 by volume. By mass 2000 *
+// 0.625 of 2000 * 0.625 + 1000 * 0.375.
 TEST_F(WriteProvenance, TellsTheFillerOfTheWhole) {
   auto fine = test::stage_with("fine", {}), coarse = test::stage_with("coarse", {});
   fine.microstructure.fillers = {{.fraction = 0.25}};

@@ -21,7 +21,7 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// A response of two vectors in which no number stands twice, so that none can be mistaken for another.
+/// A response of two vectors in which no number occurs twice, so that none can be mistaken for another.
 ReducedResponse two_vector_response() {
   ReducedResponse response;
   response.load = Load::bulk;
@@ -75,7 +75,7 @@ class ResponseFile : public testing::Test {
             {"fit_tolerance", 0.1},
             {"points_per_decade", std::int64_t{20}}};
   }
-  /// What is said of a file without responses that is as it should be but for one attribute, and of an empty group.
+  /// The error message for a file without responses that is correct except for one attribute, and for an empty group.
   [[nodiscard]] std::string refusal_with(const std::string& attribute, const Hdf5Attribute& value,
                                          const std::string& group = {}) const {
     Hdf5Writer file(path);
@@ -85,7 +85,7 @@ class ResponseFile : public testing::Test {
     file.commit();
     return refusal();
   }
-  /// What is said of a file with a damaged response.
+  /// The error message for a file with a damaged response.
   template <class Damage>
   [[nodiscard]] std::string refusal_after(const Damage& damage) const {
     auto stored = two_responses();
@@ -171,7 +171,7 @@ TEST_F(ResponseFile, KeepsEveryNumberInItsPlace) {
   EXPECT_THAT(Hdf5Reader(path).read_numbers("/traction/bulk/150/filler_Pa"), ElementsAre(1.0, 1.0 / 3.0, 2.0, 4.0));
 }
 
-/// A stage whose coating varies beside the matrix.
+/// A stage whose coating varies in addition to the matrix.
 StageResponses with_a_coating() {
   auto stored = two_responses();
   stored.entries.erase(stored.entries.begin());
@@ -204,7 +204,7 @@ TEST_F(ResponseFile, KeepsThePhasesThatVaryBesideTheMatrix) {
   EXPECT_EQ(response.snapshots[1].error_before, 1e-3);
 }
 
-// Programs that read the responses of a matrix alone go on to read them.
+// Older programs, which read the responses of a matrix alone, can still read them.
 TEST_F(ResponseFile, HasTheOlderFormatWhereTheMatrixAloneVaries) {
   const auto format = [&] { return Hdf5Reader(path).attribute<std::int64_t>("/", "format_version"); };
   write_responses(directory.path(), two_responses());
@@ -260,7 +260,7 @@ TEST_F(ResponseFile, IsRefusedWhereItIsTornOrOfAnotherFormat) {
   EXPECT_THAT(refusal_with("format_version", 3.0), HasSubstr("has another type"));
 }
 
-// What a damaged file says of the times would be followed without end.
+// With the times in a damaged file a calculation would never end.
 TEST_F(ResponseFile, IsRefusedWhereItsStageCannotBe) {
   const std::vector<std::vector<double>> windows = {{1.0},           {0.0, 1.0}, {2.0, 1.0},
                                                     {1.0, INFINITY}, {NAN, 1.0}, {1.0, NAN}};

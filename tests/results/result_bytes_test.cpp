@@ -13,7 +13,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// A stage with all that its bytes hold; numbers have more digits than a table.
+/// A stage with all data that its bytes hold; the numbers have more digits than those of a table.
 StageFindings findings() {
   TestResult creep{.id = {Load::bulk, Boundary::traction, Method::dynamic, TestGrid(24)}};
   creep.modulus = {{1.0 / 3.0, 2.0e6 / 7.0}, {1.0, 1.0e-300}};

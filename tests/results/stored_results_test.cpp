@@ -55,7 +55,7 @@ TEST_F(StoredResults, ANameThatNoFileCanHaveIsTreatedAsMissing) {
   EXPECT_EQ(study_page_data(directory.path()).title, "t");
 }
 
-// A study.json from elsewhere must not make the page embed what its reader alone may read.
+// A study.json from elsewhere must not make the page embed files that only its reader may read.
 TEST_F(StoredResults, NamesThatLeadOutOfTheResultsAreRefused) {
   directory.write("microstructure.svg", "secret");
   directory.write("x-stress.svg", "secret");

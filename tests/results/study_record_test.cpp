@@ -149,7 +149,7 @@ TEST_F(StudyRecordFile, IsReadAsFarAsItIsSound) {
   EXPECT_THAT(record.stages, IsEmpty());
 }
 
-// Whoever clears a directory of results removes the directories of its stages.
+// Clearing a directory of results removes the directories of its stages.
 TEST_F(StudyRecordFile, NamesNoDirectoryOutsideOfTheResults) {
   const auto record = record_with(R"({"program": "breccia", "stage_names": ["A", "../B", "/etc", "..", ""],
     "stages": [{"name": "C"}, {"name": "../D"}, {"name": 7}, {"name": "A"}]})");

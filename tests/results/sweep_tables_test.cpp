@@ -77,7 +77,7 @@ TEST_F(SweepTables, HoldTheSpreadOverTheSeeds) {
   EXPECT_THAT(table.numbers("largest_Pa"), ElementsAre(3.0));
 }
 
-// A sweep that begins anew must not leave the numbers of the one before.
+// A sweep that begins anew must not keep the numbers of the earlier sweep.
 TEST_F(SweepTables, AreRemovedWhereTheyWouldHaveNoRows) {
   for (const auto* name : {"sweep.csv", "spread.csv", "sweep.svg"}) directory.write(name, "of an earlier sweep");
   write_sweep_tables(directory.path(), sweep, result);
@@ -117,7 +117,7 @@ TEST_F(SweepTables, ShowATaskInAColourOfItsOwn) {
   EXPECT_THAT(read_text(file("sweep.svg")), HasSubstr(">seeds and gaps: A, lower bound dashed<"));
 }
 
-// There are seven colours.
+// The palette has seven colours.
 TEST_F(SweepTables, ShowManyTasksInTheColoursOfTheirOtherKeys) {
   for (const auto* gap : {"1 um", "2 um"}) sweep.tasks.push_back(test::task_with(4, gap));
   result = SweepResult(8, done_with({{1.0, 1e6}, {2.0, 9e5}}));

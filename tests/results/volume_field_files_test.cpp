@@ -86,7 +86,7 @@ TEST_F(VolumeFieldFiles, ShowTheStressAndTheStrainThatALoadRaises) {
               HasSubstr(">Equivalent shear strain over mean shear strain; it goes from 0.5 to 1.5<"));
 }
 
-// The middle planes are those of the cells above them: what the cells below have is not shown.
+// The middle planes show the cells above them; the values of the cells below are not shown.
 TEST_F(VolumeFieldFiles, ShowTheMiddlePlanes) {
   for (auto& stress : fields.stress) stress = {3e3, 3e3, 3e3, 0.0, 0.0, 0.0};
   for (auto& strain : fields.strain) strain = {3.0, 1.0, 2.0, 0.0, 0.0, 0.0};
@@ -101,7 +101,7 @@ TEST_F(VolumeFieldFiles, ShowTheMiddlePlanes) {
               HasSubstr(">Mean stress over that applied; it goes from "));
 }
 
-// Every cell has a stress of its own, so that a cut through other cells, or one that is turned, has other colours.
+// Every cell has a different stress, so that a cut through other cells, or a turned one, has other colours.
 TEST(VolumeFieldPictures, ShowTheCellsAboveTheMiddlePlanes) {
   constexpr int cells = 4;
   Discretisation<3> discretisation{{{cells, cells, cells}, 1e-3}};

@@ -19,7 +19,7 @@ using testing::IsEmpty;
 
 using Change = std::function<void(Study&)>;
 
-/// As a deck reader leaves it.
+/// A study as a deck reader returns it.
 Study study_of_a_deck() {
   auto study = test::two_stages();
   study.provenance = {.deck = "deck.toml",
@@ -96,7 +96,7 @@ TEST(ContentOf, EveryChangeOfWhatIsAskedMakesAnother) {
   EXPECT_EQ(contents.size(), changes.size());
 }
 
-// No result depends on these.
+// No result depends on threads and warnings.
 TEST(ContentOf, LeavesAsideThreadsAndWarnings) {
   auto study = test::two_stages();
   study.tests.quasistatic.linear.threads = 3;
@@ -134,7 +134,7 @@ TEST(ProvenanceOf, AChangedStudyLosesThatOfItsDeckButForTheFilesItWasReadFrom) {
   EXPECT_EQ(provenance_of(study).hash, "0123456789abcdef");
 }
 
-// A hash that somebody wrote by hand says nothing of the content.
+// A hash that somebody wrote by hand does not identify the content.
 TEST(ProvenanceOf, AStudyPutTogetherInMemoryIsKnownByItsContent) {
   auto study = test::two_stages();
   study.provenance.hash = "0123456789abcdef";

@@ -1,4 +1,4 @@
-// What is wrong with images that a program makes.
+// Tests of the mistakes in images that a program makes.
 
 #include <functional>
 #include <memory>
@@ -25,7 +25,7 @@ ImagePacking<2> packing_of(LabelImage<2> image) {
   return {.file = "scan.png", .image = std::make_shared<const LabelImage<2>>(std::move(image))};
 }
 
-/// Two stages, of which the first is an image of 2 x 2 pixels.
+/// A study of two stages, of which the first is an image of 2 x 2 pixels.
 Study sound_study() {
   auto study = test::two_stages();
   auto& stage = study.stages.front();

@@ -29,13 +29,13 @@ std::string mistakes_of(const Study& study) {
   return test::message_of<InputError>([&] { require_sound(study); });
 }
 
-/// One mistake in a sound study, and what is said of it.
+/// One mistake in a sound study, and its message.
 struct Case {
   std::function<void(Study&)> make;
   std::string message;
 };
 
-/// Each mistake is told, and alone.
+/// Expects each mistake to be reported, and no other one.
 void expect_each(const std::vector<Case>& cases, const Study& sound) {
   for (const auto& [make, message] : cases) {
     auto study = sound;
@@ -48,7 +48,7 @@ Filler& filler_of(Study& study) {
   return study.stages[0].fillers[0];
 }
 
-/// Two stages, of which the first has a random packing.
+/// A study of two stages, of which the first has a random packing.
 Study with_random_packing(Sizes sizes) {
   auto study = test::two_stages();
   auto& filler = filler_of(study);

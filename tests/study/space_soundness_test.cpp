@@ -1,4 +1,4 @@
-// What is wrong with boxes of three dimensions that a program makes.
+// Tests of the mistakes in boxes of three dimensions that a program makes.
 
 #include <functional>
 #include <memory>
@@ -20,7 +20,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// The first of two stages as a box of three dimensions alone, without sizes.
+/// A study with the first of two stages alone, as a box of three dimensions without sizes.
 Study study_with(PackingMethod<3> packing) {
   auto study = test::two_stages();
   study.stages.resize(1);

@@ -87,7 +87,7 @@ TEST(VariedMaterials, AreMistakesWhereTheyCannotVary) {
   EXPECT_THAT(mistakes_of({varied_glass, varied_glass}), HasSubstr("it is given twice"));
 }
 
-// A study from before there were varied materials has the hash that it had.
+// A study without varied materials keeps the hash that it had in versions without them.
 TEST(VariedMaterials, AreContentOfAStudyOnlyWhereThereAreSome) {
   auto study = test::two_stages();
   const auto plain = content_of(study);

@@ -219,7 +219,7 @@ TEST_F(MeasuredTableTest, SeparatorsAndDecimalSigns) {
   }
 }
 
-// 1,234 beside 1.5 has a comma that parts thousands: it is not 1.234.
+// In a table with 1.5 the comma of 1,234 separates thousands: the number is not 1.234.
 TEST_F(MeasuredTableTest, BothDecimalSignsAreRefused) {
   EXPECT_EQ(mistakes("time_s;modulus_Pa\n1.5;1,234\n"),
             "table.csv:2: modulus_Pa: expected a number, got \"1,234\" (other numbers have decimal points)");
@@ -299,7 +299,7 @@ TEST_F(MeasuredTableTest, TablesBelowOneAnother) {
   EXPECT_THAT(read(table).column(time).values, ElementsAre(1.0, 2.0, 3.0));
   EXPECT_EQ(read(table).reading().tables, 2);
   EXPECT_EQ(read(table).location(2).substr(read(table).location(2).rfind(':')), ":12");
-  // A row that broke off, or has no number, is not taken for a line between two tables.
+  // A row that is cut off, or has no number, does not count as a line between two tables.
   EXPECT_EQ(mistakes("Time,Modulus,Note\ns,Pa,\n1,3\nTime,Modulus,Note\ns,Pa,\n3,1,a\n"),
             "table.csv:3: expected 3 values (Time, Modulus, Note), got 2");
   EXPECT_EQ(mistakes("Time,Modulus\ns,Pa\n1,overload\nTime,Modulus\ns,Pa\n3,1\n"),

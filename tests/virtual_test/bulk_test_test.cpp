@@ -5,7 +5,7 @@
 namespace breccia {
 namespace {
 
-// Equal strains along both axes in plane strain: a stress of K + G/3.
+// Equal strains along both axes in plane strain cause a stress of K + G/3.
 TEST(BulkTest, InPlaneStrainHasAThirdOfTheShearModulus) {
   const auto bulk = bulk_modulus_of(PronySeries(7.0), PronySeries(3.0), 2);
   EXPECT_DOUBLE_EQ(bulk.equilibrium(), 6.0);

@@ -9,11 +9,11 @@ namespace breccia::testing_composites {
 /// The phases of the composites.
 inline constexpr PhaseIndex matrix = 0, filler = 1;
 
-// Table 1 of the paper.
+// The binder of Table 1 of the paper.
 inline const Material binder = {"binder", 1000.0, PronySeries(1e6), PronySeries(0.0, {{0.01, 0.5e6}})};
 inline const Material particle = {"particle", 1500.0, PronySeries(50e6), PronySeries(18.8e6)};
 
-/// The paper's Fig. 2: a box of 6 mm with four discs of 2 mm.
+/// The composite of Fig. 2 of the paper: a box of 6 mm with four discs of 2 mm.
 inline Discretisation<2> model_composite(int cells) {
   Microstructure<2> four_discs = {6e-3, Walls::hard, {}};
   for (const double x : {1.5e-3, 4.5e-3}) {

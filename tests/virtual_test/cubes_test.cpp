@@ -1,4 +1,4 @@
-// The dynamic method in three dimensions, compared with exact solutions and with the quasi-static method.
+// Tests of the dynamic method in three dimensions against exact solutions and the quasi-static method.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -53,7 +53,7 @@ TEST(DynamicTestInSpace, AHomogeneousCubeCreepsAsItsMaterial) {
 }
 
 /// Under a unit load the uniform stress is the modulus, the strain is the load, and the displacement of a point is the
-/// strain times its distance from the centre, but for the rest of the waves of the ramp.
+/// strain times its distance from the centre, apart from the remaining waves of the ramp.
 TEST(DynamicTestInSpace, FieldsOfAHomogeneousCubeAreUniform) {
   const Material material = {"m", 1000.0, PronySeries(20e6, {{2e-2, 30e6}}), PronySeries(1e6, {{1e-2, 5e6}})};
   auto test = homogeneous_cube(material, {2e-3, 0.05});
@@ -95,7 +95,7 @@ TEST(DynamicTestInSpace, AMaxwellLaminateHasTheSeriesModulus) {
   test.discretisation.paint([](const Vector<3>& x) { return x[2] > 0.5e-3; }, 1);
   test.boundary = Boundary::periodic;
   test.load = Load::shear_yz;
-  // A laminate is softer along its layers than the bounds of isotropic composites let the program expect.
+  // A laminate is softer along its layers than the program expects from the bounds of isotropic composites.
   test.options.mass_scaling_factors = {20.0, 200.0};
   // The period of its slowest wave is about two transits, so that a ramp of four transits excites little ringing.
   test.options.ramp_transits = 4.0;
@@ -119,7 +119,7 @@ double distance(const std::vector<std::array<double, components>>& found,
   return std::sqrt(squared / whole);
 }
 
-/// Displacements less their mean.
+/// Displacements minus their mean.
 std::vector<Vector<3>> from_mean(std::vector<Vector<3>> displacements) {
   Vector<3> mean{};
   for (const auto& u : displacements) {
@@ -161,7 +161,7 @@ TEST_P(SphereInACube, HasTheSameModuliAndFieldsByBothMethods) {
   EXPECT_EQ(moved.phase, rests.phase);
   EXPECT_LT(distance(moved.stress, rests.stress), 0.01);
   EXPECT_LT(distance(moved.strain, rests.strain), 0.01);
-  // The point of the box that is at rest is arbitrary, and under tractions the turn of the box.
+  // The point of the box that is at rest is arbitrary, and so is the rotation of the box under tractions.
   if (GetParam() != Boundary::traction) {
     EXPECT_LT(distance(from_mean(moved.displacement), from_mean(rests.displacement)), 0.01);
   }
@@ -178,8 +178,8 @@ TEST_P(SphereInACube, HasTheSameModuliAndFieldsByBothMethods) {
   }
 }
 
-/// Curves, which are smoothed over the ringing of waves; single samples of two runs that ring differ more
-/// (CubesUnderEveryBoundary).
+/// The test compares curves, which are smoothed over the ringing of waves; single samples of two runs that ring differ
+/// more (CubesUnderEveryBoundary).
 TEST_P(SphereInACube, HasTheSameCurveByBothFormulations) {
   DynamicTest<3> test = {
       .discretisation = discretise<3>({1e-3, Walls::hard, {Ball<3>{{0.5e-3, 0.5e-3, 0.5e-3}, 0.8e-3}}}, 6, 0, 1),
@@ -217,8 +217,8 @@ TEST(DynamicTestInSpace, BoundsAreThoseOfHashinAndShtrikman) {
   test.materials.push_back(glass);
   test.discretisation.paint([](const Vector<3>& x) { return x[0] < 0.5e-3; }, 1);
   const ShearModulusBounds bounds(test.discretisation, test.materials);
-  // Their lower bound for half of each, with the soft phase around: G + c / (1 / dG + 6 c (K + 2 G) / (5 G (3 K + 4
-  // G))).
+  // The lower bound of Hashin and Shtrikman for half of each phase, with the soft phase around: G + c / (1 / dG + 6 c
+  // (K + 2 G) / (5 G (3 K + 4 G))).
   const double g = rubber.shear.at(1e-3), k = 2e9;
   const double lower = g + 0.5 / (1.0 / (30e9 - g) + 6.0 * 0.5 * (k + 2.0 * g) / (5.0 * g * (3.0 * k + 4.0 * g)));
   EXPECT_NEAR(bounds.lower(1e-3) / lower, 1.0, 1e-12);

@@ -90,7 +90,7 @@ TEST(RunDynamicTest, AnElasticBoxUnderTractionHardlyRings) {
   }
 }
 
-/// Quasi-static values of the model composite from an independent computation, standard points, 48 cells a side.
+/// Quasi-static values of the model composite from an independent computation with standard points, 48 cells a side.
 struct Known {
   double time;
   double modulus;
@@ -201,7 +201,7 @@ TEST(RunDynamicTest, RefusesInvalidTests) {
   EXPECT_THROW(static_cast<void>(mean_density(test.discretisation, test.materials)), InputError);
 }
 
-// A finer grid needs as many more steps as it has cells along an axis; the time domains are the same.
+// The number of steps grows with the number of cells along an axis; the time domains are the same.
 TEST(PlanDynamicTest, OfAFinerGridIsMadeByACoarseOne) {
   const auto coarse = relaxation(model_composite(12), {binder, binder}, {1e-3, 0.02});
   const auto fine = relaxation(model_composite(36), {binder, binder}, {1e-3, 0.02});

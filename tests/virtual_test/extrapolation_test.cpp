@@ -21,14 +21,14 @@ TEST(Extrapolation, RemovesAnErrorOfFirstOrder) {
   EXPECT_NEAR(two.half_band, 0.5 * 0.04, 1e-14);
   const auto three = extrapolated({0.3, 0.2, 0.1}, {value(0.3), value(0.2), value(0.1)});
   EXPECT_NEAR(three.value, 3.0, 1e-14);
-  // Grids that agree by chance are not believed beyond a quarter of the correction.
+  // The half band is at least a quarter of the correction, because grids may agree by chance.
   EXPECT_NEAR(three.half_band, 0.25 * 0.04, 1e-14);
 }
 
 TEST(Extrapolation, ThreeGridsMeasureTheRemainingError) {
   const auto value = [](double h) { return 3.0 + 0.4 * h + 0.5 * h * h; };
   const auto three = extrapolated({0.4, 0.2, 0.1}, {value(0.4), value(0.2), value(0.1)});
-  // Linear through h and 2h: the limit is off by -2 h^2 / 2.
+  // The linear function through h and 2h has a limit that is off by -2 h^2 / 2.
   EXPECT_NEAR(three.value, 3.0 - 0.5 * 2.0 * 0.01, 1e-13);
   EXPECT_NEAR(three.half_band, 0.5 * 2.0 * (0.04 - 0.01), 1e-13);
 }
@@ -40,7 +40,7 @@ TEST(Extrapolation, ModelComposite) {
   EXPECT_LT(std::abs(limit.value - 0.8746), limit.half_band);
 }
 
-// The coarser grid is off by a tenth of the finer one, by a quarter, by nothing and by nine times.
+// The coarser grid differs from the finer one by a tenth, by a quarter, not at all, and by a factor of nine.
 TEST(HalfBandsOfMixedCells, AreTwiceTheLargestDifferenceSoFar) {
   const std::vector coarse = {9.0, 5.0, 2.0, 10.0}, fine = {10.0, 4.0, 2.0, 1.0};
   const auto half_bands = half_bands_of_mixed_cells(coarse, fine);

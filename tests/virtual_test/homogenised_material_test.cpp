@@ -19,7 +19,7 @@ constexpr double tolerance = 0.03;
 const PronySeries shear(2e5, {{1e-1, 3e6}, {1e-4, 8e7}});
 const PronySeries bulk(4e9, {{1e-3, 5e8}});
 
-/// K + G/3, or G alone, at logarithmic times.
+/// The curve of K + G/3, or of G alone, at logarithmic times.
 Curve curve_of(double bulk_share, double shear_share, const TimeWindow& window) {
   Curve curve;
   for (const double t : logarithmic_times(window, 20)) {
@@ -36,7 +36,7 @@ TEST(HomogenisedMaterial, ComputesTheBulkModulusFromThatInPlaneStrain) {
   EXPECT_EQ(found.material.density, 1700.0);
   EXPECT_DOUBLE_EQ(found.fitted.begin, window.begin);
   EXPECT_DOUBLE_EQ(found.fitted.end, window.end);
-  // Neither time is among those that a fit chooses from.
+  // Neither relaxation time is among the candidates of a fit.
   EXPECT_LT(found.shear_error, 0.2 * tolerance);
   EXPECT_LT(found.bulk_error, 0.2 * tolerance);
   for (const double t : logarithmic_times({2e-6, 0.5}, 7)) {
@@ -61,7 +61,7 @@ TEST(HomogenisedMaterial, RefusesCurvesThatHaveNoTimesInCommon) {
 }
 
 TEST(HomogenisedMaterial, LetsTheBulkModulusRise) {
-  // K + G/3 that does not relax beside G that does.
+  // The modulus K + G/3 does not relax, while G does.
   const TimeWindow window = {1e-6, 1.0};
   Curve constant;
   for (const double t : logarithmic_times(window, 20)) constant.push_back({t, 4e9});

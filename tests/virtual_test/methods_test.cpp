@@ -1,4 +1,4 @@
-// The dynamic against the quasi-static method: the same discretisation, two ways to solve it.
+// Tests of the dynamic against the quasi-static method, which solve the same discretisation in two ways.
 
 #include <cstddef>
 #include <string>

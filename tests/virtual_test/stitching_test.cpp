@@ -11,7 +11,7 @@
 namespace breccia {
 namespace {
 
-/// A domain that measured `scale` times t^-1/2.
+/// A domain whose history is `scale` times t^-1/2.
 TimeDomain domain(TimeWindow window, double scale) {
   TimeDomain domain;
   domain.window = window;

@@ -27,7 +27,7 @@ struct Visited {
   TimeWindow window;
 };
 
-/// Walks a sequence along a known curve.
+/// Runs a sequence along a known curve.
 std::vector<Visited> walk(const DomainRules& rules, const std::function<double(double)>& modulus) {
   DomainSequence sequence(rules, modulus(rules.times.begin));
   std::vector<Visited> domains;

@@ -4,7 +4,7 @@
 
 namespace breccia {
 
-/// Plasticised Estane, as in data/pbx9501_binder_prony.csv.
+/// The relaxation modulus of plasticised Estane, as in data/pbx9501_binder_prony.csv.
 inline const PronySeries binder(0.0, {{1.5e+07, 4168.7},     {1.5e+06, 7413.1},     {1.5e+05, 15849},
                                       {1.5e+04, 38019},      {1.5e+03, 67608},      {1.5e+02, 89125},
                                       {1.5e+01, 1.1561e+05}, {1.5e+00, 1.4223e+05}, {1.5e-01, 1.6218e+05},

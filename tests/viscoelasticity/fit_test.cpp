@@ -50,10 +50,10 @@ TEST(Fit, RelaxationWithNoise) {
       times, [&](double t) { return fit.series.at(t); }, modulus);
   EXPECT_LT(errors.median, 0.02);
   EXPECT_LT(errors.worst, 0.04);
-  // The scatter is found, and the fit is surer than a datum.
+  // The fit finds the scatter, and its standard error is below that of a datum.
   EXPECT_NEAR(fit.quality.median_error, 0.0067, 0.002);
   EXPECT_LT(fit.quality.standard_errors[times.size() / 2], 0.01);
-  // The stated error holds the true one nearly everywhere.
+  // The true error is within the stated one nearly everywhere.
   std::size_t inside = 0;
   for (std::size_t i = 0; i < times.size(); ++i) {
     const double error = std::abs(fit.series.at(times[i]) / binder.at(times[i]) - 1.0);

@@ -6,7 +6,7 @@
 
 namespace breccia {
 
-/// Multiplies by 1 + a normal deviate (Box and Muller); the same numbers with every library.
+/// Multiplies numbers by 1 plus a normal deviate (Box and Muller), which is the same with every library.
 class Noise {
  public:
   explicit Noise(double deviation, std::uint64_t seed = 7) : random_(seed), deviation_(deviation) {}

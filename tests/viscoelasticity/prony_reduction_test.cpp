@@ -35,7 +35,8 @@ TEST(PronyReduction, StaysWithinTheToleranceBetweenTheSamples) {
     EXPECT_LE(reduction.relaxation_times(), terms);
     terms = reduction.relaxation_times();
   }
-  EXPECT_LE(terms, 13U);  // the binder itself has 13 that matter in the window: one a decade from 0.15 ns to 150 s
+  // The binder itself has 13 terms that matter in the window: one a decade from 0.15 ns to 150 s.
+  EXPECT_LE(terms, 13U);
 }
 
 TEST(PronyReduction, GivesCommonRelaxationTimes) {
@@ -132,12 +133,12 @@ TEST(PronyReduction, HasNoMoreTermsForAWiderTolerance) {
   EXPECT_LE(fewer, 6U);
 }
 
-/// A term every decade makes the modulus ripple by less than one per cent about a smooth one, which takes fewer.
+/// A term every decade makes the modulus ripple by less than one per cent about a smooth one, which takes fewer terms.
 TEST(PronyReduction, HasFewerTermsThanTheBinder) {
   const std::vector<PronySeries> given = {binder};
   const auto reduction = reduce_prony(given, {1e-8, 1e-2});
   EXPECT_LE(reduction.worst_deviation(), 0.01);
-  EXPECT_LE(reduction.relaxation_times(), 7U);  // from 1.5e-9 to 1.5e-2 s it has 8
+  EXPECT_LE(reduction.relaxation_times(), 7U);  // from 1.5e-9 to 1.5e-2 s the binder has 8
 }
 
 TEST(PronyReduction, RefusesNonsense) {

@@ -151,7 +151,7 @@ Json json_of(const Eigen::MatrixXd& matrix) {
   return rows;
 }
 
-/// A positive definite matrix that looks like any other.
+/// A positive definite matrix without special structure.
 Eigen::MatrixXd stiffness_part(Eigen::Index size, double seed) {
   const Eigen::MatrixXd factor = Eigen::MatrixXd::NullaryExpr(size, size, [seed](Eigen::Index i, Eigen::Index j) {
     return std::sin(seed + 3.1 * static_cast<double>(i) + 1.7 * static_cast<double>(j * j));
@@ -196,8 +196,8 @@ Json json_of(const ReducedResponse& response) {
           {"snapshots", snapshots_of(response, 0)}};
 }
 
-/// The composite with elastic matrices, the sampled moduli, and G(t) with viscoelastic matrices. Softer matrices are
-/// alike below 1.4e-7 of the bulk modulus, 420 Pa.
+/// The composite with elastic matrices, the sampled moduli, and G(t) with viscoelastic matrices. All softer matrices
+/// are alike below 1.4e-7 of the bulk modulus, 420 Pa.
 Json responses() {
   Json cases = Json::array();
   const TimeWindow window = {1e-6, 1e-1};
