@@ -54,7 +54,7 @@ void go_on_packing(const StateReader& state, Walls walls) {
     for (int epoch = 0; epoch < 20 && !run.is_done(); ++epoch) run.advance();
     if (run.is_done()) require_valid<2>({1e-3, walls, run.packing().balls});
   } catch (const NumericalError&) {
-    // They may jam.
+    // The discs may jam.
   } catch (const InputError& error) {
     throw std::logic_error(error.what());
   }

@@ -39,9 +39,9 @@ Numbers numbers_of(const Expected& expected, const pybind11::object& values,
 /// A time as text with a unit, in [s]; for numbers_of().
 double time_of(std::string_view argument, const pybind11::handle& value);
 
-/// The pairs of an argument: an n x 2 array, or anything that gives pairs, each of a time, as a number [s] or text with
-/// a unit, and of what `second` reads. Throws InputError, with what was `expected`, for anything else; also for a tuple
-/// of two lists, which may be meant as two columns.
+/// The pairs of an argument: an n x 2 array, or any iterable of pairs, each of a time, as a number [s] or text with a
+/// unit, and of a value that `second` reads. Throws InputError, with the `expected` form, for anything else; also for a
+/// tuple of two lists, which may be meant as two columns.
 std::vector<std::pair<double, double>> pairs_of(std::string_view argument, std::string_view expected,
                                                 const pybind11::object& pairs,
                                                 double (*second)(std::string_view argument,

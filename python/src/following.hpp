@@ -25,14 +25,14 @@ class Following {
   [[nodiscard]] RunObserver run_observer();
   /// Whether the run shall end: the stop of a CheckpointSchedule.
   [[nodiscard]] bool stop();
-  /// Throws what a signal has raised, if one has ended the run.
+  /// Throws the exception that a signal has raised, if a signal has ended the run.
   void throw_interruption();
 
  private:
   using Clock = std::chrono::steady_clock;
 
   [[nodiscard]] bool is_due(Clock::time_point& last, std::chrono::milliseconds pause) const;
-  /// Looks for signals, and throws what they raise.
+  /// Looks for signals, and throws the exceptions that they raise.
   void look_for_signals();
   void report(const Progress& now);
 
@@ -54,8 +54,8 @@ class FollowingSink final : public StudySink {
 
 /// The turn of a calculation. Solvers keep state of their own in the process, so one thread calculates at a time;
 /// meanwhile the BLAS, which NumPy may share, has one thread. It must be made and destroyed with the interpreter's lock
-/// held. Throws what a signal raises while it waits, and InputError where this thread has the turn already: in the
-/// progress function of another calculation.
+/// held. Throws the exception that a signal raises while it waits, and InputError where this thread calculates already:
+/// in the progress function of another calculation.
 class Turn {
  public:
   Turn();

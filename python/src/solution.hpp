@@ -37,8 +37,8 @@ struct TestWords {
   std::optional<std::string> load, boundary, method, grid;
 };
 
-/// The preferred one (is_preferred) of the tests that these words fit. Throws InputError, with what was tested, where
-/// none fits, or several boundaries do.
+/// The preferred one (is_preferred) of the tests that match these words. Throws InputError, with the tests that exist,
+/// where no test matches, or tests under several boundaries do.
 const TestResult& test_of(const StageFindings& stage, const TestWords& words);
 
 }  // namespace breccia::python

@@ -14,8 +14,8 @@ namespace breccia {
 
 struct Sweep;
 
-/// The results of stages that several tasks of a sweep have in common: the first task that needs one computes it, the
-/// others reuse its result. Stages are identified by the hash of everything that their results depend on
+/// The results of stages that several tasks of a sweep have in common: the first task that needs a stage computes it,
+/// and the other tasks reuse its result. Stages are identified by the hash of everything that their results depend on
 /// (Provenance::stage_hashes).
 class SharedStages {
  public:

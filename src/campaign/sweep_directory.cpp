@@ -144,7 +144,7 @@ std::unique_ptr<DirectoryLock> hold_sweep_directory(const Sweep& sweep, const fs
     for (const auto& task : sweep.tasks) {
       const auto of_task = task.directory_in(directory);
       if (is_missing_or_empty(of_task)) continue;
-      const DirectoryLock lock_of_task(of_task);  // for a moment
+      const DirectoryLock lock_of_task(of_task);  // the lock is held for a moment only
     }
   });
   return lock;

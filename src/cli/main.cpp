@@ -111,7 +111,8 @@ Outcome guarded_run(int argc, char** argv) {
 }
 
 /// If all processes fail in the same way, the first one prints the message and ends all of them. A process that is not
-/// ended after a while has failed alone: it prints its own message and ends the others, which may be waiting for it.
+/// ended after a while has failed alone: it prints its own message and ends the other processes, which may be waiting
+/// for it.
 void end_all(const Outcome& outcome) {
   namespace parallel = breccia::parallel;
   constexpr std::chrono::seconds while_the_first_speaks(3);

@@ -39,8 +39,8 @@ struct RespondArguments {
 
 /// The stages of a study with other materials.
 struct RespondedStudy {
-  std::string name;       ///< of the materials in the results: "aged", "binder at 40 degC"
-  std::string materials;  ///< in a sentence: "aged as matrix, soft as interphase"
+  std::string name;       ///< name of the materials in the results: "aged", "binder at 40 degC"
+  std::string materials;  ///< materials in a sentence: "aged as matrix, soft as interphase"
   fs::path out;
   std::string study;  ///< hash of the study with the reduced responses
   std::vector<StageResult> stages = {};

@@ -25,8 +25,8 @@ struct CreepData {
 /// Frequency sweeps by rising temperature; a single one if the file has no temperatures.
 struct DynamicData {
   std::vector<FrequencySweep> sweeps;
-  /// The sweeps were interpolated between the temperatures of a ramp. They may be more than what was measured, so that
-  /// the standard errors of a fit to them are too small.
+  /// The sweeps were interpolated between the temperatures of a ramp. There may be more of them than measured points,
+  /// so that the standard errors of a fit to them are too small.
   bool is_of_ramp = false;
 };
 

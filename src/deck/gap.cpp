@@ -84,7 +84,7 @@ void read_gap(const Section& section, const Stage& stage, Filler& filler) {
     }
   }
   if (!gap) return;
-  // Rounded, so that the same length is the same number in whatever form it is given.
+  // The gap is rounded, so that a length gives the same number in every form.
   filler.gap = as_typed(gap->length);
   filler.gap_source = gap->source;
 }

@@ -136,7 +136,7 @@ bool take_image(const Section& packing, std::optional<std::int64_t> page, Raster
   return take_page(packing, page, raster) && require_square(packing, raster);
 }
 
-/// The image that a stage asks for; nothing where that is not known because of a mistake.
+/// The image that a stage requests; nothing where it is not known because of a mistake.
 template <int dim>
 std::optional<AskedPixels> asked_pixels(const Section& packing, ImagePacking<dim>& image) {
   const auto page = packing.optional_integer("page", Range::positive());

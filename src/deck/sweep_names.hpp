@@ -7,7 +7,7 @@
 
 namespace breccia {
 
-/// For each key the last steps of its path, as many as distinguish it from the others: `seed`, or `HB-1-seed` and
+/// For each key the last steps of its path, as many as are needed to distinguish the keys: `seed`, or `HB-1-seed` and
 /// `HB-2-seed`.
 std::vector<std::string> labels_of_keys(const std::vector<std::string>& paths);
 

@@ -28,9 +28,9 @@ struct CellShape {
   static constexpr int modes = dofs - dim * (dim + 1) / 2;
   static constexpr double point_volume = 1.0 / points;  ///< share of a point in the volume of the cell
 
-  using Weights = std::array<double, std::size_t{1} << dim>;                     ///< by node
-  using PointModuli = std::array<Moduli, std::size_t{1} << dim>;                 ///< by point
-  using PointTensors = std::array<StiffnessTensor<dim>, std::size_t{1} << dim>;  ///< by point
+  using Weights = std::array<double, std::size_t{1} << dim>;                     ///< weights by node
+  using PointModuli = std::array<Moduli, std::size_t{1} << dim>;                 ///< moduli by point
+  using PointTensors = std::array<StiffnessTensor<dim>, std::size_t{1} << dim>;  ///< stiffnesses by point
   using Values = Eigen::Matrix<double, dofs, 1>;                                 ///< nodal displacements or forces
   using Stiffness = Eigen::Matrix<double, dofs, dofs>;
   using StrainVector = Eigen::Matrix<double, strains, 1>;

@@ -45,7 +45,7 @@ std::vector<std::int64_t> pixels_of_points(std::int64_t cells, std::int64_t pixe
 /// The part of a row of pixels that is in one cell.
 struct PixelShare {
   std::int64_t pixel;
-  std::int64_t length;  ///< in a common unit: a pixel is `cells` units long, and a cell `pixels`
+  std::int64_t length;  ///< length in a common unit: a pixel is `cells` units long, and a cell `pixels`
 };
 
 /// The pixels that each cell along one axis reaches over.

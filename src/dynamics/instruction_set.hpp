@@ -9,8 +9,8 @@ namespace breccia {
 /// bitwise identical results.
 enum class InstructionSet {
   baseline,  ///< the instructions of every processor of the platform: SSE2 on x86-64, NEON on 64-bit ARM
-  avx2,      ///< on x86-64 alone
-  avx512     ///< on x86-64 alone
+  avx2,      ///< AVX2, on x86-64 alone
+  avx512     ///< AVX-512, on x86-64 alone
 };
 
 /// The name by which users choose an instruction set: baseline, avx2, avx512.

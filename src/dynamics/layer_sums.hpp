@@ -19,7 +19,7 @@ class LayerSums {
   struct Sums {
     /// Sum of the stresses of the points of the layer of cells, in Voigt's order [Pa], times the cell side.
     std::array<double, static_cast<std::size_t>(tensor_components<dim>)> stress = {};
-    /// Of the layer of nodes: its share in the integral of sym(u n) over the boundary [m^dim].
+    /// The share of the layer of nodes in the integral of sym(u n) over the boundary [m^dim].
     Strain<dim> strain = {};
   };
 

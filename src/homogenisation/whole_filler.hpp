@@ -11,13 +11,13 @@ namespace breccia {
 /// The fraction of one material of fillers, or of coatings, in the composite.
 struct FillerShare {
   std::string material;
-  double fraction = 0.0;       ///< by volume [-]
+  double fraction = 0.0;       ///< fraction by volume [-]
   double mass_fraction = 0.0;  ///< [-]
 };
 
 /// The filler of a stage together with the filler of the stages that it builds on.
 struct WholeFiller {
-  double fraction = 0.0;               ///< by volume, without coatings [-]
+  double fraction = 0.0;               ///< fraction by volume, without coatings [-]
   double mass_fraction = 0.0;          ///< without coatings [-]
   std::vector<FillerShare> materials;  ///< fillers, in the order in which the stages add them
   std::vector<FillerShare> coatings;   ///< coatings, in the same order

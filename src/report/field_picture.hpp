@@ -17,27 +17,27 @@ enum class DrawnLoad { none, shear, stretch, dilatation };
 /// A map of one quantity over a square.
 struct FieldPicture {
   std::string title = {};
-  std::string quantity = {};        ///< with the unit of the labels
+  std::string quantity = {};        ///< name of the quantity, with the unit of the labels
   double unit_size = 1.0;           ///< unit of the labels in the unit of the values
   std::size_t columns = 0;          ///< number of columns of values, and of rows
   std::vector<double> values = {};  ///< row by row from the lower left corner
   ColourScale scale = ColourScale::linear;
-  double side = 0.0;  ///< of the square [m], for a scale bar; 0 for none
+  double side = 0.0;  ///< side of the square [m], for a scale bar; 0 for none
   DrawnLoad load = DrawnLoad::none;
-  std::vector<std::uint8_t> phases = {};  ///< of the values, whose outlines are drawn; or none
+  std::vector<std::uint8_t> phases = {};  ///< phases of the values, whose outlines are drawn; or none
 };
 
 /// Maps of one quantity over the middle planes of a cube.
 struct FieldCutsPicture {
   std::string title = {};
-  std::string quantity = {};  ///< with the unit of the labels
+  std::string quantity = {};  ///< name of the quantity, with the unit of the labels
   double unit_size = 1.0;     ///< unit of the labels in the unit of the values
   std::size_t columns = 0;    ///< number of columns of values of each cut, and of rows
   /// The values on the plane across each axis. The axis that follows it in the cycle x, y, z runs to the right, the one
   /// before it upwards; row by row from the lower left corner.
   std::array<std::vector<double>, 3> cuts = {};
   ColourScale scale = ColourScale::linear;
-  double side = 0.0;  ///< of the cube [m], for a scale bar; 0 for none
+  double side = 0.0;  ///< side of the cube [m], for a scale bar; 0 for none
 };
 
 /// SVG with a map of the values, a colour bar, a scale bar, and the smallest and largest value. The map has at most 600

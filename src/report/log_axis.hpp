@@ -16,7 +16,7 @@ struct Tick {
 struct LogAxis {
   double begin;
   double end;
-  std::vector<Tick> ticks;  ///< in rising order; two to ten of them have a label
+  std::vector<Tick> ticks;  ///< ticks in rising order; two to ten of them have a label
 };
 
 /// The axis for positive values from smallest to largest, widened by a factor on both sides. It spans at least a factor

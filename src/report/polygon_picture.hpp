@@ -18,7 +18,7 @@ struct MapPolygon {
 /// A map of one quantity on polygons in a square box.
 struct PolygonPicture {
   std::string title = {};
-  std::string quantity = {};  ///< with the unit of the labels
+  std::string quantity = {};  ///< name of the quantity, with the unit of the labels
   double unit_size = 1.0;     ///< unit of the labels in the unit of the values
   ColourScale scale = ColourScale::linear;
   double side = 0.0;         ///< side of the box [m], which reaches from the origin to (side, side)

@@ -48,7 +48,7 @@ struct CardSettings {
 
 /// An isotropic viscoelastic solid for a finite element program.
 struct MaterialCard {
-  std::string name;                  ///< of letters, digits and "_", beginning with a letter
+  std::string name;                  ///< name of letters, digits and "_", beginning with a letter
   std::string pressure_unit = "Pa";  ///< unit of the moduli; other quantities are in the same system of units
   double density = 0.0;
   PronySeries shear;  ///< G(t), without negative terms

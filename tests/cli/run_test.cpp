@@ -188,7 +188,7 @@ TEST(Examples, Pbx9501StiffensFromStageToStage) {
   expect_stiffer_stages(directory.path() / "curves.csv");
 }
 
-// The same deck of spheres and, with dimensions = 2, of discs.
+// The test runs one deck with spheres and, with dimensions = 2, with discs.
 TEST(Examples, Pbx9501OfSpheresStiffensFromStageToStage) {
   const std::string deck = BRECCIA_EXAMPLES_DIRECTORY "/pbx9501-3d-quick.toml";
   for (const auto* dimensions : {"3", "2"}) {

@@ -265,7 +265,7 @@ INSTANTIATE_TEST_SUITE_P(All, EveryBoundary,
                          });
 
 TEST(PeriodicBox, WhereItsEdgeLiesMakesNoDifference) {
-  // The same laminate of two directions, shifted by a few cells across both edges.
+  // The stress of a laminate in two directions, shifted by a few cells across both edges, does not change.
   const auto stress = [](int shift) {
     DynamicProblem<2> problem{Discretisation<2>(Grid<2>{{12, 12}, 1.0 / 12}), {relaxing, stiff}};
     problem.discretisation.paint(

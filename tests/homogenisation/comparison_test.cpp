@@ -33,7 +33,7 @@ class Compare : public testing::Test {
   Stage stage;
 };
 
-// From 8 Pa at 1 s to 2 Pa at 100 s as a power of time: 4 Pa at 10 s.
+// The measured curve goes from 8 Pa at 1 s to 2 Pa at 100 s as a power of time, so that it is 4 Pa at 10 s.
 TEST_F(Compare, TellsTheModulusBesideAMeasuredCurve) {
   study.measurements = {{"rheometer", "A", Curve{{1.0, 8.0}, {100.0, 2.0}}}};
   const auto found = compared({test_with(upper, {{0.1, 20.0}, {1.0, 16.0}, {10.0, 12.0}, {100.0, 1.0}, {1e3, 0.5}})});

@@ -32,7 +32,7 @@ TEST(ImageStatistics, HaveTheLengthOfTheInterface) {
 }
 
 TEST(ImageStatistics, OfVoxelsHaveTheAreaOfTheInterface) {
-  // One of 2 x 2 x 2 voxels of 0.5 m.
+  // One voxel of 2 x 2 x 2 voxels of 0.5 m has another label.
   LabelImage<3> corner = {{2, 2, 2}, 0.5, Walls::hard, {1, 0, 0, 0, 0, 0, 0, 0}};
   EXPECT_THAT(label_fractions(corner, 2), ElementsAre(0.875, 0.125));
   EXPECT_DOUBLE_EQ(specific_interface(corner), 3.0 * 0.25) << "three faces of 0.25 m^2, on 1 m^3";

@@ -208,7 +208,7 @@ TEST(Tessellation, FillsTheBox) {
   }
 }
 
-// 91.11 % in the table of section 7 of the design, from an independent prototype.
+// The expected fraction of 91.11 % was computed by an independent prototype.
 TEST(Tessellation, TwentyFiveVoronoiGrains) {
   const Tessellation<2> tessellation(test::voronoi_sites_25());
   EXPECT_NEAR(sum(cell_volumes(tessellation)), 1.0, 1e-14);

@@ -106,7 +106,8 @@ TEST(Fit, DynamicModuliWithNoise) {
 }
 
 TEST(Fit, RampIsTakenOut) {
-  // One Maxwell element and a spring, strained at a constant rate until T; DESIGN: a step fit is 30 % off at T.
+  // One Maxwell element and a spring, are strained at a constant rate until T; a fit that assumes a step would be 30 %
+  // off at T.
   const double ramp = 1e-3, tau = 2e-3, g1 = 3e6, ge = 1e6;
   const auto data_times = logarithmic(1e-4, 1e-1, 20);
   std::vector<double> data;

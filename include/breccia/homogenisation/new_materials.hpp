@@ -15,8 +15,8 @@ class NotVaried : public InputError {
   using InputError::InputError;
 };
 
-/// A new material for a study that has been run, and what it is to replace: a material of the study or a phase of its
-/// stages ("matrix", "filler"), by name.
+/// A new material for a study that has been run. Its name selects what it replaces: a material of the study or a phase
+/// of its stages ("matrix", "filler").
 struct NewMaterial {
   std::string name;
   Material material;

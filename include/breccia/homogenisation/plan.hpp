@@ -47,7 +47,7 @@ struct GridPlan {
   double side = 0.0;                   ///< side of the box [m]
   double length = 0.0;                 ///< characteristic length, on whose number of cells the error depends [m]
   std::string_view place = {};         ///< location of this length: "in the narrowest gap"
-  std::optional<ErrorRule> rule = {};  ///< rule for the error; nothing where none is known
+  std::optional<ErrorRule> rule = {};  ///< rule for the error; nothing where no rule is known
   std::string_view without_rule = {};  ///< name of the content for which there is no rule: "ellipsoids"
 
   /// Number of cells along the characteristic length [-].
@@ -86,7 +86,7 @@ struct SweepPlan {
     StudyPlan plan = {};
     std::string failure = {};
   };
-  std::vector<Part> parts = {};  ///< in the order of their first tasks
+  std::vector<Part> parts = {};  ///< parts, in the order of their first tasks
 
   /// Time of all tasks, one after the other [s].
   [[nodiscard]] double seconds() const;

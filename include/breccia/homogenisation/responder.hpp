@@ -85,7 +85,7 @@ class Responder {
   std::vector<StageResponses> stages_;
   std::vector<ShiftedMaterial> materials_;
   std::map<std::string, ShownName> shown_ = {};  ///< shown names of replaced materials, by their names in the study
-  std::set<std::string> unshifted_ = {};         ///< elastic materials that were asked for at another temperature
+  std::set<std::string> unshifted_ = {};         ///< elastic materials that were requested at another temperature
 };
 
 /// The responder of a study from its result. Throws InputError where the result is that of another study.

@@ -59,7 +59,7 @@ class ConvexCell {
 
   /// Cuts off the part outside the half-space. Returns false if there is none.
   bool cut(const HalfSpace<dim>& half_space);
-  /// Removes the half-spaces without a face, and renumbers the others.
+  /// Removes the half-spaces without a face, and renumbers the remaining ones.
   void trim();
   /// The cell of the points whose distance from all faces is at least `distance` [m].
   [[nodiscard]] ConvexCell eroded(double distance) const;

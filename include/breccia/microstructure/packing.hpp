@@ -20,7 +20,7 @@ struct PackingRequest {
   /// Thickness of a shell around each particle in addition to half the minimum gap [m]: its coating, or the part of its
   /// own gap beyond the smallest one. No two shells overlap. Empty if no particle has a shell.
   std::vector<double> shells = {};
-  std::uint64_t seed = 1;  ///< the same seed gives the same packing
+  std::uint64_t seed = 1;  ///< seed of the random numbers; a seed always gives the same packing
   /// Growth rate of the mean diameter, in units of the speed of the particles; at most 1. A packing that jams too early
   /// is repeated with slower growth. Slower growth gives a denser packing and takes longer.
   double growth_rate = 0.1;

@@ -67,7 +67,7 @@ struct Particle {
 /// The gap between two shapes, and its direction.
 struct ParticleGap {
   double width;         ///< width of the gap [m]
-  Vector<2> direction;  ///< from the first shape to the second, of length 1
+  Vector<2> direction;  ///< direction from the first shape to the second, of length 1
 };
 
 /// Distance between the outlines of two particles (theory, Eq. 52): never above the true distance, and at most 1e-13 of

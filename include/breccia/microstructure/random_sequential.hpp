@@ -30,7 +30,7 @@ struct RandomSequentialRequest {
   double side = 0.0;  ///< side of the box [0, side]^2 [m]
   Walls walls = Walls::hard;
   std::vector<ParticleToPlace> particles = {};
-  std::uint64_t seed = 1;  ///< the same seed gives the same packing
+  std::uint64_t seed = 1;  ///< seed of the random numbers; a seed always gives the same packing
 };
 
 /// An ellipsoid to place; all orientations are equally likely.
@@ -55,7 +55,7 @@ struct EllipsoidSequentialRequest {
   double side = 0.0;  ///< side of the box [0, side]^3 [m]
   Walls walls = Walls::hard;
   std::vector<EllipsoidToPlace> particles = {};
-  std::uint64_t seed = 1;  ///< the same seed gives the same packing
+  std::uint64_t seed = 1;  ///< seed of the random numbers; a seed always gives the same packing
 };
 
 /// Places particles at random, the largest first, each at a position where it overlaps no other (random sequential

@@ -14,7 +14,7 @@ struct RandomTessellationRequest {
   /// Diameters of balls with the volumes (in 2D: the areas) of the cells [m]. Only their ratios matter, since the
   /// volumes are scaled so that the cells fill the box.
   std::vector<double> diameters;
-  std::uint64_t seed = 1;  ///< the same seed gives the same tessellation
+  std::uint64_t seed = 1;  ///< seed of the random numbers; a seed always gives the same tessellation
   /// Number of times that every site moves to the centroid of its cell. Each step makes the cells rounder; without any
   /// step they are as irregular as the random positions (Bourne, Kok, Roper, Spanjer 2020).
   int centring_steps = 5;

@@ -23,7 +23,7 @@ class Tessellation {
   /// Throws InputError that lists the mistakes of the sites (see mistakes()).
   explicit Tessellation(LaguerreSites<dim> sites);
 
-  [[nodiscard]] double side() const noexcept { return sites_.side; }  ///< of the box [m]
+  [[nodiscard]] double side() const noexcept { return sites_.side; }  ///< side of the box [m]
   [[nodiscard]] Walls walls() const noexcept { return sites_.walls; }
   [[nodiscard]] const LaguerreSites<dim>& sites() const noexcept { return sites_; }
   [[nodiscard]] std::size_t size() const noexcept { return cells_.size(); }  ///< number of grains

@@ -17,7 +17,7 @@ namespace breccia {
 template <int dim>
 struct QuasistaticProblem {
   Discretisation<dim> discretisation;
-  std::vector<Material> materials;  ///< by PhaseIndex
+  std::vector<Material> materials;  ///< materials by PhaseIndex
   Volumetric volumetric = Volumetric::averaged;
   Boundary boundary = Boundary::displacement;
   LinearOptions linear = {};

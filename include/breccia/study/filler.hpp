@@ -41,13 +41,13 @@ using Sizes = std::variant<SingleSize, ListedSizes, LognormalSizes, TabulatedSiz
 
 /// Ellipses; in three dimensions ellipsoids of revolution.
 struct EllipticOutline {
-  double aspect = 1.0;  ///< first axis over the second one, or the axis of revolution over the others [-]
+  double aspect = 1.0;  ///< first axis over the second one, or the axis of revolution over the other axes [-]
 };
 
 /// Convex polygons, all similar to one.
 struct PolygonalOutline {
   std::filesystem::path file;
-  std::vector<Vector<2>> corners;  ///< in any unit: the size follows from the diameter of equal area
+  std::vector<Vector<2>> corners;  ///< corners in any unit: the size follows from the diameter of equal area
 };
 
 /// Shape of the particles of a filler, whose sizes are diameters of discs of equal area, or of balls of equal volume.

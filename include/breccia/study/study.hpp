@@ -16,7 +16,7 @@ namespace breccia {
 struct Study {
   std::string title = {};
   std::vector<ShiftedMaterial> materials = {};  ///< the named materials, in the order of the deck
-  std::vector<Stage> stages;  ///< from the smallest scale up; an earlier stage may be the matrix of a later one
+  std::vector<Stage> stages;  ///< stages from the smallest scale up; an earlier stage may be the matrix of a later one
   Tests tests;
   std::vector<Measurement> measurements = {};
   Provenance provenance = {};

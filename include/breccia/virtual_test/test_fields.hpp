@@ -22,7 +22,7 @@ struct NetworkFields {
   std::vector<TimedFilmFields> at_times;
 };
 
-/// Fields of a test; without times where none were asked for.
+/// Fields of a test; without times where no fields were requested.
 using TestFields = std::variant<GridFields<2>, GridFields<3>, NetworkFields>;
 
 /// The times of fields [s].

@@ -18,7 +18,7 @@ struct FrequencySweep {
 struct ShiftFactor {
   double temperature = 0.0;     ///< [K]
   double log10_factor = 0.0;    ///< log10 a_T [-]; 0 at the reference
-  double standard_error = 0.0;  ///< of log10 a_T, from the scatter of the data [-]
+  double standard_error = 0.0;  ///< standard error of log10 a_T, from the scatter of the data [-]
 };
 
 /// Frequency sweeps at several temperatures, shifted to the reference temperature.

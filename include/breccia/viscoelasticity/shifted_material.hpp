@@ -11,7 +11,7 @@ namespace breccia {
 
 /// A material at a temperature, with the law by which it is shifted to others.
 struct ShiftedMaterial {
-  Material material;                           ///< at the temperature of the shift
+  Material material;                           ///< material at the temperature of the shift
   std::optional<TemperatureShift> shift = {};  ///< nothing where no law is known
 };
 

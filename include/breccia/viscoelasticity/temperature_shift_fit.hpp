@@ -17,10 +17,10 @@ struct WilliamsLandelFerryFit {
   double worst_at = 0.0;         ///< temperature of that deviation [K]
 };
 
-/// Fits the law to shift factors by least squares of log10 a_T, with a_T = 1 at the reference temperature [K].
-/// Returns nothing when log10 a_T does not level off with rising temperature as the law does. Throws InputError when
-/// there are fewer than two different temperatures other than the reference, or the factors do not fall with the
-/// temperature; NumericalError when the search does not converge or the constants cannot be told apart.
+/// Fits the law to shift factors by least squares of log10 a_T, with a_T = 1 at the reference temperature [K]. Returns
+/// nothing when log10 a_T does not level off with rising temperature as the law does. Throws InputError when there are
+/// fewer than two different temperatures other than the reference, or the factors do not fall with the temperature;
+/// NumericalError when the search does not converge or the data do not determine both constants.
 std::optional<WilliamsLandelFerryFit> fit_williams_landel_ferry(std::span<const ShiftFactor> factors,
                                                                 double reference_temperature);
 

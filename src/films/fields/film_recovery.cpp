@@ -317,7 +317,7 @@ class Recovery {
   const FilmVector *displacement_, *shear_;
   Eigen::VectorXd volumetric_strain_, negative_pressure_;  ///< values by number of the pressure
   std::vector<Eigen::Vector3d>
-      inflow_;  ///< by junction: the part of the integral of its strain that comes from flow into it
+      inflow_;  ///< part of the integral of the strain that comes from flow into a junction, by junction
   FilmFields fields_;
 };
 

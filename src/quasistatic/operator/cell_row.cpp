@@ -4,7 +4,7 @@ namespace breccia::quasistatic {
 namespace {
 
 /// Sums and differences of one component of the displacement over the corners of a cell. `x` is the difference along
-/// the first axis summed over the others; `xy` is the difference along the first two, and so on.
+/// the first axis summed over the other axes; `xy` is the difference along the first two, and so on.
 struct Differences {
   double x, y, z, xy, yz, zx, xyz;
 };
