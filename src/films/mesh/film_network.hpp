@@ -29,8 +29,8 @@ struct Junction {
 
 /// One of the two sides of a film.
 struct FilmSide {
-  CornerImage begin,
-      end;  ///< corners of the grain at both ends; one corner twice where the face of this grain has vanished
+  /// Corners of the grain at both ends; one corner twice where the face of this grain has vanished.
+  CornerImage begin, end;
   std::optional<std::size_t> face;  ///< the face of the grain along the film, unless it has vanished
 };
 
