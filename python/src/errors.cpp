@@ -83,7 +83,7 @@ const char* name_of(const Error& error) {
 }  // namespace
 
 void translate_errors() {
-  // By value, as pybind11 calls it.
+  // The argument is passed by value, as pybind11 requires.
   py::register_exception_translator([](std::exception_ptr thrown) {  // NOLINT(performance-unnecessary-value-param)
     try {
       if (thrown) std::rethrow_exception(thrown);

@@ -12,7 +12,7 @@
 
 namespace breccia {
 
-// The materials of study.json (study_document.hpp).
+// The entries for materials in `study.json` (study_document.hpp).
 
 template <>
 inline constexpr auto fields<MaxwellTerm> = std::tuple(field("relaxation_time_s", &MaxwellTerm::relaxation_time),
@@ -20,7 +20,7 @@ inline constexpr auto fields<MaxwellTerm> = std::tuple(field("relaxation_time_s"
 
 /// The parts of a Prony series.
 struct SeriesEntry {
-  double equilibrium = 0.0;  ///< [Pa]
+  double equilibrium = 0.0;  ///< modulus at equilibrium [Pa]
   std::vector<MaxwellTerm> terms = {};
 };
 template <>
@@ -31,7 +31,8 @@ struct JsonForm<PronySeries> {
   static nlohmann::ordered_json write(const PronySeries& series) {
     return json_from(SeriesEntry{series.equilibrium(), series.terms()});
   }
-  /// That of a composite in plane strain may have negative moduli, which a difference alone can have.
+  /// Reads the series. That of a composite in plane strain may have negative moduli, as only a difference of series
+  /// can.
   static PronySeries read(const nlohmann::ordered_json& json);
 };
 

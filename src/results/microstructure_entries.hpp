@@ -11,7 +11,7 @@
 
 namespace breccia {
 
-// The microstructures of study.json (study_document.hpp).
+// The entries for microstructures in `study.json` (study_document.hpp).
 
 struct CoatingEntry {
   std::string material;
@@ -47,16 +47,16 @@ inline constexpr auto fields<FillerEntry> =
 
 struct MicrostructureEntry {
   std::optional<std::size_t> particles = {};
-  double fraction = 0.0;                                                ///< [-]
-  std::optional<double> interface_per_volume = {};                      ///< in three dimensions [1/m]
-  std::optional<double> interface_per_area = {};                        ///< in two [1/m]
-  std::optional<double> gap = {}, gap_cells = {};                       ///< [m], [-]
-  std::optional<double> wall_gap = {};                                  ///< [m]
-  double seconds = 0.0;                                                 ///< wall time [s]
-  std::optional<double> film = {}, film_cells = {};                     ///< of grains [m], [-]
+  double fraction = 0.0;                             ///< [-]
+  std::optional<double> interface_per_volume = {};   ///< interface per volume, in three dimensions [1/m]
+  std::optional<double> interface_per_area = {};     ///< interface per area, in two dimensions [1/m]
+  std::optional<double> gap = {}, gap_cells = {};    ///< [m], [-]
+  std::optional<double> wall_gap = {};               ///< [m]
+  double seconds = 0.0;                              ///< wall time [s]
+  std::optional<double> film = {}, film_cells = {};  ///< thickness of the films between grains [m], [-]
   std::optional<double> smallest_diameter = {}, largest_diameter = {};  ///< [m]
-  std::optional<std::vector<int>> pixels = {};                          ///< of an image, along its sides
-  std::optional<double> pixel_side = {};                                ///< [m]
+  std::optional<std::vector<int>> pixels = {};  ///< number of pixels of an image along its sides
+  std::optional<double> pixel_side = {};        ///< [m]
   std::optional<double> size_deviation = {};
   std::optional<std::uint64_t> seed = {};
   std::optional<std::uint64_t> events = {};

@@ -68,7 +68,7 @@ class Content {
     add(value.index());
     std::visit([this](const auto& one) { this->add(one); }, value);
   }
-  /// The file that values were read from: the values are in the study.
+  /// Adds nothing for the name of a file: the values that were read from it are in the study.
   void add(const std::filesystem::path& file) { static_cast<void>(file); }
 
   void add(const PronySeries& series) { add_all(series.equilibrium(), series.terms()); }
@@ -171,7 +171,7 @@ class Content {
   void add(const ImagePacking<dim>& packing) {
     const auto& [file, array, image] = packing;
     if (image) add(*image);
-    static_cast<void>(array);  // where the image was read from, as its file
+    static_cast<void>(array);  // only the source of the image, like `file`
   }
   template <int dim>
   void add(const LabelImage<dim>& image) {

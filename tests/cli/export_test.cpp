@@ -322,7 +322,8 @@ TEST_F(Export, WarnsAtATemperatureAsRespondDoes) {
   EXPECT_THAT(warnings_in(card.errors), IsSupersetOf(expected));
 }
 
-// By default the last stage of the deck is taken, at any temperature; the order of the names of stages is another one.
+// By default the last stage of the deck is exported, at any temperature. In this deck the alphabetical order of the
+// stages differs from their order in the deck.
 TEST(ExportAtATemperature, TakesTheLastStageOfTheDeck) {
   const auto deck =
       std::regex_replace(std::string(composite_deck), std::regex("name    = \"coarse\"\nmatrix  = \"fine\""),
@@ -339,8 +340,8 @@ TEST(ExportAtATemperature, TakesTheLastStageOfTheDeck) {
   }
 }
 
-// The responses hold for the moduli of the times of the run alone, so that a warmer binder leaves them in the end. The
-// advice is the option with which the card can be written.
+// The responses hold only for the moduli that the materials have within the times of the run; a much warmer binder has
+// other moduli. The message advises the option with which the card can be written.
 TEST(ExportAtATemperature, NamesTheCoveredTimes) {
   std::string deck(composite_deck);
   const auto coarse = deck.find("[[stages]]\nname    = \"coarse\"");

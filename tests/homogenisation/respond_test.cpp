@@ -68,7 +68,8 @@ Study small_study(double side) {
   return study;
 }
 
-// The run warns of the filler beside the binder of the study; an answer warns of it beside the binder that it has.
+// The warning of the run compares the filler with the binder of the study; the warning of a response compares it with
+// the new binder.
 TEST(Respond, TheWarningOfASoftFillerIsThatOnTheNewBinder) {
   auto study = small_study(6e-3);
   auto soft = study.stages[0].fillers[0].material;

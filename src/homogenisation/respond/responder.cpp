@@ -87,7 +87,8 @@ std::optional<std::string> warning_of_times(const StageResponses& stage, const M
   return warning ? std::optional(fmt::format("{}: {}", stage.stage, *warning)) : std::nullopt;
 }
 
-/// The binder of a stage: its matrix, or that of the earlier stages that it builds on; nullptr where that is not known.
+/// The binder of a stage: its matrix, or the matrix of the earlier stages that it builds on; nullptr where the binder
+/// is unknown.
 const Material* binder_of(const std::vector<StageResponses>& stages, const StageResponses& stage) {
   const auto* lowest = &stage;
   while (const auto* const below = stage_of_matrix(stages, *lowest)) lowest = below;
@@ -95,7 +96,8 @@ const Material* binder_of(const std::vector<StageResponses>& stages, const Stage
   return binder != nullptr && has_moduli(*binder) ? binder : nullptr;
 }
 
-/// The warnings on a stage that depend on the materials that vary: on these, and on fillers beside them.
+/// The warnings about a stage that depend on the varying materials: about these materials, and about fillers that are
+/// softer than their binder.
 std::vector<std::string> warnings_on_varying(const std::vector<StageResponses>& stages, const StageResponses& stage,
                                              const std::vector<ShiftedMaterial>& materials) {
   std::vector<std::string> warnings;

@@ -25,9 +25,9 @@ namespace breccia::quasistatic {
 /// reference moduli. Moduli [Pa] are those of the phases that vary, in the order of ReducedResponse::phases(). Since
 /// the uniform strain is one of the vectors, the mean stress of the reduced solution agrees exactly with its energy.
 ///
-/// GreedySampling fills it: the first snapshot gives the reference moduli, each further one a vector. Its response is
-/// copied out at the end and is all that relaxation moduli, response.h5 and a Responder use (creep_compliance in
-/// reduced_response.hpp); the vectors serve the fields alone (theory, section 10).
+/// GreedySampling fills the basis: the first snapshot gives the reference moduli, each further snapshot a vector. The
+/// reduced response is copied out at the end; relaxation moduli, `response.h5` and a Responder use only this response
+/// (creep_compliance in reduced_response.hpp). The vectors are used only for the fields (theory, section 10).
 ///
 /// The forces of the vectors are not stored: computing them again is cheap.
 template <AffineComposite Composite>
