@@ -42,8 +42,8 @@ struct ExportArguments {
   std::string poisson;      ///< Poisson's ratio; empty: from the bulk test
   std::string units = "m-kg-s";
   std::string frequency = "1 Hz";  ///< frequency of the format `dma`
-  std::vector<std::string>
-      temperatures;          ///< temperatures of the format `dma`; empty: those near that of the run that are covered
+  /// Temperatures of the format `dma`; empty: those near that of the run that are covered.
+  std::vector<std::string> temperatures;
   std::string step = "2 K";  ///< step between the temperatures
   fs::path output;           ///< file of the output; empty: standard output
   bool overwrite = false;

@@ -13,8 +13,8 @@ namespace breccia {
 /// A Prony series fitted to measured data.
 struct FittedModulus {
   PronySeries series;  ///< [Pa]
-  std::optional<TimeWindow>
-      measured_times;  ///< times of the data [s], for dynamic moduli 1 / omega; nothing for a Prony series
+  /// Times of the data [s], for dynamic moduli 1 / omega; nothing for a Prony series.
+  std::optional<TimeWindow> measured_times;
   std::optional<ShiftLaw> shift_law = {};  ///< law of a master curve (shift_law_of)
 };
 

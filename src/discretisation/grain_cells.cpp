@@ -115,8 +115,8 @@ Discretisation<dim> discretise_mixed(const Tessellation<dim>& tessellation, doub
     if (!grain.is_empty()) covered.add(grain, tessellation.sites().sites[site].position);
   }
   MixtureNumbers<dim> numbers(discretisation, phases);
-  constexpr std::int64_t whole = std::int64_t{1}
-                                 << 40;  // number of units in a cell, which are far smaller than the steps of mixtures
+  // Number of units in a cell; a unit is far smaller than a step of the fractions of mixtures.
+  constexpr std::int64_t whole = std::int64_t{1} << 40;
   std::vector<std::int64_t> units(phases, 0);
   for_each_index(range.begin, range.end, [&](const Index<dim>& cell) {
     const double share = std::min(1.0, covered.of(cell));

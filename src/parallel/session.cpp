@@ -168,8 +168,8 @@ std::vector<std::string> unused_petsc_options() {
 void stop() noexcept {
   int is_finalised = 0;
   MPI_Finalized(&is_finalised);
-  if (is_finalised != 0)
-    return;  // the host program has finalised MPI before its end: PETSc cannot be finalised any more
+  // The host program has finalised MPI before its end: PETSc cannot be finalised any more.
+  if (is_finalised != 0) return;
   if (std::exchange(started().petsc, false) && PetscFinalize() != 0) return;
   free_communicator(division().on_machine);
   free_communicator(division().communicator);

@@ -30,8 +30,8 @@ struct CubeLattice {
 /// Polygons in the plane.
 struct PolygonMesh {
   std::vector<std::array<double, 2>> points;  ///< positions of the points [m]
-  std::vector<std::int64_t>
-      corners;  ///< indices of the points of the polygons, one polygon after the other, anticlockwise
+  /// Indices of the points of the polygons, one polygon after the other, anticlockwise.
+  std::vector<std::int64_t> corners;
   std::vector<std::int64_t> corner_counts;  ///< number of corners of each polygon, at least three
 };
 

@@ -20,8 +20,8 @@ namespace {
 struct ReferenceCurve {
   std::string label;
   Curve modulus;
-  std::optional<Boundary>
-      boundary;  ///< boundary condition of the tests to which it belongs; nothing for a measured modulus
+  /// Boundary condition of the tests to which the curve belongs; nothing for a measured modulus.
+  std::optional<Boundary> boundary;
 };
 
 /// Index in the palette: blue, red and green for the boundaries, other colours for the second shear test, black for

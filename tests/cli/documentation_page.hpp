@@ -14,8 +14,8 @@ struct DocumentedCommand {
 
 /// A page of the documentation with files for its reader to write and commands to run.
 struct DocumentationPage {
-  std::map<std::string, std::string>
-      files;                                ///< files by name: blocks of text after a paragraph that names a file first
+  /// Files by name: blocks of text after a paragraph that names a file first.
+  std::map<std::string, std::string> files;
   std::vector<DocumentedCommand> commands;  ///< all commands of the program, in order
 };
 

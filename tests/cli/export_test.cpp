@@ -227,8 +227,8 @@ TEST_F(Export, DynamicModuliAgainstTemperature) {
   const auto expected = read_csv(cold.path() / "dma.csv");
   for (const auto* column : {"shear_storage_modulus_Pa", "shear_loss_modulus_Pa", "youngs_storage_modulus_Pa",
                              "youngs_loss_modulus_Pa", "poisson_ratio_real"}) {
-    EXPECT_NEAR(table.numbers(column)[0] / expected.numbers(column)[0], 1.0, 3e-3)
-        << column;  // tolerance of two reduced bases
+    // Tolerance of two reduced bases.
+    EXPECT_NEAR(table.numbers(column)[0] / expected.numbers(column)[0], 1.0, 3e-3) << column;
   }
 }
 

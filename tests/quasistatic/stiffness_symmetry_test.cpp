@@ -24,8 +24,8 @@ constexpr std::array six_loads = {Load::shear,          Load::shear_yz,         
 
 /// One of the 48 rotations and reflections that turn a cube into itself.
 struct CubeSymmetry {
-  std::array<int, 3>
-      axes;  ///< the original axes of the cube that are the first, second and third axis after the symmetry
+  /// The original axes of the cube that are the first, second and third axis after the symmetry.
+  std::array<int, 3> axes;
   std::array<bool, 3> is_flipped;  ///< whether an axis of the turned cube is flipped
 };
 

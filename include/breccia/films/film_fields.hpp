@@ -34,8 +34,8 @@ struct FilmFields {
   std::vector<Vector<2>> points;        ///< positions of the corner points [m]
   std::vector<Vector<2>> displacement;  ///< displacements of the points [m]
   std::vector<FilmCell> cells;
-  std::vector<std::size_t>
-      corners;  ///< indices of the corner points of the cells, one cell after the other, counter-clockwise
+  /// Indices of the corner points of the cells, one cell after the other, counter-clockwise.
+  std::vector<std::size_t> corners;
 };
 
 /// Fields at a time after the load was applied.

@@ -19,7 +19,7 @@ struct PointLabels {
 };
 
 /// The labels of the points of a grid of `cells` cells along each side of the box. Each point has the phase at its
-/// position (Mixing::points), whatever mixing the tests use.
+/// position (Mixing::points), independently of the mixing in the tests.
 PointLabels point_labels(const Stage& stage, const StageMicrostructure& packed, int cells);
 
 }  // namespace breccia

@@ -85,8 +85,8 @@ template <int dim>
 struct Moments {
   double volume = 0.0;     ///< volume [m^dim]
   Vector<dim> centroid{};  ///< centroid [m]
-  std::array<Vector<dim>, static_cast<std::size_t>(dim)>
-      covariance{};  ///< covariance of the positions of the points in the cell [m^2]
+  /// Covariance of the positions of the points in the cell [m^2].
+  std::array<Vector<dim>, static_cast<std::size_t>(dim)> covariance{};
 };
 
 /// Volume and centroid of a cell, and the covariance of its points about the centroid. Zeros for an empty cell.

@@ -19,8 +19,8 @@ struct FilmMatrices {
   Sparse dilatation;                                   ///< volume change by pressure and unknown
   Sparse volume;                                       ///< lower triangle of the products of the pressures' functions
   Eigen::Matrix<double, Eigen::Dynamic, 3> tractions;  ///< forces of the stresses xx, yy and xy on the boundary
-  Eigen::Matrix<double, Eigen::Dynamic, 4>
-      by_gradient;  ///< values of the unknowns in the displacement gradients 11, 12, 21 and 22
+  /// Values of the unknowns in the displacement gradients 11, 12, 21 and 22.
+  Eigen::Matrix<double, Eigen::Dynamic, 4> by_gradient;
   /// Vector from the first node to the node whose second component a traction boundary holds at zero.
   Eigen::Vector2d farthest_held = Eigen::Vector2d::Zero();
   double area = 0.0;  ///< area of grains and binder in a box of area 1

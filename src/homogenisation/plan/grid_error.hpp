@@ -16,7 +16,7 @@ ErrorRule error_rule_of_films();
 
 /// The rule for mixed cells and random packings of spheres that fill a fraction of the box [-], by the number of cells
 /// across a sphere of the mean diameter, which is six times the whole volume over the whole surface (theory, Eq. 43c).
-/// Nothing close to jamming.
+/// Returns nothing for fractions close to jamming.
 std::optional<ErrorRule> error_rule_of_spheres(double fraction);
 
 /// The finest grid of a stage of particles or grains that is computed with cells; nothing where no rule applies to its

@@ -109,8 +109,8 @@ void CellBuilder<dim>::cut_by_sites_within(double reach, ConvexCell<dim>& cell, 
   };
   std::vector<HalfSpace<dim>> half_spaces;
   grid_.visit_near(position, reach, [&](std::uint32_t other, Image image) {
-    if (other == site || !may_cut(other, image))
-      return;  // the largest cell is bounded by the images of its own site already
+    // The largest cell is bounded by the images of its own site already.
+    if (other == site || !may_cut(other, image)) return;
     half_spaces.push_back(half_space(site, Behind<dim>::number(other, image)));
   });
   std::ranges::sort(half_spaces, {},

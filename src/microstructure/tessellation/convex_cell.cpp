@@ -99,8 +99,8 @@ ConvexCell<dim>::ConvexCell(const Vector<dim>& lower, const Vector<dim>& upper, 
     normal[axis] = 1.0;
     half_spaces_.push_back({normal, upper[axis], behind[axis][1]});
   }
-  for (std::uint32_t sides = 0; sides < (1U << dim);
-       ++sides) {  // the bits say whether a corner is at the lower or the upper side along each axis
+  // The bits say whether a corner is at the lower or the upper side along each axis.
+  for (std::uint32_t sides = 0; sides < (1U << dim); ++sides) {
     Corner corner{};
     for (std::uint32_t axis = 0; axis < dim; ++axis) {
       const std::uint32_t is_above = (sides >> axis) & 1U;

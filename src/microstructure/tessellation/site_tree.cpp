@@ -70,8 +70,8 @@ void SiteTree<dim>::build(std::size_t node, const Part& part, const std::vector<
   const std::size_t first = nodes_.size();
   nodes_[node] = {static_cast<std::uint32_t>(first), 0};
   nodes_.resize(first + parts);
-  for (std::uint32_t sides = 0; sides < parts;
-       ++sides) {  // the bits say whether a part is the lower or the upper half along each axis
+  // The bits say whether a part is the lower or the upper half along each axis.
+  for (std::uint32_t sides = 0; sides < parts; ++sides) {
     Part half{part.centre, 0.5 * part.half_side, part.depth + 1};
     for (std::uint32_t axis = 0; axis < dim; ++axis) {
       half.centre[axis] += ((sides >> axis) & 1U) != 0 ? half.half_side : -half.half_side;

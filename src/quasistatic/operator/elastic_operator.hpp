@@ -94,8 +94,8 @@ class ElasticOperator {
   NodeLayout<dim> nodes_;
   CellKinds<dim> kinds_;
   int threads_;
-  std::vector<std::size_t>
-      first_strain_;  ///< index of the first strain of the mixed cells, by plane of cells of this process
+  /// Index of the first strain of the mixed cells, by plane of cells of this process.
+  std::vector<std::size_t> first_strain_;
   typename Shape::ModeMatrix modes_ = Shape::mode_matrix();
 };
 

@@ -55,9 +55,8 @@ concept AffineComposite = DisplacementVector<typename Composite::Vector> &&
              std::size_t i) {
   { composite.boundary() } -> std::same_as<Boundary>;
   { composite.volume() } -> std::convertible_to<double>;
-  {
-    composite.parameters()
-    } -> std::convertible_to<std::span<const PhaseModulus>>;  // phases and kinds of the moduli p_i
+  // Phases and kinds of the moduli p_i.
+  { composite.parameters() } -> std::convertible_to<std::span<const PhaseModulus>>;
   { composite.zero() } -> std::same_as<typename Composite::Vector>;
   { composite.uniform_strain(load) } -> std::same_as<typename Composite::Vector>;
   { composite.load_forces(load) } -> std::same_as<typename Composite::Vector>;

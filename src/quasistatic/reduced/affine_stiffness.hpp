@@ -20,8 +20,8 @@ struct AffineStiffness {
     PhaseIndex phase;          ///< number of that phase
     std::vector<Moduli> unit;  ///< moduli of K_i, by material: 1 for this modulus of this phase, 0 for all others [-]
   };
-  std::vector<Moduli>
-      constant;  ///< moduli of K_0, by material: the moduli of the elastic phases [Pa]; 0 for those that vary
+  /// Moduli of K_0, by material: the moduli of the elastic phases [Pa]; 0 for those that vary.
+  std::vector<Moduli> constant;
   std::vector<Part> parts;
 
   /// The moduli by material [Pa] with the stiffness K(p).

@@ -18,8 +18,8 @@ namespace breccia::quasistatic {
 
 /// The origin of a vector of a reduced basis: an amount of a displacement, and these amounts of the earlier vectors.
 struct VectorOrigin {
-  std::optional<std::vector<double>>
-      parameters;  ///< moduli [Pa] for which the displacement is a solution; nothing for other displacements
+  /// Moduli [Pa] for which the displacement is a solution; nothing for other displacements.
+  std::optional<std::vector<double>> parameters;
   Eigen::VectorXd of_earlier;
 };
 
