@@ -49,8 +49,8 @@ class Planner {
   }
 
   /// Adds the plan of tasks that differ by seeds alone. As in a run of the sweep, a task that cannot be computed does
-  /// not stop the others: where the first box cannot be packed, that of the next seed may be; after two that cannot,
-  /// none is taken to pack.
+  /// not stop the other tasks. If the first box cannot be packed, the box of the next seed is tried; after two failures
+  /// the plan assumes that no box of these tasks can be packed.
   void add(const Sweep& sweep, SweepPlan::Part part, SweepPlan& plan) {
     constexpr int most_attempts = 2;
     for (int attempt = 1;; ++attempt) {

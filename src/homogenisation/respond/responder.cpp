@@ -42,7 +42,7 @@ void require_different_stages(const std::vector<StageResponses>& stages) {
   }
 }
 
-/// The stage whose result is the matrix of a stage; nullptr if its matrix is a material, or that stage is not there.
+/// The stage whose result is the matrix of a stage; nullptr if its matrix is a material, or that stage is missing.
 const StageResponses* stage_of_matrix(const std::vector<StageResponses>& stages, const StageResponses& stage) {
   const auto* const earlier = std::get_if<EarlierStage>(&stage.matrix);
   if (earlier == nullptr) return nullptr;
@@ -50,7 +50,7 @@ const StageResponses* stage_of_matrix(const std::vector<StageResponses>& stages,
   return found == stages.end() ? nullptr : &*found;
 }
 
-/// Refuses stages that build on each other in a circle, which files from elsewhere may say.
+/// Throws InputError if stages build on each other in a circle, as files from other sources may declare.
 void require_an_end(const std::vector<StageResponses>& stages) {
   for (const auto& one : stages) {
     std::size_t links = 0;
@@ -61,8 +61,8 @@ void require_an_end(const std::vector<StageResponses>& stages) {
   }
 }
 
-/// The materials of a stage that vary: its matrix, unless that is an earlier stage, and those of other phases. `Stage`
-/// is StageResponses, constant or not.
+/// The varying materials of a stage: its matrix, unless that is an earlier stage, and the materials of other phases
+/// that vary. `Stage` is StageResponses, constant or not.
 template <class Stage>
 auto varying_materials(Stage& stage) {
   using Solid = std::conditional_t<std::is_const_v<Stage>, const Material, Material>;
