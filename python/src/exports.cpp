@@ -86,7 +86,7 @@ py::dict isochronal_columns(const std::vector<IsochronalSample>& samples) {
 }  // namespace
 
 void bind_exports(py::module_& module) {
-  const py::class_<Composite> composite(module, "Composite", "The moduli of a composite, as an export takes them.");
+  const py::class_<Composite> bound(module, "Composite", "The moduli of a composite, as an export takes them.");
   module.def("write_text", [](const std::filesystem::path& file, const std::string& text) { write_text(file, text); });
   module.def("composite", &composite_in, py::arg("result"), py::arg("stage"), py::arg("boundary"), py::arg("load"));
   module.def("card", &card_of, py::arg("composite"), py::arg("format"), py::arg("tolerance"), py::arg("times"),
