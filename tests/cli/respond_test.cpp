@@ -230,15 +230,17 @@ shear   = { equilibrium = "1 MPa", terms = [{ time = "100 Ms", modulus = "20 MPa
   EXPECT_EQ(twice.find(gap, first + 1), std::string::npos);
 }
 
-TEST_F(Respond, RefusesACopyOfAStage) {
+// A folder that is no stage of the study is none of its results.
+TEST_F(Respond, LeavesAsideACopyOfAStage) {
   study->write("aged.toml", "density = \"1 g/cm^3\"\nbulk = \"3 GPa\"\nshear = \"1 MPa\"\n");
   std::filesystem::copy(study->result("fine"), study->result("fine-old"));
   for (const std::vector<std::string>& asked :
        {std::vector<std::string>{"--material", "aged.toml"}, {"--temperature", "40 degC"}}) {
-    const auto outcome = respond(asked);
-    EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_THAT(outcome.errors, HasSubstr("out/fine-old/response.h5: the responses are of stage fine, not of one with "
-                                          "the name of the directory, fine-old"));
+    auto with_place = asked;
+    with_place.insert(with_place.end(), {"--out", "beside-a-copy", "--overwrite"});
+    const auto outcome = respond(with_place);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+    EXPECT_THAT(read_text(study->path() / "beside-a-copy" / "curves.csv"), Not(HasSubstr("fine-old")));
   }
   std::filesystem::remove_all(study->result("fine-old"));
 }

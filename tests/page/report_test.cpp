@@ -43,6 +43,7 @@ class Report : public testing::Test {
     auto test = test::test_with(dynamic, {{1e-3, 2.0}, {1e-2, 1.0}});
     DynamicRecord record;
     record.domains.resize(2);
+    for (auto& domain : record.domains) domain.seconds = 1.0;
     record.domains[0].history = {{-1.0, 0.0}, {1.0, 1.0 / 3.0}};
     test.record = std::move(record);
     auto done = test::stage_with("fine", {test});
