@@ -37,7 +37,7 @@ void bind_quantities(pybind11::module_& module) {
                                      pybind11::repr(text).cast<std::string>()));
       },
       pybind11::arg("text"), pybind11::arg("dimension"),
-      "The SI value of a number with its unit: quantity(\"0.5 um\", \"length\") is 5e-07 [m].");
+      R"(The SI value of a number with its unit: quantity("0.5 um", "length") is 5e-07 [m].)");
 }
 
 }  // namespace breccia::python

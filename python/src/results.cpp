@@ -58,7 +58,7 @@ void bind_test(py::module_& module) {
       .def_property_readonly("method", [](const TestResult& test) { return name_of(test.id.method); })
       .def_property_readonly(
           "grid", [](const TestResult& test) { return grid_of(test.id); },
-          "Cells per side, \"extrapolated\" or \"films\".")
+          R"(Cells per side, "extrapolated" or "films".)")
       .def_property_readonly(
           "time",
           [](const py::object& self) { return view_of(self.cast<const TestResult&>().modulus, &Sample::time, self); },

@@ -30,8 +30,7 @@ void require_known(const TestWords& words) {
   if (words.boundary) static_cast<void>(value_of<Boundary>("boundary", *words.boundary));
   if (words.method) static_cast<void>(value_of<Method>("method", *words.method));
   if (words.grid && !grid_named(*words.grid)) {
-    throw InputError(
-        fmt::format("grid: expected cells per side, \"extrapolated\" or \"films\", got \"{}\"", *words.grid));
+    throw InputError(fmt::format(R"(grid: expected cells per side, "extrapolated" or "films", got "{}")", *words.grid));
   }
 }
 
@@ -71,6 +70,7 @@ const TestResult& test_of(const StageFindings& stage, const TestWords& words) {
   }
   if (boundaries.size() > 1) {
     std::vector<std::string> names;
+    names.reserve(boundaries.size());
     for (const auto boundary : boundaries) names.push_back(fmt::format("boundary=\"{}\"", name_of(boundary)));
     throw InputError(fmt::format("stage {}: expected {}", stage.name, fmt::join(names, " or ")));
   }

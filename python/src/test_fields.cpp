@@ -1,5 +1,6 @@
 #include "test_fields.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstring>
 #include <type_traits>
@@ -38,15 +39,21 @@ py::dict fields_of(const TimedFields<dim>& timed, const py::object& owner) {
   return result;
 }
 
+/// Number of the components of a value: one of a number.
+template <class Value>
+constexpr py::ssize_t components = 1;
+template <std::size_t count>
+constexpr py::ssize_t components<std::array<double, count>> = static_cast<py::ssize_t>(count);
+
 /// A number, or several, of each cell of grains and films as an array.
 template <class Value>
 py::array each_of(const std::vector<FilmCell>& cells, Value FilmCell::*member) {
-  constexpr auto components = static_cast<py::ssize_t>(sizeof(Value) / sizeof(double));
   std::vector<py::ssize_t> shape = {static_cast<py::ssize_t>(cells.size())};
-  if (!std::is_same_v<Value, double>) shape.push_back(components);
+  if (!std::is_same_v<Value, double>) shape.push_back(components<Value>);
   py::array_t<double> array(shape);
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    std::memcpy(array.mutable_data() + static_cast<py::ssize_t>(i) * components, &(cells[i].*member), sizeof(Value));
+    std::memcpy(array.mutable_data() + static_cast<py::ssize_t>(i) * components<Value>, &(cells[i].*member),
+                sizeof(Value));
   }
   return array;
 }

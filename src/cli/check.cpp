@@ -53,6 +53,7 @@ std::string line_of_grid(const std::string& stage, const GridPlan& grid, const s
     return fmt::format("  {}: {}; no rule tells the error of the grid for {}\n", stage, width, grid.without_rule);
   }
   std::vector<std::string> advice;
+  advice.reserve(errors.size());
   for (const double error : errors) {
     advice.push_back(fmt::format("{:.0f} for {:.2g} %", *grid.cells_for(error), 100.0 * error));
   }

@@ -219,6 +219,7 @@ void run_respond(const RespondArguments& arguments, const CLI::App& command) {
   const auto studies = has_material ? std::vector{respond_with_materials(arguments, responder, asked, command)}
                                     : respond_at_temperatures(arguments, responder, command);
   std::vector<fs::path> inputs;
+  inputs.reserve(asked.size());
   for (const auto& [name, file] : asked) inputs.push_back(file);
   for (const auto& [name, materials, out, study, stages] : studies) {
     write_response_curves({out, name, study, inputs, arguments.overwrite}, stages);

@@ -14,6 +14,7 @@ namespace {
 
 std::string list_of(const std::vector<InstructionSet>& sets) {
   std::vector<std::string_view> names;
+  names.reserve(sets.size());
   for (const auto set : sets) names.push_back(name_of(set));
   return fmt::format("{}", fmt::join(names, ", "));
 }

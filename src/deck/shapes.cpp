@@ -43,7 +43,7 @@ struct ReasonAgainstShapes {
   }
   template <class Packing>
   Reason operator()(const Packing&) const {
-    return fmt::format("the method \"{}\" packs {} alone; packing.method = \"random-sequential\" packs other shapes",
+    return fmt::format(R"(the method "{}" packs {} alone; packing.method = "random-sequential" packs other shapes)",
                        name_of(Packing::name), round);
   }
 };
@@ -103,7 +103,7 @@ std::optional<FillerShape> read_shape(const Section& filler, const Stage& stage)
   }
   const bool is_flat = stage.dimensions() == 2;
   const auto shape = filler.section("shape");
-  const auto read = is_flat ? read_outline(shape) : read_ellipsoids_of_revolution(shape);
+  auto read = is_flat ? read_outline(shape) : read_ellipsoids_of_revolution(shape);
   const auto reason = visit_nested(ReasonAgainstShapes{is_flat ? "discs" : "spheres"}, stage.packing);
   if (!read || !reason) return read;
   filler.report("shape", *reason);

@@ -17,8 +17,8 @@ class CellMaterialTable {
   // The steps point into the lists of terms.
   CellMaterialTable(const CellMaterialTable&) = delete;
   CellMaterialTable& operator=(const CellMaterialTable&) = delete;
-  CellMaterialTable(CellMaterialTable&&) = default;
-  CellMaterialTable& operator=(CellMaterialTable&&) = default;
+  CellMaterialTable(CellMaterialTable&&) noexcept = default;
+  CellMaterialTable& operator=(CellMaterialTable&&) noexcept = default;
   ~CellMaterialTable() = default;
 
   /// The material of a phase or a mixture, by PhaseIndex; one without stiffness for no_phase.

@@ -16,7 +16,7 @@ template <class Materials, int dim>
 BRECCIA_INLINE Modes<dim> shear_response(const Materials& materials, const Modes<dim>& strain,
                                          const Modes<dim>& increment, double* history) {
   const auto g = shear_modulus(materials);
-  Modes<dim> s;
+  Modes<dim> s;  // NOLINT(cppcoreguidelines-pro-type-member-init): all modes are set below
 #pragma GCC unroll 18
   for (int i = 0; i < shear_modes<dim>; ++i) s.of[i] = g * strain.of[i];
   auto terms = shear_terms(materials);
@@ -121,8 +121,8 @@ BRECCIA_INLINE Pack moved_on(const Pack& before, const Pack& values, Lanes<lane.
 /// The forces of the cells to the left of the nodes of a register, which the work on the previous register has left.
 template <int dim>
 struct ForcesBefore {
-  Pack right[axis_count<dim>]
-            [rows_of_nodes<dim>];  // NOLINT(modernize-avoid-c-arrays): nothing of the standard library here
+  // NOLINTNEXTLINE(modernize-avoid-c-arrays): nothing of the standard library here
+  Pack right[axis_count<dim>][rows_of_nodes<dim>];
 };
 
 /// Gives the nodes of a register the forces of the cells on both of their sides.

@@ -51,7 +51,7 @@ BRECCIA_INLINE CornerDifferences corner_differences(const NodeValues<3>* rows, i
 /// The strain modes from the rows of nodes around the cells (theory, Eq. 70 and 73).
 BRECCIA_INLINE Modes<3> strain_modes(const NodeValues<3>* rows, int cell) {
   constexpr int axes = CubeMode::axes;
-  Modes<3> modes;
+  Modes<3> modes;  // NOLINT(cppcoreguidelines-pro-type-member-init): all modes are set below
   Pack gradient[axes][axes];
   for (int c = 0; c < axes; ++c) {
     const CornerDifferences differences = corner_differences(rows, c, cell);
@@ -77,7 +77,7 @@ BRECCIA_INLINE Pack trace(const Modes<3>& modes) {
 /// third.
 BRECCIA_INLINE VolumeModes<3> volume_modes(const Modes<3>& modes) {
   constexpr int axes = CubeMode::axes;
-  VolumeModes<3> volume;
+  VolumeModes<3> volume;  // NOLINT(cppcoreguidelines-pro-type-member-init): all modes are set below
   volume.of[0] = trace(modes);
   for (int axis = 0; axis < axes; ++axis) {
     const int next = (axis + 1) % axes, last = (axis + 2) % axes;
@@ -92,7 +92,7 @@ BRECCIA_INLINE VolumeModes<3> volume_modes(const Modes<3>& modes) {
 BRECCIA_INLINE Modes<3> forces_of_whole_cells(const Modes<3>& s, const Pack& pressure) {
   constexpr int axes = CubeMode::axes;
   constexpr double points = points_of_cell<3>;
-  Modes<3> force;
+  Modes<3> force;  // NOLINT(cppcoreguidelines-pro-type-member-init): all modes are set below
   const Pack volume = pressure - (2.0 / 3.0) * trace(s);
   for (int c = 0; c < axes; ++c) {
     force.of[c] = points * (volume + 2.0 * s.of[c]);

@@ -10,8 +10,10 @@
 namespace breccia::dynamics {
 namespace {  // NOLINT(google-build-namespaces): see above
 
+// NOLINTBEGIN(misc-definitions-in-headers): see above
 constexpr int width = BRECCIA_REGISTER_LANES;  ///< cells in a register; a block takes lanes / width of them
 constexpr int parts = lanes / width;
+// NOLINTEND(misc-definitions-in-headers)
 
 typedef double Pack __attribute__((vector_size(width * sizeof(double))));        // NOLINT(modernize-use-using)
 typedef long long Bits __attribute__((vector_size(width * sizeof(long long))));  // NOLINT(modernize-use-using)
@@ -31,8 +33,8 @@ BRECCIA_INLINE void store(double* to, const Pack& pack) {
 /// those of squares, which are short and often in the cache, into the first. Prefetches are best spread among the
 /// terms. Where a block takes several registers they would keep the compiler from reordering the arithmetic there, and
 /// stand before the block instead.
-constexpr int fetch_distance = 1024;
-constexpr bool fetches_among_terms = parts == 1;
+constexpr int fetch_distance = 1024;              // NOLINT(misc-definitions-in-headers): see above
+constexpr bool fetches_among_terms = parts == 1;  // NOLINT(misc-definitions-in-headers)
 
 template <int dim>
 BRECCIA_INLINE void fetch_ahead(const double* history) {
@@ -112,6 +114,7 @@ BRECCIA_INLINE void transpose(Pack* rows) {
 /// The terms of the cells of a register, one after the other.
 class TermsOfCells {
  public:
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): read_ is filled with the first term
   BRECCIA_INLINE TermsOfCells(const CellMaterialStep* const* of_lane, const TermStep* CellMaterialStep::*terms) {
     for (int lane = 0; lane < width; ++lane) next_[lane] = of_lane[lane]->*terms;
   }

@@ -48,7 +48,7 @@ class LayerExchange {
   /// The share of this process in a list that consists of the values of one process after the other.
   struct OwnShare {
     parallel::OrderedPlaces own;
-    std::size_t count;  ///< number of the values of all processes
+    std::size_t count = 0;  ///< number of the values of all processes
   };
   [[nodiscard]] OwnShare share_of(std::size_t own) const;
 

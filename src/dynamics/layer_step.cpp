@@ -58,10 +58,10 @@ void LayerStep<dim>::find_cell_forces(int layer, const LayerForces<dim>& below, 
                           .stress = stress.data()};
     constexpr int rows_of_side = rows_of_nodes<dim> / 2;  // number of rows of nodes below the cells, and above them
     for (int i = 0; i < rows_of_nodes<dim>; ++i) {
-      const int row_of_nodes = row + i % rows_of_side, upwards = i / rows_of_side;
-      const int of_nodes = nodes_.row_of(layer + upwards, row_of_nodes);
+      const int row_of_nodes = row + i % rows_of_side, layers_up = i / rows_of_side;
+      const int of_nodes = nodes_.row_of(layer + layers_up, row_of_nodes);
       const auto u = nodes_.displacement(of_nodes), du = nodes_.increment(of_nodes);
-      cells.force[i] = nodes_.along_row(upwards == 0 ? below : above, row_of_nodes);
+      cells.force[i] = nodes_.along_row(layers_up == 0 ? below : above, row_of_nodes);
       for (std::size_t c = 0; c < u.size(); ++c) {
         cells.displacement[i].of_axis[c] = u[c];
         cells.increment[i].of_axis[c] = du[c];

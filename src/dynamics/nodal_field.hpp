@@ -154,7 +154,7 @@ class ForceLayer {
   }
 
   [[nodiscard]] LayerForces<dim> view() noexcept {
-    LayerForces<dim> forces;
+    LayerForces<dim> forces{};
     for (std::size_t c = 0; c < values_.size(); ++c) forces.of_axis[c] = values_[c].data();
     return forces;
   }

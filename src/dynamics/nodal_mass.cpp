@@ -13,7 +13,7 @@ template <int dim>
 const auto& all_weights() {
   using Shape = CellShape<dim>;
   static const auto weights = [] {
-    std::array<typename Shape::Weights, std::size_t{Shape::points}> all;
+    std::array<typename Shape::Weights, std::size_t{Shape::points}> all{};
     for (int p = 0; p < Shape::points; ++p) all[static_cast<std::size_t>(p)] = Shape::weights(p);
     return all;
   }();

@@ -43,7 +43,7 @@ typename decltype(PointFields<dim>::stress)::value_type stress_of(const DynamicP
   const double h = problem.discretisation.grid().cell_side;
   const auto of_terms = at_point<dim>(history, problem.volumetric, point);
   const double pressure = bulk.equilibrium() * strain.template head<dim>().sum() + of_terms.pressure / h;
-  std::array<double, static_cast<std::size_t>(tensor_components<dim>)> g;
+  std::array<double, static_cast<std::size_t>(tensor_components<dim>)> g{};
   for (std::size_t i = 0; i < g.size(); ++i) {
     g[i] = shear.equilibrium() * strain[static_cast<Eigen::Index>(i)] + of_terms.shear[i] / h;
   }

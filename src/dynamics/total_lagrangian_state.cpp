@@ -11,7 +11,7 @@ namespace breccia::dynamics {
 /// Number of the values of all layers of nodes of the box.
 template <int dim>
 std::size_t TotalLagrangian<dim>::values_of_all_nodes() const {
-  const auto layers = static_cast<std::size_t>(problem().discretisation.grid().cells.back() + 1);
+  const auto layers = static_cast<std::size_t>(problem().discretisation.grid().cells.back()) + 1;
   return layers * layers_.nodes().values_of_layer();
 }
 

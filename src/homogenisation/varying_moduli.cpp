@@ -108,6 +108,7 @@ class ChainOfStages {
                                                   const std::vector<double>& laplace_variables) const {
     if (const auto* material = std::get_if<Material>(&stage.matrix)) {
       std::vector<Moduli> moduli;
+      moduli.reserve(laplace_variables.size());
       for (const double s : laplace_variables) moduli.push_back(carson_moduli(*material, s));
       return moduli;
     }

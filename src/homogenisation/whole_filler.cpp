@@ -62,6 +62,7 @@ std::string in_words(const WholeFiller& filler) {
       fmt::format("{:.1f} % by volume, {:.1f} % by mass", 100.0 * filler.fraction, 100.0 * filler.mass_fraction);
   const auto listed = [](const std::vector<FillerShare>& shares) {
     std::vector<std::string> words;
+    words.reserve(shares.size());
     for (const auto& share : shares) {
       words.push_back(fmt::format("{} {:.1f} %", share.material, 100.0 * share.mass_fraction));
     }

@@ -27,7 +27,7 @@ class Responder {
   /// Takes stages with the materials of their study. `materials` lists all materials of the study, as far as they are
   /// known, with the laws of their temperature shifts. Throws InputError where the stages belong to several studies,
   /// one is given twice, or stages build on each other in a circle.
-  explicit Responder(std::vector<StageResponses> stages, const std::vector<ShiftedMaterial>& materials = {});
+  explicit Responder(std::vector<StageResponses> stages, std::vector<ShiftedMaterial> materials = {});
 
   /// A responder whose varying materials are at another temperature [K]. An elastic matrix does not change; the results
   /// then have a warning. Throws InputError where a material that relaxes has no shift law, or that law does not reach

@@ -26,6 +26,7 @@ class TestGrid {
   /// Cells per side; nothing for the limit and for films.
   [[nodiscard]] std::optional<int> cells() const { return kind_ == Kind::cells ? std::optional(cells_) : std::nullopt; }
 
+  // NOLINTNEXTLINE(modernize-use-nullptr): the check takes the 0 with which the default compares for a null pointer
   friend auto operator<=>(const TestGrid&, const TestGrid&) = default;
 
  private:

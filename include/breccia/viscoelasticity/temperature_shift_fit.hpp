@@ -10,7 +10,7 @@ namespace breccia {
 
 /// A Williams-Landel-Ferry law fitted to shift factors.
 struct WilliamsLandelFerryFit {
-  WilliamsLandelFerry law;
+  WilliamsLandelFerry law = {};
   double c1_error = 0.0;         ///< standard error of c1, if the factors have independent errors; 0: unknown [-]
   double c2_error = 0.0;         ///< standard error of c2, if the factors have independent errors; 0: unknown [K]
   double worst_deviation = 0.0;  ///< largest deviation of log10 a_T from the law [-]

@@ -18,7 +18,7 @@ namespace breccia::films {
 
 /// A node on the boundary of a grain, in an image of the box.
 struct NodeImage {
-  std::size_t grain, number;
+  std::size_t grain = 0, number = 0;
   Eigen::Vector2i image;  ///< sides of the box by which the grain is displaced
 };
 

@@ -95,7 +95,11 @@ void MatrixAssembly::Part::add_up() {
   FilmMatrices::Sparse further(sum.rows(), sum.cols());
   further.setFromTriplets(entries.begin(), entries.end());
   entries.clear();
-  sum = sum.nonZeros() == 0 ? std::move(further) : FilmMatrices::Sparse(sum + further);
+  if (sum.nonZeros() == 0) {
+    sum.swap(further);
+  } else {
+    sum = FilmMatrices::Sparse(sum + further);
+  }
 }
 
 FilmMatrices::Sparse MatrixAssembly::Part::finish() {
@@ -108,7 +112,9 @@ FilmMatrices::Sparse MatrixAssembly::Part::finish() {
   }
   add_up();
   entries = {};
-  return std::move(sum);
+  FilmMatrices::Sparse whole;
+  whole.swap(sum);
+  return whole;
 }
 
 FilmMatrices MatrixAssembly::finish() {

@@ -35,6 +35,7 @@ class ThinFilms {
       const auto& positions = meshes_[g].nodes;
       for (const auto& triangle : meshes_[g].triangles) {
         std::vector<NodeImage> nodes;
+        nodes.reserve(triangle.size());
         for (const auto node : triangle) nodes.push_back({g, node, Eigen::Vector2i::Zero()});
         const auto functions =
             quadratic_triangle({positions[triangle[0]], positions[triangle[1]], positions[triangle[2]]});

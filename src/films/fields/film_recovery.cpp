@@ -289,6 +289,7 @@ class Recovery {
     const auto nodes = mesh_.nodes_of(mesh_.network().junctions[j]);
     if (nodes.size() < 3) return;  // the end of a film at a wall has no area
     std::vector<Eigen::Vector2d> positions;
+    positions.reserve(nodes.size());
     for (const auto& node : nodes) positions.push_back(mesh_.position(node));
     const auto element = junction_element(positions);
     const auto u = displacements_of(*displacement_, nodes);

@@ -88,7 +88,7 @@ GrainMesh grain_mesh(const GrainPolygon& grain, std::span<const std::vector<doub
   std::vector<std::size_t> number(vertices.size());
   const auto middle = [&](std::size_t a, std::size_t b) {
     const auto [found, is_new] = middles.try_emplace(std::minmax(a, b), mesh.nodes.size());
-    if (is_new) mesh.nodes.push_back(0.5 * (vertices[a] + vertices[b]));
+    if (is_new) mesh.nodes.emplace_back(0.5 * (vertices[a] + vertices[b]));
     return found->second;
   };
   for (std::size_t v = 0; v < on_boundary; ++v) {

@@ -15,7 +15,7 @@ namespace breccia::films {
 /// from the first corner: each element of a face has its beginning and its middle.
 struct GrainMesh {
   std::vector<Eigen::Vector2d> nodes;
-  std::size_t boundary_nodes;
+  std::size_t boundary_nodes = 0;
   /// Three corners counter-clockwise, then the middles of the edges from the first, the second and the third corner.
   std::vector<std::array<std::size_t, 6>> triangles;
 };

@@ -37,6 +37,7 @@ template <int dim>
 SizesByArea sizes_by_area(const std::vector<GrainGeometry<dim>>& grains, double GrainGeometry<dim>::*area) {
   if (grains.empty()) return {};
   std::vector<double> areas;
+  areas.reserve(grains.size());
   for (const auto& grain : grains) areas.push_back(grain.*area);
   std::ranges::sort(areas);
   return {diameter_below<dim>(areas, 0.1), diameter_below<dim>(areas, 0.5)};

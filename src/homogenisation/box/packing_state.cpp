@@ -37,6 +37,7 @@ template <int dim>
 void save_vectors(StateWriter& state, const std::string& name, const std::vector<Vector<dim>>& vectors) {
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(dim); ++axis) {
     std::vector<double> along;
+    along.reserve(vectors.size());
     for (const auto& vector : vectors) along.push_back(vector[axis]);
     state.write(fmt::format("{}_{}", name, axes[axis]), along);
   }

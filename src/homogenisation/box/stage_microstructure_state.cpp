@@ -67,10 +67,12 @@ struct SaveContent {
     save_sides(state, side, walls);
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(dim); ++axis) {
       std::vector<double> along;
+      along.reserve(balls.size());
       for (const auto& ball : balls) along.push_back(ball.centre[axis]);
       state.write(names_of_axes[axis], along);
     }
     std::vector<double> diameters;
+    diameters.reserve(balls.size());
     for (const auto& ball : balls) diameters.push_back(ball.diameter);
     state.write("/diameter_m", diameters);
     save_fillers(state, fillers);
@@ -91,10 +93,12 @@ struct SaveContent {
     save_sides(state, grains.sites.side, grains.sites.walls);
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(dim); ++axis) {
       std::vector<double> along;
+      along.reserve(sites.size());
       for (const auto& site : sites) along.push_back(site.position[axis]);
       state.write(names_of_site_axes[axis], along);
     }
     std::vector<double> weights;
+    weights.reserve(sites.size());
     for (const auto& site : sites) weights.push_back(site.weight);
     state.write(name_of_weights, weights);
     if (!grains.sites.film_shares.empty()) state.write(name_of_film_shares, grains.sites.film_shares);

@@ -23,8 +23,10 @@ namespace {
 /// here.
 std::vector<double> shares_of_cells(const Stage& stage) {
   const auto& method = *stage.packed_by<LaguerrePacking<2>>();
-  if (!method.is_random())
-    return std::vector<double>(method.sites.size(), 1.0 / static_cast<double>(method.sites.size()));
+  if (!method.is_random()) {
+    std::vector<double> equal(method.sites.size(), 1.0 / static_cast<double>(method.sites.size()));
+    return equal;
+  }
   const auto& filler = stage.fillers.front();
   const auto distribution = distribution_of(filler);
   constexpr double whole_box = 1.0 - 1e-12;

@@ -127,8 +127,8 @@ std::string in_celsius(double kelvin) {
 
 }  // namespace
 
-Responder::Responder(std::vector<StageResponses> stages, const std::vector<ShiftedMaterial>& materials)
-    : stages_(std::move(stages)), materials_(materials) {
+Responder::Responder(std::vector<StageResponses> stages, std::vector<ShiftedMaterial> materials)
+    : stages_(std::move(stages)), materials_(std::move(materials)) {
   require_different_stages(stages_);
   require_one_study(stages_);
   require_an_end(stages_);

@@ -27,6 +27,7 @@ std::vector<double> filler_points(const Study& study, const Stage& stage, const 
   std::set<PhaseIndex> of_fillers;
   for (const auto& filler : stage.fillers) of_fillers.insert(phases.index_of(phase_of(stage, filler.material)));
   std::vector<double> points;
+  points.reserve(of_fillers.size());
   for (const auto phase : of_fillers) points.push_back(by_phase[phase]);
   return points;
 }

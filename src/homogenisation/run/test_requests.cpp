@@ -46,6 +46,7 @@ ExpectedFiller expected_filler(const Stage& stage) {
 std::vector<std::vector<Material>> variants_of(const Tests& tests, const std::vector<VaryingPhase>& varying,
                                                const std::vector<Material>& materials) {
   std::vector<Material> of_phases;
+  of_phases.reserve(varying.size());
   for (const auto& [index, name] : varying) of_phases.push_back(materials[index]);
   std::vector<std::vector<Material>> variants;
   for (const auto& choice : choices_of_varied(tests.varied, of_phases)) {

@@ -31,9 +31,9 @@ class ParticleLocator {
  private:
   /// A particle or one of its images.
   struct Candidate {
-    std::size_t number;
+    std::size_t number = 0;
     Particle particle;
-    double radius;  // radius of a disc around the particle with its coating
+    double radius = 0.0;  // radius of a disc around the particle with its coating
   };
 
   [[nodiscard]] int bucket_along_axis(double coordinate) const;

@@ -29,7 +29,7 @@ class StoredVectors {
  public:
   [[nodiscard]] std::size_t size() const noexcept { return vectors_.size(); }
   [[nodiscard]] const Vector& at(std::size_t index) const { return vectors_.at(index); }
-  void add(Vector vector, VectorOrigin /*origin*/) { vectors_.push_back(std::move(vector)); }
+  void add(Vector vector, const VectorOrigin& /*origin*/) { vectors_.push_back(std::move(vector)); }
 
   /// The work of forces on each of the vectors.
   [[nodiscard]] Eigen::VectorXd works(const Vector& forces) const {
