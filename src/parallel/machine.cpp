@@ -16,7 +16,7 @@
 namespace breccia::parallel {
 namespace {
 
-constexpr int first = 0;
+constexpr int first_on_machine = 0;
 
 /// An open file that is closed at the end.
 class OpenFile {
@@ -27,6 +27,8 @@ class OpenFile {
   }
   OpenFile(const OpenFile&) = delete;
   OpenFile& operator=(const OpenFile&) = delete;
+  OpenFile(OpenFile&&) = delete;
+  OpenFile& operator=(OpenFile&&) = delete;
 
   [[nodiscard]] bool is_open() const noexcept { return descriptor_ >= 0; }
   [[nodiscard]] int descriptor() const noexcept { return descriptor_; }
@@ -98,11 +100,12 @@ int ranks_on_machine() {
 }
 
 std::shared_ptr<std::byte> common_memory(std::size_t bytes) {
+  // NOLINTNEXTLINE(modernize-avoid-c-arrays): of any length
   if (ranks_on_machine() == 1) return {new std::byte[bytes](), std::default_delete<std::byte[]>()};
-  const bool is_first = rank_on_machine() == first;
+  const bool is_first = rank_on_machine() == first_on_machine;
   const OpenFile made(is_first ? file_in_memory(bytes) : -1);
   auto identity = identity_of(made.descriptor());
-  MPI_Bcast(identity.data(), static_cast<int>(identity.size()), MPI_INT64_T, first, machine_communicator());
+  MPI_Bcast(identity.data(), static_cast<int>(identity.size()), MPI_INT64_T, first_on_machine, machine_communicator());
   const OpenFile opened(is_first ? -1 : file_of_other(identity));
   const int file = is_first ? made.descriptor() : opened.descriptor();
   void* memory = file < 0 ? MAP_FAILED : mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);

@@ -17,6 +17,7 @@ std::vector<double> label_fractions(const LabelImage<dim>& image, std::size_t co
     ++pixels[label];
   }
   std::vector<double> fractions;
+  fractions.reserve(count);
   for (const auto of_label : pixels) {
     fractions.push_back(static_cast<double>(of_label) / static_cast<double>(image.labels.size()));
   }

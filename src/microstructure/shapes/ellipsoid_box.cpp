@@ -113,10 +113,11 @@ std::vector<std::string> overlaps_of_ellipsoids(const EllipsoidBox& box) {
   std::vector<std::pair<std::pair<std::uint32_t, std::uint32_t>, double>> found;
   visit_ellipsoid_pairs(box, 0.0, [&](std::uint32_t one, std::uint32_t other, double width) {
     const double larger = std::max(circumradius(box.particles[one]), circumradius(box.particles[other]));
-    if (-width > share_of_roundoff * larger) found.push_back({std::minmax(one, other), -width});
+    if (-width > share_of_roundoff * larger) found.emplace_back(std::minmax(one, other), -width);
   });
   std::ranges::sort(found);
   std::vector<std::string> mistakes;
+  mistakes.reserve(found.size());
   for (const auto& [pair, depth] : found) {
     mistakes.push_back(
         fmt::format("{} and {} overlap by {:.3g} m", name(box, pair.first), name(box, pair.second), depth));

@@ -21,6 +21,7 @@ constexpr double margin = 1e-12;
 template <class Particle>
 std::vector<double> radii_of(const std::vector<Particle>& particles) {
   std::vector<double> radii;
+  radii.reserve(particles.size());
   for (const auto& particle : particles) radii.push_back(reach_of(particle) + particle.shell);
   return radii;
 }

@@ -35,8 +35,7 @@ ParticleLocator::ParticleLocator(ParticleBox box)
     }
     candidates_.push_back({number, {shape, pose}, radius});
     for_each_index(begin, end, [&](const Index<2>& bucket) {
-      const auto at = static_cast<std::size_t>(bucket[1] * buckets_ + bucket[0]);
-      candidates_of_[at].push_back(candidates_.size() - 1);
+      candidates_of_[number_of_bucket(bucket)].push_back(candidates_.size() - 1);
     });
   });
 }
@@ -45,9 +44,12 @@ int ParticleLocator::bucket_along_axis(double coordinate) const {
   return static_cast<int>(std::clamp(std::floor(coordinate / reach_), 0.0, buckets_ - 1.0));
 }
 
+std::size_t ParticleLocator::number_of_bucket(const Index<2>& bucket) const {
+  return static_cast<std::size_t>(bucket[1]) * static_cast<std::size_t>(buckets_) + static_cast<std::size_t>(bucket[0]);
+}
+
 LocatedParticle ParticleLocator::at(const Vector<2>& position) const {
-  const auto bucket =
-      static_cast<std::size_t>(bucket_along_axis(position[1]) * buckets_ + bucket_along_axis(position[0]));
+  const auto bucket = number_of_bucket({bucket_along_axis(position[0]), bucket_along_axis(position[1])});
   LocatedParticle nearest = {{}, reach_};
   double coated = reach_;  // distance from the coating of the nearest particle
   for (const auto index : candidates_of_[bucket]) {

@@ -37,6 +37,7 @@ class ParticleLocator {
   };
 
   [[nodiscard]] int bucket_along_axis(double coordinate) const;
+  [[nodiscard]] std::size_t number_of_bucket(const Index<2>& bucket) const;
 
   ParticleBox box_;
   int buckets_;   // number of buckets along each side

@@ -74,6 +74,7 @@ std::vector<std::string> overlaps(const ParticleBox& box) {
   });
   std::ranges::sort(found, {}, &Overlap::pair);
   std::vector<std::string> mistakes;
+  mistakes.reserve(found.size());
   for (const auto& [pair, depth] : found) {
     mistakes.push_back(
         fmt::format("{} and {} overlap by {:.3g} m", name(box, pair.first), name(box, pair.second), depth));

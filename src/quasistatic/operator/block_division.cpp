@@ -63,6 +63,7 @@ BlockRow BlockDivision::blocks_along(std::size_t axis, int position) const {
 
 std::vector<int> BlockDivision::nodes_along(std::size_t axis) const {
   std::vector<int> nodes;
+  nodes.reserve(static_cast<std::size_t>(processes_[axis]));
   for (int position = 0; position < processes_[axis]; ++position) {
     nodes.push_back(cuts_[axis][first_block(axis, position + 1)] - cuts_[axis][first_block(axis, position)]);
   }

@@ -34,14 +34,16 @@ void restore(const StateReader& state, const std::string& name, Vec vector, cons
 }  // namespace
 
 void save(StateWriter& state, const std::string& group, const Displacement& displacement) {
-  const Vec nodes = displacement.fluctuation(), phases = displacement.phase_strains();
+  auto* const nodes = displacement.fluctuation();
+  auto* const phases = displacement.phase_strains();
   state.write(group + "/affine", displacement.macroscopic());
   save(state, group + "/nodes", nodes, natural_indices_of_nodes(nodes));
   if (length_of(phases) > 0) save(state, group + "/phases", phases, natural_indices(phases));
 }
 
 void restore(const StateReader& state, const std::string& group, Displacement& displacement) {
-  const Vec nodes = displacement.fluctuation(), phases = displacement.phase_strains();
+  auto* const nodes = displacement.fluctuation();
+  auto* const phases = displacement.phase_strains();
   restore(state, group + "/nodes", nodes, natural_indices_of_nodes(nodes));
   if (length_of(phases) > 0) restore(state, group + "/phases", phases, natural_indices(phases));
   displacement.set_macroscopic(state.number(group + "/affine"));

@@ -44,6 +44,7 @@ void give_whole_planes(DM nodes, const Index<3>& nodes_along) {
   const auto division = PlaneDivision::among(parallel::ranks(), nodes_along[2]);
   if (!division) return;
   std::vector<PetscInt> planes;
+  planes.reserve(static_cast<std::size_t>(division->processes()));
   for (int process = 0; process < division->processes(); ++process) planes.push_back(division->planes(process));
   const PetscInt across = nodes_along[0], up = nodes_along[1];
   check(DMDASetNumProcs(nodes, 1, 1, division->processes()), what);
@@ -260,7 +261,8 @@ template <int dim>
 std::array<std::size_t, CellShape<dim>::nodes> NodeLayout<dim>::indices_of(const Index<dim>& cell) const noexcept {
   std::array<std::size_t, Shape::nodes> indices{};
   for (std::size_t n = 0; n < indices.size(); ++n) {
-    indices[n] = static_cast<std::size_t>(dim * (lowest_node_of(cell) + offsets_[n]));
+    const int index = dim * (lowest_node_of(cell) + offsets_[n]);
+    indices[n] = static_cast<std::size_t>(index);
   }
   return indices;
 }
@@ -271,7 +273,8 @@ std::size_t NodeLayout<dim>::nodal_index_of(Index<dim> node) const noexcept {
     if (node[axis] < 0) node[axis] += owned_.end[axis];
     if (node[axis] >= owned_.end[axis]) node[axis] -= owned_.end[axis];
   }
-  return static_cast<std::size_t>(dim * number_in<dim>(node, owned_.begin, owned_.end));
+  const int index = dim * number_in<dim>(node, owned_.begin, owned_.end);
+  return static_cast<std::size_t>(index);
 }
 
 template <int dim>

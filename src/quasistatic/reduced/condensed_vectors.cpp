@@ -37,7 +37,7 @@ class CondensedVectors::ValuesAtNodes {
         affine_(CellShape<3>::affine_motion(unit_strain<3>(vectors.load_))) {
     for (std::size_t i = 0; i < count; ++i) {
       const auto& displacement = vectors.vectors_[i].displacement;
-      const Vec nodal = displacement.fluctuation();
+      auto* const nodal = displacement.fluctuation();
       const bool fluctuates = length_of(nodal) > 0;
       // A single process reads the values where they are; several processes need those of their neighbours.
       if (fluctuates && !is_alone_) local_.push_back(nodes_->local_copy(nodal));
