@@ -24,6 +24,12 @@ class InputError : public Error {
   explicit InputError(const std::string& message) : Error(ExitCode::bad_input, message) {}
 };
 
+/// Error that another process of Breccia writes to the directory of the results.
+class DirectoryInUse : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 /// Error in the computation, which cannot continue: instability, no convergence, an impossible packing.
 class NumericalError : public Error {
  public:

@@ -10,6 +10,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "breccia/error.hpp"
+
 #include "io/empty_directory.hpp"
 #include "io/text_file.hpp"
 

@@ -2,15 +2,7 @@
 
 #include <filesystem>
 
-#include "breccia/error.hpp"
-
 namespace breccia {
-
-/// Error: another process is writing to the directory.
-class DirectoryInUse : public InputError {
- public:
-  using InputError::InputError;
-};
 
 /// Prevents other processes of Breccia from writing to a results directory during the lifetime of this object. The
 /// operating system releases the lock when the process ends in any way. A process cannot lock a directory twice. On a

@@ -22,11 +22,13 @@ struct Failure {
   std::string message;
 };
 
-constexpr int lack_of_memory = -1, another_failure = -2;
+constexpr int lack_of_memory = -1, another_failure = -2, directory_in_use = -3;
 
 Failure description_of(const std::exception_ptr& failure) {
   try {
     std::rethrow_exception(failure);
+  } catch (const DirectoryInUse& error) {
+    return {directory_in_use, error.what()};
   } catch (const Error& error) {
     return {static_cast<int>(error.exit_code()), error.what()};
   } catch (const std::system_error& error) {
@@ -42,6 +44,7 @@ Failure description_of(const std::exception_ptr& failure) {
 
 [[noreturn]] void raise(const Failure& failure) {
   if (failure.kind == lack_of_memory) throw std::bad_alloc();
+  if (failure.kind == directory_in_use) throw DirectoryInUse(failure.message);
   if (failure.kind == another_failure) throw std::runtime_error(failure.message);
   switch (static_cast<ExitCode>(failure.kind)) {
     case ExitCode::bad_input:
@@ -55,15 +58,28 @@ Failure description_of(const std::exception_ptr& failure) {
   }
 }
 
-/// Sends the failure of one process of the group to all processes, and returns it.
-Failure failure_of(int process, const std::exception_ptr& own) {
-  auto failure = rank() == process ? description_of(own) : Failure{};
+/// Sends the failure of one of several processes to all of them, and returns it.
+Failure failure_of(int process, bool is_own, const std::exception_ptr& own, MPI_Comm processes) {
+  auto failure = is_own ? description_of(own) : Failure{};
   auto length = static_cast<int>(failure.message.size());
-  MPI_Bcast(&failure.kind, 1, MPI_INT, process, communicator());
-  MPI_Bcast(&length, 1, MPI_INT, process, communicator());
+  MPI_Bcast(&failure.kind, 1, MPI_INT, process, processes);
+  MPI_Bcast(&length, 1, MPI_INT, process, processes);
   failure.message.resize(static_cast<std::size_t>(length));
-  MPI_Bcast(failure.message.data(), length, MPI_CHAR, process, communicator());
+  MPI_Bcast(failure.message.data(), length, MPI_CHAR, process, processes);
   return failure;
+}
+
+/// Throws on all of these processes where one of them has failed.
+void throw_on_all(const std::exception_ptr& failure, MPI_Comm processes) {
+  int number = 0, count = 0;
+  MPI_Comm_rank(processes, &number);
+  MPI_Comm_size(processes, &count);
+  int first = failure ? number : count;
+  MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, processes);
+  if (first == count) return;
+  const auto common = failure_of(first, first == number, failure, processes);
+  if (failure) std::rethrow_exception(failure);
+  raise(common);
 }
 
 /// The number of processes in the group, where MPI has been started if there are several.
@@ -79,14 +95,13 @@ bool is_first_of_group() {
 }
 
 void throw_together(const std::exception_ptr& failure) {
-  if (const int processes = processes_of_group(); processes > 1) {
-    int first = failure ? rank() : processes;
-    MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, communicator());
-    if (first == processes) return;
-    const auto common = failure_of(first, failure);
-    if (!failure) raise(common);
-  }
+  if (processes_of_group() > 1) throw_on_all(failure, communicator());
   if (failure) std::rethrow_exception(failure);
+}
+
+void throw_in_all_groups(const std::exception_ptr& failure) {
+  if (groups() == 1) return throw_together(failure);
+  throw_on_all(failure, MPI_COMM_WORLD);
 }
 
 }  // namespace breccia::parallel

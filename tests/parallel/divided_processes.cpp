@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <string_view>
 
 #include <omp.h>
 
 #include "breccia/error.hpp"
 
+#include "parallel/common_failure.hpp"
 #include "parallel/session.hpp"
 #include "parallel/threads.hpp"
 
@@ -29,6 +31,20 @@ bool is_divided_again() {
   return true;
 }
 
+/// Whether a failure of the first group, which works alone, is thrown in the other one, too.
+bool failures_of_the_first_group_are_common() {
+  namespace parallel = breccia::parallel;
+  bool has_worked = false;
+  parallel::done_by_first_group([&] { has_worked = true; });
+  if (has_worked != (parallel::group() == 0)) return false;
+  try {
+    parallel::done_by_first_group([] { throw breccia::FileError("no space left"); });
+  } catch (const breccia::FileError& error) {
+    return std::string_view(error.what()) == "no space left";
+  }
+  return false;
+}
+
 }  // namespace
 
 int main() {
@@ -44,6 +60,8 @@ int main() {
   const int group = parallel::group();
   holds = expect(!is_divided_again(), "groups were divided again") && holds;
   holds = expect(parallel::group() == group, "a refusal changed the group") && holds;
+  holds =
+      expect(failures_of_the_first_group_are_common(), "a failure of the first group is not thrown in all") && holds;
   parallel::stop();
   return holds ? 0 : 1;
 }

@@ -104,6 +104,7 @@ bool is_thrown_on_all(const Failure& failure) {
 bool failures_of_the_first_are_common() {
   parallel::done_by_first([] {});
   return is_thrown_on_all(breccia::FileError("no space left")) && is_thrown_on_all(breccia::InputError("in the way")) &&
+         is_thrown_on_all(breccia::DirectoryInUse("another process")) &&
          is_thrown_on_all(breccia::NumericalError("no convergence")) &&
          is_thrown_on_all(breccia::Interrupted("enough")) && is_thrown_on_all(std::bad_alloc()) &&
          is_thrown_on_all(std::runtime_error("something else"));
