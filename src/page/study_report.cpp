@@ -174,15 +174,22 @@ Json data_of(const fs::path& directory, const StudyDocument& study) {
   return data;
 }
 
-}  // namespace
-
-PageData study_page_data(const fs::path& directory) {
-  const auto study = read_study_document(directory);
+PageData page_data_of(const fs::path& directory, const StudyDocument& study) {
   return page_data(directory / "study.json", [&]() -> TitledData { return {study.title, data_of(directory, study)}; });
 }
 
+}  // namespace
+
+PageData study_page_data(const fs::path& directory) {
+  return page_data_of(directory, read_study_document(directory));
+}
+
 void write_study_report(const fs::path& directory) {
-  const auto page = study_page_data(directory);
+  write_study_report(directory, read_study_document(directory));
+}
+
+void write_study_report(const fs::path& directory, const StudyDocument& study) {
+  const auto page = page_data_of(directory, study);
   const auto put_together = page.has_views ? study_page_with_views : study_page;
   write_text(directory / "report.html", put_together(page.title, page.json));
 }
