@@ -1,7 +1,7 @@
 // Files of results that a later command reads: study.json, sweep.json and curves.csv. Files in HDF5 are left out: the
 // library itself, 1.10 of Debian 12, is known to crash on hostile files, so that its input must be checked before.
 
-#include "campaign/resume.hpp"
+#include "campaign/result_transaction.hpp"
 #include "input_folder.hpp"
 #include "page/study_report.hpp"
 #include "page/sweep_report.hpp"
@@ -19,7 +19,7 @@ void read_json(const fuzz::InputFolder& folder, std::string_view text) {
   Study study;
   study.provenance.hash = "0123456789abcdef";
   study.provenance.content = content_of(study);
-  fuzz::allow_refusal([&] { static_cast<void>(take_over_complete_run(study, folder.path())); });
+  fuzz::allow_refusal([&] { static_cast<void>(ResultTransaction(study, folder.path(), {}).take_over()); });
   fuzz::allow_refusal([&] { static_cast<void>(study_page_data(folder.path())); });
   fuzz::allow_refusal([&] { static_cast<void>(sweep_page_data(folder.path())); });
 }

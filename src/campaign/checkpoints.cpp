@@ -4,20 +4,16 @@
 
 #include <fmt/format.h>
 
+#include "campaign/result_transaction.hpp"
 #include "io/text_file.hpp"
 #include "page/study_report.hpp"
 #include "results/checksums.hpp"
 #include "results/result_files.hpp"
-#include "study/identity.hpp"
 
 namespace breccia {
 
-Checkpoints::Checkpoints(const Study& study, const std::filesystem::path& directory, const RunOptions& options,
-                         const RunObserver& observer)
-    : owner_{provenance_of(study).hash, BRECCIA_VERSION},
-      directory_(&directory),
-      options_(&options),
-      observer_(&observer) {}
+Checkpoints::Checkpoints(const ResultTransaction& results, const RunObserver& observer)
+    : owner_{results.provenance().hash, BRECCIA_VERSION}, results_(results), observer_(observer) {}
 
 std::unique_ptr<Checkpoint> Checkpoints::of_packing(const Stage& stage) const {
   return open(stage, "packing");
@@ -29,11 +25,11 @@ std::unique_ptr<Checkpoint> Checkpoints::of_test(const Stage& stage, const TestI
 }
 
 std::unique_ptr<Checkpoint> Checkpoints::open(const Stage& stage, const std::string& name) const {
-  auto checkpoint =
-      std::make_unique<Checkpoint>(*directory_ / stage.name / (name + ".checkpoint.h5"), owner_, options_->checkpoints);
-  if (!options_->resume) return checkpoint;
+  auto checkpoint = std::make_unique<Checkpoint>(results_.place() / stage.name / (name + ".checkpoint.h5"), owner_,
+                                                 results_.options().checkpoints);
+  if (!results_.resumes()) return checkpoint;
   for (const auto& problem : checkpoint->look_for_earlier()) {
-    observer_->tell(Note{problem});
+    observer_.tell(Note{problem});
   }
   return checkpoint;
 }
@@ -50,10 +46,10 @@ std::vector<std::string> checkpoint_files(const Study& study, const std::filesys
   return names;
 }
 
-void close_results(const Study& study, const std::filesystem::path& directory) {
+void close_results(const Study& study, const std::filesystem::path& directory, const StudyDocument& record) {
   std::vector<std::string> stages;
   for (const auto& stage : study.stages) stages.push_back(stage.name);
-  write_study_report(directory);
+  write_study_report(directory, record);
   write_checksums(directory, stages);
   remove_files(directory, checkpoint_files(study, directory));
 }

@@ -18,18 +18,16 @@
 #include "results/response_file.hpp"
 #include "results/stage_plot.hpp"
 #include "results/volume_field_files.hpp"
-#include "study/identity.hpp"
 
 namespace breccia {
 
-DirectorySink::DirectorySink(const Study& study, const std::filesystem::path& directory, const RunOptions& options,
-                             const RunObserver& observer, SharedStages& shared)
-    : study_(study),
-      directory_(directory),
+DirectorySink::DirectorySink(const ResultTransaction& results, const RunObserver& observer, SharedStages& shared)
+    : study_(results.study()),
+      directory_(results.place()),
+      stage_hashes_(results.provenance().stage_hashes),
       observer_(observer),
       shared_(shared),
-      checkpoints_(study, directory, options, observer),
-      stage_hashes_(provenance_of(study).stage_hashes) {}
+      checkpoints_(results, observer) {}
 
 std::string DirectorySink::hash_of(const Stage& stage) const {
   const auto place = std::ranges::find(study_.stages, stage.name, &Stage::name) - study_.stages.begin();
@@ -46,7 +44,6 @@ void DirectorySink::happened(const StudyEvent& event) {
 }
 
 std::optional<StageResult> DirectorySink::known_stage(const Stage& stage) {
-  kept_if_not_empty_.emplace_back(directory_ / stage.name);
   present_hash_ = hash_of(stage);
   const auto* const known = shared_.find(present_hash_);
   if (known == nullptr) return std::nullopt;
@@ -136,25 +133,22 @@ void DirectorySink::write(const StageFinished& event) {
 }
 
 void DirectorySink::write(const StudyFinished& event) {
-  parallel::done_by_first([&] {
-    write_record(event.result);
-    close_results(study_, directory_);
-  });
+  parallel::done_by_first([&] { close_results(study_, directory_, write_record(event.result)); });
 }
 
 void DirectorySink::keep_failure(const std::exception_ptr& failure) {
   shared_.keep(present_hash_, {.failure = failure});
 }
 
-void DirectorySink::write_record(const StudyResult& result) const {
-  write_provenance(directory_, study_, result, records_);
+StudyDocument DirectorySink::write_record(const StudyResult& result) const {
+  return write_provenance(directory_, study_, result, records_);
 }
 
 void DirectorySink::write_finished_stage(const Stage& stage, const StudyResult& result) const {
   write_comparisons(directory_, result);
-  write_record(result);
+  const auto record = write_record(result);
   write_plots(directory_ / stage.name, study_, stage, result);
-  write_study_report(directory_);
+  write_study_report(directory_, record);
 }
 
 }  // namespace breccia

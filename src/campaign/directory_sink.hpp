@@ -2,19 +2,19 @@
 
 #include <exception>
 #include <filesystem>
-#include <list>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "breccia/campaign/run.hpp"
+#include "breccia/campaign/run_observer.hpp"
 #include "breccia/homogenisation/study_sink.hpp"
 
 #include "campaign/checkpoints.hpp"
-#include "campaign/remove_if_empty.hpp"
+#include "campaign/result_transaction.hpp"
 #include "campaign/shared_stages.hpp"
 #include "results/stage_record.hpp"
+#include "results/study_document.hpp"
 
 namespace breccia {
 
@@ -22,9 +22,8 @@ namespace breccia {
 /// that other studies have, too, are taken over from those, or kept for them.
 class DirectorySink final : public StudySink {
  public:
-  /// All arguments must outlive this object.
-  DirectorySink(const Study& study, const std::filesystem::path& directory, const RunOptions& options,
-                const RunObserver& observer, SharedStages& shared);
+  /// Writes to the place of these results. All arguments must outlive this object.
+  DirectorySink(const ResultTransaction& results, const RunObserver& observer, SharedStages& shared);
 
   void progress(const Progress& now) override;
   void happened(const StudyEvent& event) override;
@@ -47,18 +46,17 @@ class DirectorySink final : public StudySink {
   void write(const StudyFinished& event);
 
   [[nodiscard]] std::string hash_of(const Stage& stage) const;
-  void write_record(const StudyResult& result) const;
+  StudyDocument write_record(const StudyResult& result) const;
   void write_finished_stage(const Stage& stage, const StudyResult& result) const;
 
   const Study& study_;
   const std::filesystem::path& directory_;
+  const std::vector<std::string>& stage_hashes_;  ///< empty for a study that is not as a deck gives it
   const RunObserver& observer_;
   SharedStages& shared_;
   Checkpoints checkpoints_;
-  std::vector<std::string> stage_hashes_;  ///< empty for a study that differs from its deck, or has none
-  std::string present_hash_;               ///< hash of the stage that is being computed
+  std::string present_hash_;  ///< hash of the stage that is being computed
   StageRecords records_;
-  std::list<RemoveIfEmpty> kept_if_not_empty_;  ///< the directories of the stages
 };
 
 }  // namespace breccia

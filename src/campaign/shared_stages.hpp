@@ -12,6 +12,7 @@
 
 namespace breccia {
 
+class ResultTransaction;
 struct Sweep;
 
 /// The results of stages that several tasks of a sweep have in common: the first task that needs a stage computes it,
@@ -46,8 +47,8 @@ class SharedStages {
   std::map<std::string, Entry> entries_;
 };
 
-/// Runs a study as the public run_study() does, with stages that are shared with other tasks.
-StudyResult run_study(const Study& study, const std::filesystem::path& directory, const RunOptions& options,
-                      const RunObserver& observer, SharedStages& shared);
+/// Runs a study as the promised run_study() does, but in a directory that was opened before and with stages that are
+/// shared with other tasks.
+StudyResult run_study(ResultTransaction& results, const RunObserver& observer, SharedStages& shared);
 
 }  // namespace breccia

@@ -11,8 +11,7 @@
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/plan.hpp"
 
-#include "campaign/result_directory.hpp"
-#include "campaign/resume.hpp"
+#include "campaign/result_transaction.hpp"
 #include "campaign/shared_stages.hpp"
 #include "campaign/sweep_directory.hpp"
 #include "campaign/sweep_temperatures.hpp"
@@ -22,6 +21,7 @@
 #include "parallel/common_failure.hpp"
 #include "parallel/session.hpp"
 #include "results/result_files.hpp"
+#include "results/study_record.hpp"
 #include "results/sweep_plot.hpp"
 #include "results/sweep_tables.hpp"
 
@@ -42,11 +42,9 @@ class SweepRun {
         result_(sweep.tasks.size()) {}
 
   SweepResult run() {
-    const auto lock = hold_sweep_directory(sweep_, directory_);
-    static_cast<void>(parallel::gather({}));
-    refuse_conflicts(sweep_, directory_, options_);
-    options_of_ = options_of_tasks(sweep_, directory_, options_);
-    find_complete_tasks();
+    const SweepDirectory held(sweep_, directory_, options_);
+    options_of_ = held.options_of_tasks();
+    find_complete_tasks(held.complete_runs());
     if (!options_.solve.ignore_memory && parallel::is_alone()) require_memory_of_tasks();
     prepare_directory();
     if (options_.resume) write();
@@ -88,15 +86,14 @@ class SweepRun {
     });
   }
 
-  /// Finds the complete tasks before any task runs, so that all processes find the same ones. Without `resume` they run
-  /// again; until then the tables have their earlier results.
-  void find_complete_tasks() {
-    const auto observer = options_.resume ? observer_ : RunObserver();
-    for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) {
-      keep_if_done(task, take_over_complete_run(sweep_.tasks[task].study, directory_of(task), observer));
+  /// Keeps the results of the tasks that were complete before any task runs. Without `resume` they run again; until
+  /// then the tables have their earlier results.
+  void find_complete_tasks(const std::vector<CompleteRun>& runs) {
+    for (std::size_t task = 0; task < runs.size(); ++task) {
+      const auto& [seconds, note] = runs[task];
+      keep_if_done(task, seconds);
+      if (!note.empty() && (options_.resume || seconds)) observer_.tell(Note{note});
     }
-    // All processes finish this search before one of them starts a task.
-    static_cast<void>(parallel::gather({}));
   }
 
   /// Refuses tasks that may not fit into the memory. The tasks themselves do not check this again.
@@ -144,7 +141,8 @@ class SweepRun {
   void poll_other_groups() {
     for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) {
       if (is_ours(task) || result_[task].state != TaskState::waiting) continue;
-      keep_if_done(task, time_of_complete_run(sweep_.tasks[task].study, directory_of(task)));
+      const auto record = read_study_record(directory_of(task));
+      if (record.is_complete_run_of(sweep_.tasks[task].study)) keep_if_done(task, record.wall_time);
     }
   }
 
@@ -168,8 +166,8 @@ class SweepRun {
   void run(std::size_t task) {
     try {
       auto answers = answered(task);
-      const auto done = run_study(sweep_.tasks[task].study, directory_of(task), options_of_[task], observer_,
-                                  answers ? *answers : shared_);
+      ResultTransaction results(sweep_.tasks[task].study, directory_of(task), options_of_[task]);
+      const auto done = run_study(results, observer_, answers ? *answers : shared_);
       result_[task] = {TaskState::done, curves_of(done), done.seconds.value_or(0.0)};
     } catch (const NumericalError& error) {
       fail(task, error);

@@ -13,8 +13,8 @@ namespace breccia {
 /// tasks one after the other. After each task it rewrites `sweep.csv`, `sweep.json`, `sweep.svg` and, if seeds are
 /// swept, `spread.csv` (docs/results.md). If a task fails with NumericalError or InputError, the other tasks still run.
 /// With `resume`, complete tasks are skipped, and the remaining ones resume from their checkpoints. Throws FileError,
-/// Interrupted, DirectoryInUse if another process writes to the directory or to that of a task, and InputError as
-/// refuse_conflicts().
+/// Interrupted, DirectoryInUse if another process writes to the directory or to that of a task, and InputError as the
+/// constructor of SweepDirectory.
 SweepResult run_sweep(const Sweep& sweep, const std::filesystem::path& directory, const RunOptions& options,
                       const RunObserver& observer = {});
 

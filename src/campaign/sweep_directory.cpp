@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,7 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "campaign/result_directory.hpp"
+#include "campaign/result_conflicts.hpp"
 #include "io/conflicting_results.hpp"
 #include "io/empty_directory.hpp"
 #include "io/replacement.hpp"
@@ -78,16 +77,16 @@ fs::path directory_beside(const fs::path& taken) {
   return (taken / ".." / (real.filename().string() + "-sweep")).lexically_normal();
 }
 
-/// The reason why the tables of a sweep must not be written to a directory; nothing if they may.
+/// The reason why the tables of a sweep must not be written to a directory with this `sweep.json`; nothing if they may.
 std::optional<ResultConflict> conflict_with_tables(const Sweep& sweep, const fs::path& directory,
-                                                   const RunOptions& options) {
-  if (read_study_record(directory).has_tests) {
+                                                   const nlohmann::json& record, const RunOptions& options) {
+  const auto study = read_study_record(directory);
+  if (study.has_tests) {
     return ResultConflict{fmt::format("{}: here are the results of a single study", directory.string()),
                           Remedy::another_directory, directory_beside(directory).string()};
   }
-  const auto record = sweep_record(directory);
   if (record.is_null()) {
-    const auto of_study = read_study_record(directory).is_ours ? files_of_a_study() : std::vector<std::string>();
+    const auto of_study = study.is_ours ? files_of_a_study() : std::vector<std::string>();
     for (const auto& name : files_of_a_sweep()) {
       const bool is_ours = std::ranges::find(of_study, name) != of_study.end();
       if (is_ours || !fs::exists(directory / name)) continue;
@@ -122,49 +121,72 @@ std::vector<ResultConflict> conflicts_with_changed_tasks(const Sweep& sweep) {
   return conflicts;
 }
 
+/// What is in the directory of a task, which is locked meanwhile.
+EarlierResults results_before(const SweepTask& task, const fs::path& directory) {
+  std::optional<DirectoryLock> lock;
+  if (!is_missing_or_empty(directory)) lock.emplace(directory);
+  EarlierResults earlier(task.study, directory);
+  earlier.read();
+  return earlier;
+}
+
 }  // namespace
 
-std::vector<RunOptions> options_of_tasks(const Sweep& sweep, const fs::path& directory, const RunOptions& options) {
-  std::vector<RunOptions> all(sweep.tasks.size(), options);
-  if (sweep.keys.empty()) return all;
-  const auto record = options.resume ? sweep_record(directory) : nlohmann::json();
-  for (std::size_t task = 0; task < all.size(); ++task) {
-    all[task].overwrite = false;
-    if (options.resume) all[task].replaceable = replaceable_by(sweep.tasks[task], record);
-    if (options.overwrite) all[task].replaceable = hashes_of_records_in(sweep.tasks[task].directory_in(directory));
+SweepDirectory::SweepDirectory(const Sweep& sweep, fs::path directory, const RunOptions& options)
+    : sweep_(sweep),
+      directory_(std::move(directory)),
+      options_(sweep.tasks.size(), options),
+      are_complete_(sweep.tasks.size()) {
+  for (auto& of_task : options_) of_task.overwrite = of_task.overwrite && sweep.keys.empty();
+  parallel::done_by_first_group([&] { parallel::done_by_first([&] { open(options); }); });
+  auto ours = nlohmann::json::array();
+  for (std::size_t task = 0; task < options_.size(); ++task) {
+    ours.push_back({options_[task].replaceable, static_cast<bool>(are_complete_[task])});
   }
-  return all;
+  const auto known = nlohmann::json::parse(parallel::gather(ours.dump()).front());
+  for (std::size_t task = 0; task < options_.size(); ++task) {
+    options_[task].replaceable = known[task][0].get<std::vector<std::string>>();
+    are_complete_[task] = known[task][1].get<bool>();
+  }
 }
 
-std::unique_ptr<DirectoryLock> hold_sweep_directory(const Sweep& sweep, const fs::path& directory) {
-  std::unique_ptr<DirectoryLock> lock;
-  if (sweep.keys.empty() || parallel::group() > 0) return lock;
-  parallel::done_by_first([&] {
-    lock = std::make_unique<DirectoryLock>(directory);
-    for (const auto& task : sweep.tasks) {
-      const auto of_task = task.directory_in(directory);
-      if (is_missing_or_empty(of_task)) continue;
-      const DirectoryLock lock_of_task(of_task);  // the lock is held for a moment only
+void SweepDirectory::open(const RunOptions& options) {
+  auto conflicts = conflicts_with_changed_tasks(sweep_);
+  nlohmann::json record;
+  const bool has_tables = !sweep_.keys.empty();
+  if (has_tables) {
+    lock_.emplace(directory_);
+    record = sweep_record(directory_);
+    if (auto conflict = conflict_with_tables(sweep_, directory_, record, options)) {
+      conflicts.push_back(*std::move(conflict));
     }
-  });
-  return lock;
-}
-
-void refuse_conflicts(const Sweep& sweep, const fs::path& directory, const RunOptions& options) {
-  auto conflicts = conflicts_with_changed_tasks(sweep);
-  if (!sweep.keys.empty()) {
-    if (auto conflict = conflict_with_tables(sweep, directory, options)) conflicts.push_back(*std::move(conflict));
   }
-  for (const auto& mistake : mistakes_of_links(directory, names_of_tasks(sweep))) {
+  for (const auto& mistake : mistakes_of_links(directory_, names_of_tasks(sweep_))) {
     conflicts.push_back({mistake, Remedy::none});
   }
-  const auto options_of = options_of_tasks(sweep, directory, options);
-  for (std::size_t i = 0; i < sweep.tasks.size(); ++i) {
-    const auto& task = sweep.tasks[i];
-    std::ranges::move(conflicts_with(task.study, task.directory_in(directory), options_of[i]),
-                      std::back_inserter(conflicts));
+  for (std::size_t i = 0; i < sweep_.tasks.size(); ++i) {
+    const auto& task = sweep_.tasks[i];
+    const auto earlier = results_before(task, task.directory_in(directory_));
+    are_complete_[i] = earlier.are_complete();
+    if (has_tables) {
+      if (options.resume) options_[i].replaceable = replaceable_by(task, record);
+      if (options.overwrite) options_[i].replaceable = earlier.hashes;
+    }
+    std::ranges::move(conflicts_with(earlier, options_[i]), std::back_inserter(conflicts));
   }
   if (!conflicts.empty()) throw ConflictingResults(std::move(conflicts));
+}
+
+std::vector<CompleteRun> SweepDirectory::complete_runs() const {
+  std::vector<CompleteRun> runs(sweep_.tasks.size());
+  parallel::done_by_first_group([&] {
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      const auto& task = sweep_.tasks[i];
+      if (!are_complete_[i]) continue;
+      runs[i] = ResultTransaction(task.study, task.directory_in(directory_), options_[i]).take_over();
+    }
+  });
+  return complete_runs_in(parallel::gather(text_of(runs)).front());
 }
 
 }  // namespace breccia

@@ -6,13 +6,12 @@
 
 #include "breccia/error.hpp"
 
-#include "campaign/resume.hpp"
+#include "campaign/result_transaction.hpp"
 #include "campaign/sweep_directory.hpp"
 #include "cli/command.hpp"
 #include "cli/interruption.hpp"
 #include "cli/narration.hpp"
 #include "cli/sweep_summary.hpp"
-#include "io/directory_lock.hpp"
 #include "parallel/session.hpp"
 
 namespace breccia::cli {
@@ -20,11 +19,13 @@ namespace {
 
 void pack(const Study& study, const std::filesystem::path& directory, const RunOptions& options,
           ProgressLine& progress) {
-  if (take_over_complete_run(study, directory)) {
-    progress.print(fmt::format("The results in {} are complete", directory.string()));
-    return;
+  const auto observer = narrate(progress);
+  ResultTransaction results(study, directory, options);
+  if (const auto [seconds, note] = results.take_over(); seconds) {
+    if (!note.empty()) observer.tell(Note{note});
+    return progress.print(fmt::format("The results in {} are complete", directory.string()));
   }
-  const auto result = pack_study(study, directory, options, narrate(progress));
+  const auto result = pack_study(results, observer);
   for (const auto& stage : result.stages) {
     progress.print(fmt::format("  {}", (directory / stage.name / "microstructure.svg").string()));
   }
@@ -66,13 +67,9 @@ void add_pack(CLI::App& application) {
     watch_for_interruption();
     const auto sweep = arguments->deck.read();
     ProgressLine progress(arguments->quiet || !parallel::is_first());
-    const auto lock = hold_sweep_directory(sweep, arguments->results());
-    if (lock) refuse_conflicts(sweep, arguments->results(), options);
-    if (sweep.keys.empty()) {
-      pack(sweep.tasks.front().study, arguments->results(), options, progress);
-    } else {
-      pack_all(sweep, arguments->results(), options, progress);
-    }
+    if (sweep.keys.empty()) return pack(sweep.tasks.front().study, arguments->results(), options, progress);
+    const SweepDirectory held(sweep, arguments->results(), options);
+    pack_all(sweep, arguments->results(), options, progress);
   });
 }
 

@@ -11,7 +11,8 @@
 
 #include "breccia/error.hpp"
 
-#include "campaign/resume.hpp"
+#include "campaign/result_transaction.hpp"
+#include "campaign/shared_stages.hpp"
 #include "cli/command.hpp"
 #include "cli/interruption.hpp"
 #include "cli/narration.hpp"
@@ -37,11 +38,15 @@ std::vector<std::string> tables_in(const std::filesystem::path& directory) {
 
 void run_single(const Study& study, const RunArguments& arguments, const RunOptions& options, ProgressLine& progress) {
   const auto directory = arguments.results();
-  if (arguments.resume && take_over_complete_run(study, directory, narrate(progress))) {
-    progress.print(fmt::format("The results in {} are complete", directory.string()));
-    return;
+  const auto observer = narrate(progress);
+  ResultTransaction results(study, directory, options);
+  if (arguments.resume) {
+    const auto [seconds, note] = results.take_over();
+    if (!note.empty()) observer.tell(Note{note});
+    if (seconds) return progress.print(fmt::format("The results in {} are complete", directory.string()));
   }
-  const auto result = run_study(study, directory, options, narrate(progress));
+  SharedStages nothing;
+  const auto result = run_study(results, observer, nothing);
   progress.print(closing_tables(study, result));
   progress.print(fmt::format("Results are in {}: {}", directory.string(), fmt::join(tables_in(directory), ", ")));
   progress.print(fmt::format("  report          {}", (directory / "report.html").string()));

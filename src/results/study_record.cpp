@@ -102,9 +102,11 @@ StudyRecord read_study_record(const std::filesystem::path& directory) {
   StudyRecord record;
   const auto file = directory / "study.json";
   if (!std::filesystem::is_regular_file(file)) return record;
-  const auto json = nlohmann::json::parse(read_text(file), nullptr, false);
+  const auto text = read_text(file);
+  const auto json = nlohmann::json::parse(text, nullptr, false);
   if (!json.is_object() || text_at(json, "program") != "breccia") return record;
   record.is_ours = true;
+  record.text_hash = content_hash(text);
   record.is_complete = json.contains("complete") && json["complete"] == true;
   record.hash = text_at(json, "hash");
   record.version = text_at(json, "version");

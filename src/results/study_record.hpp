@@ -15,6 +15,7 @@ struct StudyRecord {
   bool is_complete = false;  ///< whether all results were computed and written
   bool has_tests = false;    ///< whether at least one test is finished
   std::string hash, version;
+  std::string text_hash;              ///< hash of the file
   std::string deck_content_hash;      ///< hash of the content of the deck alone
   std::vector<FileHash> file_hashes;  ///< hashes of the data files
   std::string deck_text;

@@ -49,12 +49,15 @@ Sweep two_tasks() {
   return sweep;
 }
 
+/// A run in a directory that has begun.
+struct BegunRun : ResultTransaction {
+  BegunRun(const Study& study, const fs::path& directory) : ResultTransaction(study, directory, {}) { begin_run(); }
+};
+
 class DirectorySinkTest : public testing::Test {
  protected:
-  DirectorySinkTest() { fs::create_directories(place); }
-
   [[nodiscard]] const Stage& fine() const { return study.stages.front(); }
-  [[nodiscard]] DirectorySink sink_in(const fs::path& results) { return {study, results, options, observer, shared}; }
+  [[nodiscard]] DirectorySink sink_of(const BegunRun& run) { return {run, observer, shared}; }
   [[nodiscard]] static std::vector<std::string> files(const fs::path& results) {
     std::vector<std::string> names;
     if (!fs::exists(results)) return names;
@@ -75,20 +78,21 @@ class DirectorySinkTest : public testing::Test {
   }
 
   const Study study = test::study_of_deck("two scales");
-  RunOptions options;
   RunObserver observer;
   SharedStages shared{two_tasks()};
   test::TemporaryDirectory directory;
   const fs::path place = directory.path() / "results", other = directory.path() / "other";
+  const BegunRun run{study, place};
 };
 
 TEST_F(DirectorySinkTest, WritesEachPartAsItIsFound) {
-  auto sink = sink_in(place);
+  auto sink = sink_of(run);
   const auto result = solved();
   EXPECT_FALSE(sink.known_stage(fine()));
   EXPECT_NE(sink.packing_checkpoint(fine()), nullptr);
   EXPECT_TRUE(fs::is_directory(place / "fine"));
-  EXPECT_THAT(files(place), IsEmpty());
+  EXPECT_FALSE(read_study_record(place).has_tests);
+  EXPECT_THAT(read_study_record(place).stages_packed, IsEmpty());
 
   auto packed = result;
   packed.stages.front().tests.clear();
@@ -120,7 +124,7 @@ TEST_F(DirectorySinkTest, WritesEachPartAsItIsFound) {
 }
 
 TEST_F(DirectorySinkTest, WritesTheHistoryOfEachTimeDomain) {
-  auto sink = sink_in(place);
+  auto sink = sink_of(run);
   fs::create_directory(place / "fine");
   TimeDomain domain;
   domain.history = {{0.0, 1.0}, {1.0, 0.5}};
@@ -132,7 +136,7 @@ TEST_F(DirectorySinkTest, WritesTheHistoryOfEachTimeDomain) {
 
 TEST_F(DirectorySinkTest, NamesCheckpointsByTheTestsThatGoOnFromThem) {
   const auto name_of_checkpoint = [&](const TestId& test) {
-    auto sink = sink_in(place);
+    auto sink = sink_of(run);
     fs::create_directories(place / "fine");
     sink.test_checkpoint(fine(), test)->save([](StateWriter& state) { state.write("/number", 1.0); });
     const auto names = files(place / "fine");
@@ -144,19 +148,9 @@ TEST_F(DirectorySinkTest, NamesCheckpointsByTheTestsThatGoOnFromThem) {
             "bulk-traction-dynamic-24.checkpoint.h5");
 }
 
-TEST_F(DirectorySinkTest, LeavesNoEmptyDirectoryOfAStage) {
-  {
-    auto sink = sink_in(place);
-    static_cast<void>(sink.known_stage(fine()));
-    static_cast<void>(sink.packing_checkpoint(fine()));
-    EXPECT_TRUE(fs::exists(place / "fine"));
-  }
-  EXPECT_FALSE(fs::exists(place / "fine"));
-}
-
 TEST_F(DirectorySinkTest, TakesAStageOverFromAnotherTask) {
   {
-    auto sink = sink_in(place);
+    auto sink = sink_of(run);
     finish_stage(sink);
     EXPECT_TRUE(sink.store_fields(fine(), in_shear, GridFields<2>{{{12, 12}, 0.5e-3}, {}}));
   }
@@ -167,8 +161,8 @@ TEST_F(DirectorySinkTest, TakesAStageOverFromAnotherTask) {
     EXPECT_EQ(taken_over->stage.name, "fine");
     told = taken_over->directory;
   };
-  fs::create_directory(other);
-  auto sink = sink_in(other);
+  const BegunRun another(study, other);
+  auto sink = sink_of(another);
   const auto known = sink.known_stage(fine());
   ASSERT_TRUE(known);
   EXPECT_EQ(known->tests.front().modulus, solved().stages.front().tests.front().modulus);
@@ -184,12 +178,12 @@ TEST_F(DirectorySinkTest, TakesAStageOverFromAnotherTask) {
 
 TEST_F(DirectorySinkTest, FailsAtOnceWhereAnotherTaskHasFailed) {
   {
-    auto sink = sink_in(place);
+    auto sink = sink_of(run);
     static_cast<void>(sink.known_stage(fine()));
     sink.keep_failure(std::make_exception_ptr(NumericalError("jammed")));
   }
-  fs::create_directory(other);
-  auto sink = sink_in(other);
+  const BegunRun another(study, other);
+  auto sink = sink_of(another);
   EXPECT_THROW(static_cast<void>(sink.known_stage(fine())), NumericalError);
 }
 

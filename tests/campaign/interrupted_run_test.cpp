@@ -11,7 +11,7 @@
 
 #include "campaign/deck_study.hpp"
 #include "campaign/pack.hpp"
-#include "campaign/resume.hpp"
+#include "campaign/result_transaction.hpp"
 #include "results/study_record.hpp"
 #include "temporary_directory.hpp"
 
@@ -74,7 +74,7 @@ TEST_F(InterruptedRun, LeavesAPackingAndItsRecord) {
                                                   "microstructure.svg", "packing.checkpoint.h5"));
   EXPECT_FALSE(fs::exists(results / "coarse"));
   EXPECT_TRUE(read_study_record(results).is_of(study));
-  EXPECT_FALSE(holds_tests(results));
+  EXPECT_FALSE(read_study_record(results).has_tests);
 }
 
 TEST_F(InterruptedRun, LeavesTheTestsThatAreDone) {
@@ -84,9 +84,8 @@ TEST_F(InterruptedRun, LeavesTheTestsThatAreDone) {
   EXPECT_THAT(files("coarse"), Not(Contains("response.h5"))) << "not all loads are tested";
   const auto record = read_study_record(results);
   EXPECT_TRUE(record.has_tests);
-  EXPECT_FALSE(record.is_complete);
   EXPECT_THAT(record.stages_packed, ElementsAre("fine", "coarse"));
-  EXPECT_EQ(time_of_complete_run(study, results), std::nullopt);
+  EXPECT_FALSE(record.is_complete_run_of(study));
 }
 
 TEST_F(InterruptedRun, GoesOnToTheSameBits) {
@@ -103,7 +102,7 @@ TEST_F(InterruptedRun, GoesOnToTheSameBits) {
   for (const auto* table : {"curves.csv", "dynamic.csv", "engineering.csv", "prony.csv", "quality.csv"}) {
     EXPECT_EQ(read_text(results / table), read_text(whole / table)) << table;
   }
-  EXPECT_TRUE(time_of_complete_run(study, results));
+  EXPECT_TRUE(read_study_record(results).is_complete_run_of(study));
   EXPECT_THAT(files("fine"), UnorderedElementsAre("labels.npy", "labels.vti", "microstructure.csv",
                                                   "microstructure.svg", "response.h5"))
       << "without checkpoints";
@@ -123,7 +122,8 @@ TEST_F(InterruptedRun, LeavesEarlierResultsAsTheyWere) {
   EXPECT_EQ(beside, results / "unfinished");
   EXPECT_EQ(read_text(results / "study.json"), record);
   EXPECT_TRUE(read_study_record(beside).has_tests);
-  EXPECT_TRUE(take_over_complete_run(study, results)) << "the results are complete, so nothing is to replace them";
+  EXPECT_TRUE(ResultTransaction(study, results, {}).take_over().seconds)
+      << "the results are complete, so nothing is to replace them";
   EXPECT_FALSE(fs::exists(beside));
 }
 
@@ -136,7 +136,7 @@ TEST_F(InterruptedRun, GoesOnFromAPacking) {
   const auto run = run_study(study, results, {.resume = true});
   EXPECT_EQ(run.stages.at(0).microstructure.content<Microstructure<2>>()->particles,
             packed.stages.at(0).microstructure.content<Microstructure<2>>()->particles);
-  EXPECT_TRUE(time_of_complete_run(study, results));
+  EXPECT_TRUE(read_study_record(results).is_complete_run_of(study));
 }
 
 TEST_F(InterruptedRun, KeepsItsTestsWhenItIsPackedAgain) {
@@ -144,7 +144,7 @@ TEST_F(InterruptedRun, KeepsItsTestsWhenItIsPackedAgain) {
   const auto curves = read_text(results / "curves.csv");
   static_cast<void>(pack_study(study, results));
   EXPECT_EQ(read_text(results / "curves.csv"), curves);
-  EXPECT_TRUE(holds_tests(results));
+  EXPECT_TRUE(read_study_record(results).has_tests);
 }
 
 }  // namespace

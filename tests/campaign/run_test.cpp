@@ -1,6 +1,7 @@
 #include "breccia/campaign/run.hpp"
 
 #include <filesystem>
+#include <optional>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +9,7 @@
 #include "breccia/deck/read_study.hpp"
 #include "breccia/error.hpp"
 
-#include "campaign/resume.hpp"
+#include "campaign/result_transaction.hpp"
 #include "io/text_file.hpp"
 #include "messages.hpp"
 #include "study/two_stages.hpp"
@@ -27,9 +28,13 @@ Study small_study() {
   return study;
 }
 
+std::optional<double> taken_over(const Study& study, const std::filesystem::path& results) {
+  return ResultTransaction(study, results, {}).take_over().seconds;
+}
+
 /// Results of another study are neither taken over nor replaced.
 void expect_refusal(const Study& study, const std::filesystem::path& results) {
-  EXPECT_EQ(take_over_complete_run(study, results), std::nullopt);
+  EXPECT_EQ(taken_over(study, results), std::nullopt);
   for (const bool resume : {false, true}) {
     EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(run_study(study, results, {.resume = resume})); }),
                 HasSubstr("not both are as a deck gives them"));
@@ -40,7 +45,7 @@ TEST(RunStudy, AStudyPutTogetherInTheMemoryIsKnownByItsContent) {
   const test::TemporaryDirectory directory;
   const auto results = directory.path() / "results";
   static_cast<void>(run_study(small_study(), results));
-  EXPECT_TRUE(take_over_complete_run(small_study(), results).has_value());
+  EXPECT_TRUE(taken_over(small_study(), results).has_value());
   auto other = small_study();
   other.stages[0].side *= 2.0;
   expect_refusal(other, results);
@@ -68,12 +73,12 @@ TEST(RunStudy, AStudyThatWasChangedAfterItsDeckWasReadIsAnotherOne) {
   const auto results = directory.path() / "results", others = directory.path() / "others";
   auto study = read_study(directory.path() / "deck.toml");
   static_cast<void>(run_study(study, results));
-  EXPECT_TRUE(take_over_complete_run(study, results).has_value());
+  EXPECT_TRUE(taken_over(study, results).has_value());
   std::get<Material>(study.stages[0].matrix).shear = PronySeries(1e6);
   expect_refusal(study, results);
 
   static_cast<void>(run_study(study, others));
-  EXPECT_TRUE(take_over_complete_run(study, others).has_value());
+  EXPECT_TRUE(taken_over(study, others).has_value());
   const auto unchanged = read_study(directory.path() / "deck.toml");
   expect_refusal(unchanged, others);
 }

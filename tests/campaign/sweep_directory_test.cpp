@@ -8,7 +8,7 @@
 #include "breccia/error.hpp"
 
 #include "campaign/deck_study.hpp"
-#include "campaign/result_directory.hpp"
+#include "campaign/earlier_results.hpp"
 #include "campaign/sweep_temperatures.hpp"
 #include "messages.hpp"
 #include "results/sweep_tables.hpp"
@@ -39,7 +39,7 @@ Sweep sweep_over(const std::string& path, const std::vector<std::string>& values
   return sweep;
 }
 
-class SweepDirectory : public testing::Test {
+class SweepDirectoryTest : public testing::Test {
  protected:
   void leave(const std::string& task, const Study& study, const StudyResult& result) const {
     test::leave(results / task, study, result);
@@ -53,13 +53,22 @@ class SweepDirectory : public testing::Test {
     write_sweep_record(results, of, result, replaceable);
   }
   [[nodiscard]] std::string refusal(const RunOptions& options) const {
-    return test::message_of<InputError>([&] { refuse_conflicts(sweep, results, options); });
+    return test::message_of<InputError>([&] { open(options); });
   }
   [[nodiscard]] std::vector<std::vector<std::string>> replaceable(const RunOptions& options) const {
     std::vector<std::vector<std::string>> hashes;
-    for (const auto& of_task : options_of_tasks(sweep, results, options)) hashes.push_back(of_task.replaceable);
+    for (const auto& of_task : options_of_tasks(options)) hashes.push_back(of_task.replaceable);
     return hashes;
   }
+  [[nodiscard]] std::vector<RunOptions> options_of_tasks(const RunOptions& options) const {
+    return SweepDirectory(sweep, results, options).options_of_tasks();
+  }
+  [[nodiscard]] std::vector<std::string> hashes_in(const fs::path& place) const {
+    EarlierResults earlier(other, place);
+    earlier.read();
+    return earlier.hashes;
+  }
+  void open(const RunOptions& options) const { const SweepDirectory held(sweep, results, options); }
 
   Sweep sweep = sweep_over("stages.0.cells", {"8", "12"});
   const Study other = test::study_of_deck("other");
@@ -67,22 +76,22 @@ class SweepDirectory : public testing::Test {
   const fs::path results = directory.path() / "results";
 };
 
-TEST_F(SweepDirectory, IsFreeWhereNothingIs) {
-  EXPECT_NO_THROW(refuse_conflicts(sweep, results, {}));
+TEST_F(SweepDirectoryTest, IsFreeWhereNothingIs) {
+  EXPECT_NO_THROW(open({}));
   EXPECT_THAT(replaceable({}), ElementsAre(IsEmpty(), IsEmpty()));
 }
 
 // Files that others have put there since are not replaced.
-TEST_F(SweepDirectory, IsOverwrittenAsItWasWhenTheSweepBegan) {
+TEST_F(SweepDirectoryTest, IsOverwrittenAsItWasWhenTheSweepBegan) {
   leave("key-12", other, test::complete_result());
-  const auto hashes = hashes_of_records_in(results / "key-12");
+  const auto hashes = hashes_in(results / "key-12");
   EXPECT_THAT(hashes, SizeIs(1));
   EXPECT_THAT(replaceable({.overwrite = true}), ElementsAre(IsEmpty(), hashes));
-  EXPECT_THAT(options_of_tasks(sweep, results, {.overwrite = true}), Each(Field(&RunOptions::overwrite, false)));
-  EXPECT_NO_THROW(refuse_conflicts(sweep, results, {.overwrite = true}));
+  EXPECT_THAT(options_of_tasks({.overwrite = true}), Each(Field(&RunOptions::overwrite, false)));
+  EXPECT_NO_THROW(open({.overwrite = true}));
 }
 
-TEST_F(SweepDirectory, IsResumedAsItsRecordSays) {
+TEST_F(SweepDirectoryTest, IsResumedAsItsRecordSays) {
   write_record(sweep, {TaskState::done, TaskState::waiting}, {{"aa"}, {"bb", "cc"}});
   EXPECT_THAT(replaceable({.resume = true}), ElementsAre(IsEmpty(), ElementsAre("bb", "cc")))
       << "what is done replaces nothing any more";
@@ -90,10 +99,11 @@ TEST_F(SweepDirectory, IsResumedAsItsRecordSays) {
   write_text(results / "sweep.json", R"({"program": "breccia", "tasks": [7, {"name": "key-8"}]})");
   EXPECT_THAT(replaceable({.resume = true}), ElementsAre(IsEmpty(), IsEmpty()));
   write_text(results / "sweep.json", R"({"tasks": [{"name": "key-8", "may_replace": ["aa"]}]})");
-  EXPECT_THAT(replaceable({.resume = true}), ElementsAre(IsEmpty(), IsEmpty())) << "not of Breccia";
+  EXPECT_THAT(refusal({.resume = true}), HasSubstr("sweep.json: the results would replace this file"))
+      << "not of Breccia";
 }
 
-TEST_F(SweepDirectory, IsRefusedForAllTasksAtOnce) {
+TEST_F(SweepDirectoryTest, IsRefusedForAllTasksAtOnce) {
   leave("key-8", other, test::complete_result());
   leave("key-12", other, test::tested_result());
   const auto message = refusal({});
@@ -101,47 +111,64 @@ TEST_F(SweepDirectory, IsRefusedForAllTasksAtOnce) {
   EXPECT_THAT(message, HasSubstr("\n" + (results / "key-12").string() + ": here are results of another study"));
 }
 
-TEST_F(SweepDirectory, OfASingleStudyIsRefused) {
+TEST_F(SweepDirectoryTest, OfASingleStudyIsRefused) {
   test::leave(results, other, test::tested_result());
   EXPECT_THAT(refusal({.overwrite = true}),
               HasSubstr("results: here are the results of a single study; take another directory such as " +
                         results.string() + "-sweep"));
 }
 
-TEST_F(SweepDirectory, OfAnotherSweepIsReplacedOnRequestAlone) {
+TEST_F(SweepDirectoryTest, OfAnotherSweepIsReplacedOnRequestAlone) {
   write_record(sweep_over("stages.0.cells", {"16", "24"}), {TaskState::done, TaskState::waiting});
   EXPECT_THAT(refusal({}),
               HasSubstr("results: here are the results of another sweep; replace them, add to them or take another "
                         "directory"));
-  EXPECT_NO_THROW(refuse_conflicts(sweep, results, {.resume = true}));
-  EXPECT_NO_THROW(refuse_conflicts(sweep, results, {.overwrite = true}));
+  EXPECT_NO_THROW(open({.resume = true}));
+  EXPECT_NO_THROW(open({.overwrite = true}));
   write_record(sweep_over("stages.0.cells", {"16", "24"}), {TaskState::waiting, TaskState::failed});
-  EXPECT_NO_THROW(refuse_conflicts(sweep, results, {})) << "nothing of it is done";
+  EXPECT_NO_THROW(open({})) << "nothing of it is done";
   write_record(sweep, {TaskState::done, TaskState::done});
-  EXPECT_NO_THROW(refuse_conflicts(sweep, results, {})) << "the same sweep";
+  EXPECT_NO_THROW(open({})) << "the same sweep";
 }
 
-TEST_F(SweepDirectory, WithForeignTablesIsRefused) {
+TEST_F(SweepDirectoryTest, WithForeignTablesIsRefused) {
   fs::create_directories(results);
   write_text(results / "sweep.csv", "mine");
   EXPECT_THAT(refusal({.overwrite = true}),
               HasSubstr("results/sweep.csv: the results would replace this file, which Breccia did not write"));
 }
 
-TEST_F(SweepDirectory, WithALinkForATaskIsRefused) {
+TEST_F(SweepDirectoryTest, WithALinkForATaskIsRefused) {
   test::leave(directory.path() / "victim", other, test::complete_result());
   fs::create_directories(results);
   fs::create_directory_symlink("../victim", results / "key-8");
   EXPECT_THAT(refusal({.overwrite = true}), HasSubstr("results/key-8: a symbolic link, through which files elsewhere"));
 }
 
-TEST_F(SweepDirectory, IsHeldByOneProcess) {
-  const auto lock = hold_sweep_directory(sweep, results);
-  ASSERT_NE(lock, nullptr);
-  EXPECT_THROW(static_cast<void>(hold_sweep_directory(sweep, results)), DirectoryInUse);
+TEST_F(SweepDirectoryTest, IsHeldByOneProcess) {
+  {
+    const SweepDirectory held(sweep, results, {});
+    EXPECT_THROW(open({}), DirectoryInUse);
+  }
+  leave("key-8", sweep.tasks[0].study, test::tested_result());
+  const DirectoryLock of_a_task(results / "key-8");
+  EXPECT_THROW(open({}), DirectoryInUse);
+}
+
+TEST_F(SweepDirectoryTest, OfASingleTaskWithoutANameIsHeldByTheTask) {
+  test::leave(results, other, test::tested_result());
   Sweep single;
   single.tasks.emplace_back().study = other;
-  EXPECT_EQ(hold_sweep_directory(single, results), nullptr) << "a task without a name locks the directory itself";
+  const SweepDirectory held(single, results, {});
+  EXPECT_NO_THROW(ResultTransaction run(other, results, {}));
+}
+
+TEST_F(SweepDirectoryTest, KnowsTheTasksThatAreComplete) {
+  leave("key-12", sweep.tasks[1].study, test::complete_result());
+  const auto runs = SweepDirectory(sweep, results, {.resume = true}).complete_runs();
+  ASSERT_EQ(runs.size(), 2U);
+  EXPECT_EQ(runs[0].seconds, std::nullopt);
+  EXPECT_EQ(runs[1].seconds, 2.5);
 }
 
 TEST(SweepTemperatures, AreAnsweredByTheFirstTaskThatDiffersInThemAlone) {

@@ -25,7 +25,8 @@ struct RunOptions {
 /// No file is ever incomplete. Earlier results in the directory are kept until the new ones, which are written to its
 /// subdirectory `unfinished`, are complete. If the run ends early, finished results and checkpoints are kept; another
 /// run can resume from them, with bitwise identical results. Throws InputError (also if it would replace or resume
-/// results of another study or version without `overwrite`), NumericalError, FileError or Interrupted.
+/// results of another study or version without `overwrite`; DirectoryInUse if another process writes to the directory),
+/// NumericalError, FileError or Interrupted.
 StudyResult run_study(const Study& study, const std::filesystem::path& directory, const RunOptions& options = {},
                       const RunObserver& observer = {});
 
