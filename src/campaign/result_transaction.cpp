@@ -22,6 +22,7 @@
 #include "results/checksums.hpp"
 #include "results/provenance.hpp"
 #include "results/result_files.hpp"
+#include "results/stored_study.hpp"
 #include "results/study_document.hpp"
 
 namespace breccia {
@@ -102,12 +103,26 @@ CompleteRun ResultTransaction::taken_over() {
   remove_partial_files(study(), directory());
   const bool is_cut_off = !checkpoint_files(study(), directory()).empty();
   const auto damaged = damaged_files(directory());
-  if (!damaged && !is_cut_off) return {seconds, {}};
+  if (!damaged && !is_cut_off) return taken_over_unchecked();
   const bool is_page_alone = damaged == std::vector<std::string>{"report.html"};
   if (is_cut_off || is_page_alone) close_results(study(), directory(), read_study_document(directory()));
   if (is_cut_off || is_page_alone || damaged->empty()) return {seconds, {}};
   return {std::nullopt, fmt::format("{}: missing or changed since the run: {}; it is computed again",
                                     directory().string(), fmt::join(*damaged, ", "))};
+}
+
+/// Complete results without checksums are taken if they can be read.
+CompleteRun ResultTransaction::taken_over_unchecked() const {
+  const auto missing =
+      fmt::format("{}: missing since the run: checksums.txt, against which the other files cannot be checked now",
+                  directory().string());
+  try {
+    static_cast<void>(read_stored_study(directory()));
+    close_results(study(), directory(), read_study_document(directory()));
+    return {earlier_.results.wall_time, fmt::format("{}; it is written anew for the files as they are", missing)};
+  } catch (const Error& error) {
+    return {std::nullopt, fmt::format("{}; {}; it is computed again", missing, error.what())};
+  }
 }
 
 void ResultTransaction::begin_run() {

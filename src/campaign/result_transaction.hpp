@@ -41,7 +41,8 @@ class ResultTransaction {
   /// is one; no run needs to compute them again. If that run was killed after its last test, the function first
   /// completes its work: it puts the results in their place, writes the page and the checksums, and removes checkpoints
   /// and half-written files. Results of which a file other than the page is missing or has changed since
-  /// (results/checksums.hpp) are not taken; the page is written anew. Throws FileError.
+  /// (results/checksums.hpp) are not taken; the page is written anew. If the checksums themselves are missing, they are
+  /// written anew where the other files can be read. Throws FileError.
   [[nodiscard]] CompleteRun take_over();
 
   /// Chooses the place of the results. Throws ConflictingResults with the conflicts_with() the earlier results before
@@ -65,6 +66,7 @@ class ResultTransaction {
   void open();
   void begin(const std::function<bool()>& is_resumed);
   CompleteRun taken_over();
+  [[nodiscard]] CompleteRun taken_over_unchecked() const;
   void complete_replacement();
   void keep_earlier();
   void make_way();

@@ -19,6 +19,9 @@ namespace breccia {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::EndsWith;
+using testing::HasSubstr;
 using testing::Optional;
 
 class CompleteRunTest : public testing::Test {
@@ -123,6 +126,33 @@ TEST_F(CompleteRunTest, IsNotTakenWhereItsChecksumsAreDamaged) {
   close();
   write_text(results / "checksums.txt", "");
   EXPECT_EQ(taken_over().seconds, std::nullopt);
+}
+
+TEST_F(CompleteRunTest, IsTakenWithANoteWhereItsChecksumsAreMissing) {
+  test::leave(results, study, test::complete_result());
+  close();
+  const auto checksums = read_text(results / "checksums.txt");
+  fs::remove(results / "checksums.txt");
+  const auto [time, note] = taken_over();
+  EXPECT_THAT(time, Optional(2.5));
+  EXPECT_EQ(note, results.string() +
+                      ": missing since the run: checksums.txt, against which the other files cannot be checked now; it "
+                      "is written anew for the files as they are");
+  EXPECT_EQ(read_text(results / "checksums.txt"), checksums);
+  EXPECT_EQ(taken_over().note, "");
+}
+
+TEST_F(CompleteRunTest, IsNotTakenWithoutChecksumsWhereItCannotBeRead) {
+  test::leave(results, study, test::complete_result());
+  close();
+  fs::remove(results / "checksums.txt");
+  const auto whole = read_text(results / "curves.csv");
+  write_text(results / "curves.csv", whole.substr(0, whole.rfind(',')));
+  const auto [time, note] = taken_over();
+  EXPECT_EQ(time, std::nullopt);
+  EXPECT_THAT(note, AllOf(HasSubstr(": missing since the run: checksums.txt, "), HasSubstr("curves.csv"),
+                          EndsWith("; it is computed again")));
+  EXPECT_FALSE(fs::exists(results / "checksums.txt"));
 }
 
 TEST_F(CompleteRunTest, RemovesTheCheckpointsOfItsStages) {

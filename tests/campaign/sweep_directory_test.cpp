@@ -169,6 +169,7 @@ TEST_F(SweepDirectoryTest, KnowsTheTasksThatAreComplete) {
   ASSERT_EQ(runs.size(), 2U);
   EXPECT_EQ(runs[0].seconds, std::nullopt);
   EXPECT_EQ(runs[1].seconds, 2.5);
+  EXPECT_THAT(runs[1].note, HasSubstr("key-12: missing since the run: checksums.txt"));
 }
 
 TEST(SweepTemperatures, AreAnsweredByTheFirstTaskThatDiffersInThemAlone) {

@@ -125,6 +125,21 @@ TEST_F(EarlierResults, OfTheSameStudyAreMadeOnceMore) {
   EXPECT_THAT(study_.breccia("pack").output, HasSubstr("The results in out are complete"));
 }
 
+TEST_F(EarlierResults, WithoutTheirChecksumsAreTakenWithANote) {
+  const auto note =
+      "out: missing since the run: checksums.txt, against which the other files cannot be checked now; it is "
+      "written anew for the files as they are\n";
+  for (const Words& command : {Words{"run", "--resume"}, {"pack"}}) {
+    fs::remove(study_.result("checksums.txt"));
+    const auto outcome = study_.breccia(command.front(), {command.begin() + 1, command.end()});
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.errors, note);
+    EXPECT_THAT(outcome.output, HasSubstr("The results in out are complete"));
+    expect_nothing_lost();
+  }
+  EXPECT_EQ(study_.breccia("run", {"--resume"}).errors, "");
+}
+
 TEST_F(EarlierResults, AreNotReplacedByTwoProcessesAtOnce) {
   test::RunningCommand first(study_.path(), {"run", "deck.toml", "--out", "out", "--overwrite", "--threads", "1",
                                              "--set", "stages.A.cells=160"});
