@@ -52,7 +52,7 @@ bool has_only_a_record(const fs::path& directory) noexcept {
   try {
     if (std::distance(fs::directory_iterator(directory), fs::directory_iterator()) != 1) return false;
     const auto record = read_study_record(directory);
-    return record.is_ours && record.stages_packed.empty();
+    return record.is_ours && record.stages_packed.empty() && !record.has_tests;
   } catch (const std::exception&) {
     return false;
   }
@@ -185,7 +185,7 @@ void ResultTransaction::keep_earlier() {
 /// Chooses and clears the place of a run that starts anew: `unfinished` if there are results to keep until its end.
 void ResultTransaction::make_way() {
   const auto& results = earlier_.results;
-  if (results.stages_packed.empty() && !earlier_.holds_sweep) {
+  if (results.stages_packed.empty() && !results.has_tests && !earlier_.holds_sweep) {
     // The record is removed last, since it identifies the other files as Breccia's.
     auto names = earlier_.own_files;
     std::stable_partition(names.begin(), names.end(), std::not_fn(is_record));

@@ -13,6 +13,7 @@
 #include "io/directory_lock.hpp"
 #include "io/display.hpp"
 #include "results/stored_composite.hpp"
+#include "results/study_document.hpp"
 #include "tables/unknown_columns.hpp"
 
 namespace breccia::cli {
@@ -38,6 +39,9 @@ std::string advice_on(const Error& error, const CLI::App& command) {
   }
   if (dynamic_cast<const AnsweredResults*>(&error) != nullptr && has(command, "--temperature")) {
     return ", with --temperature";
+  }
+  if (const auto* const other = dynamic_cast<const OtherFormat*>(&error)) {
+    return fmt::format(" (breccia run DECK --out {} --overwrite)", other->directory().string());
   }
   const auto* const not_covered = dynamic_cast<const NotCovered*>(&error);
   if (not_covered != nullptr && not_covered->times() && has(command, "--times")) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -186,12 +187,30 @@ std::vector<FileHash> JsonForm<std::vector<FileHash>>::read(const Json& json) {
   return files;
 }
 
+namespace {
+
+/// The version of Breccia that has written a record, in words, if it is another one than this.
+std::optional<std::string> other_version(const Json& json) {
+  if (!json.is_object() || json.value("program", Json()) != "breccia") return std::nullopt;
+  const auto version = json.value("version", Json());
+  if (!version.is_string()) return "another version";
+  if (version == BRECCIA_VERSION) return std::nullopt;
+  return "version " + version.get<std::string>();
+}
+
+}  // namespace
+
 StudyDocument read_study_document(const std::filesystem::path& directory) {
   const auto file = directory / "study.json";
-  const auto refuse = [&](const std::string& reason) {
-    throw FileError(fmt::format("{}: not as `breccia run` writes it{}", file.string(), reason));
-  };
   const auto json = Json::parse(read_text(file), nullptr, false);
+  const auto refuse = [&](const std::string& reason) {
+    const auto problem = fmt::format("{}: not as `breccia run` writes it{}", file.string(), reason);
+    const auto other = other_version(json);
+    if (!other) throw FileError(problem);
+    throw OtherFormat(directory, fmt::format("{}; it is of {} of Breccia, this is version {}: read it by that version, "
+                                             "or run the study again and replace these results",
+                                             problem, *other, BRECCIA_VERSION));
+  };
   if (!json.is_object()) refuse("");
   StudyDocument document;
   try {

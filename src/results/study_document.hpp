@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "breccia/error.hpp"
 #include "breccia/homogenisation/study_result.hpp"
 #include "breccia/study/study.hpp"
 #include "breccia/viscoelasticity/prony_series.hpp"
@@ -337,8 +338,20 @@ inline constexpr auto fields<StudyDocument> = std::tuple(
     field("times_s", &StudyDocument::times), field("materials", &StudyDocument::materials),
     field("stage_names", &StudyDocument::stage_names), field("stages", &StudyDocument::stages));
 
-/// Reads `study.json` in a directory. Throws FileError where it is not as `breccia run` of this version writes it;
-/// names of stages and of files of fields are safe then.
+/// Error: another version of Breccia has written a `study.json` that this version cannot read.
+class OtherFormat : public FileError {
+ public:
+  OtherFormat(const std::filesystem::path& directory, const std::string& message)
+      : FileError(message), directory_(directory) {}
+  /// That of the results.
+  [[nodiscard]] const std::filesystem::path& directory() const noexcept { return directory_; }
+
+ private:
+  std::filesystem::path directory_;
+};
+
+/// Reads `study.json` in a directory. Throws OtherFormat, or FileError where it is not as `breccia run` of this version
+/// writes it; names of stages and of files of fields are safe then.
 StudyDocument read_study_document(const std::filesystem::path& directory);
 
 /// Writes `study.json` in a directory. Throws FileError.

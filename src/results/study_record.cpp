@@ -47,11 +47,14 @@ std::vector<std::string> safe_names(std::vector<std::string> names) {
 void read_stages(const nlohmann::json& json, StudyRecord& record) {
   record.stages = safe_names(texts_at(json, "stage_names"));
   const auto stages = json.find("stages");
-  if (stages == json.end() || !stages->is_array()) return;
+  const bool has_list = stages != json.end() && stages->is_array();
+  // Results are taken for those of tests unless they say that there are none: another version may write them elsewhere.
+  record.has_tests = record.is_complete || !has_list;
+  if (!has_list) return;
   for (const auto& stage : *stages) {
     if (!stage.is_object()) continue;
     record.stages_packed.push_back(text_at(stage, "name"));
-    record.has_tests = record.has_tests || (stage.contains("tests") && !stage["tests"].empty());
+    record.has_tests = record.has_tests || !stage.contains("tests") || !stage["tests"].empty();
   }
   record.stages_packed = safe_names(std::move(record.stages_packed));
   for (const auto& name : record.stages_packed) {
@@ -121,7 +124,8 @@ StudyRecord read_study_record(const std::filesystem::path& directory) {
 
 std::string difference(const StudyRecord& before, const Study& now) {
   if (before.version != BRECCIA_VERSION) {
-    return fmt::format("they are of version {} of Breccia, this is version {}", before.version, BRECCIA_VERSION);
+    return fmt::format("they are of {} of Breccia, this is version {}",
+                       before.version.empty() ? "another version" : "version " + before.version, BRECCIA_VERSION);
   }
   const auto provenance = provenance_of(now);
   if (before.deck_text.empty() || provenance.deck_text.empty()) {

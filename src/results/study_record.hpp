@@ -13,7 +13,7 @@ namespace breccia {
 struct StudyRecord {
   bool is_ours = false;      ///< whether the file exists and was written by Breccia
   bool is_complete = false;  ///< whether all results were computed and written
-  bool has_tests = false;    ///< whether at least one test is finished
+  bool has_tests = false;    ///< whether at least one test is finished, or may be in a record of another version
   std::string hash, version;
   std::string text_hash;              ///< hash of the file
   std::string deck_content_hash;      ///< hash of the content of the deck alone

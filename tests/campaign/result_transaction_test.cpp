@@ -391,5 +391,21 @@ TEST_F(ResultTransactionTest, KnowsEarlierRecordsByTheirHashes) {
   EXPECT_NE(hashes().at(1), hashes().at(0));
 }
 
+// What a newer version may have written in another way is not taken for packings, which are replaced unasked.
+TEST_F(ResultTransactionTest, RefusesResultsOfAnotherVersionInAnotherFormat) {
+  fs::create_directories(results);
+  for (const auto* rest : {R"("version": "0.0.1", "complete": true, "stages": [{"name": "fine", "tests": []}])",
+                           R"("version": "9.0.0", "stages": {"fine": {"loads": []}})", R"("version": "9.0.0")",
+                           R"("version": "9.0.0", "stages": [{"name": "fine", "curves": 3}])", R"("format": 9)"}) {
+    write_text(results / "study.json", std::string(R"({"program": "breccia", )") + rest + "}");
+    EXPECT_THAT(refusal(), AllOf(HasSubstr("here are "), HasSubstr("they are of "), HasSubstr("version"),
+                                 HasSubstr("; replace them or take another directory")))
+        << rest;
+    EXPECT_THAT(refusal({.resume = true}), HasSubstr("cannot resume from these results: they are of ")) << rest;
+    EXPECT_EQ(run_in({.overwrite = true}), unfinished) << "until the new ones are complete";
+    EXPECT_TRUE(fs::exists(results / "study.json")) << rest;
+  }
+}
+
 }  // namespace
 }  // namespace breccia

@@ -140,6 +140,39 @@ TEST_F(EarlierResults, WithoutTheirChecksumsAreTakenWithANote) {
   EXPECT_EQ(study_.breccia("run", {"--resume"}).errors, "");
 }
 
+// An older or a newer one.
+TEST_F(EarlierResults, OfAnotherFormatAreRefusedWithTheCommandThatHelps) {
+  study_.write("aged.toml", "density = \"1.48 g/cm^3\"\nbulk = \"3.6 GPa\"\nshear = \"0.5 MPa\"\n");
+  for (const auto* version : {"0.0.1", "9.0.0"}) {
+    auto record = test::replaced(before_["study.json"], "\"version\": \"" BRECCIA_VERSION,
+                                 std::string("\"version\": \"") + version);
+    record = test::replaced(record, "\"stages\": [", "\"boxes\": [");
+    study_.write("out/study.json", record);
+    for (const Words& command : {Words{"export", "out", "--format", "abaqus"},
+                                 {"respond", "out", "--material", "aged.toml"},
+                                 {"report", "out"}}) {
+      const auto outcome = test::run_breccia(study_.path(), command);
+      EXPECT_EQ(outcome.exit_code, 4) << command.front();
+      EXPECT_THAT(outcome.errors,
+                  AllOf(StartsWith("out/study.json: not as `breccia run` writes it"),
+                        HasSubstr(std::string("it is of version ") + version + " of Breccia, this is version "),
+                        EndsWith("or run the study again and replace these results (breccia run DECK --out out "
+                                 "--overwrite)\n")));
+    }
+    const auto run = study_.breccia("run");
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_THAT(run.errors, AllOf(HasSubstr(std::string("they are of version ") + version),
+                                  EndsWith("replace them (--overwrite) or take another directory (--out)\n")));
+    const auto resumed = study_.breccia("run", {"--resume"});
+    EXPECT_EQ(resumed.exit_code, 2);
+    EXPECT_THAT(resumed.errors, HasSubstr("run with --overwrite instead of --resume"));
+    EXPECT_EQ(study_.breccia("pack").exit_code, 2);
+    EXPECT_EQ(read_text(study_.result("study.json")), record);
+  }
+  EXPECT_EQ(study_.breccia("run", {"--overwrite"}).exit_code, 0);
+  EXPECT_EQ(read_text(study_.result("curves.csv")), before_["curves.csv"]);
+}
+
 TEST_F(EarlierResults, AreNotReplacedByTwoProcessesAtOnce) {
   test::RunningCommand first(study_.path(), {"run", "deck.toml", "--out", "out", "--overwrite", "--threads", "1",
                                              "--set", "stages.A.cells=160"});

@@ -11,6 +11,7 @@
 #include <utility>
 #include <variant>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,8 +24,10 @@
 namespace breccia {
 namespace {
 
+using testing::AllOf;
 using testing::Gt;
 using testing::HasSubstr;
+using testing::Not;
 using testing::SizeIs;
 
 /// Random values of all types of the document, from their descriptions.
@@ -194,6 +197,32 @@ TEST_F(StudyDocumentFile, HasTheNegativeModuliOfAStageButOfNoMaterial) {
   document.materials.push_back({"binder", 1e3, series, PronySeries(1.0)});
   write_study_document(directory.path(), document);
   EXPECT_THAT(refusal_of(read_text(directory.path() / "study.json")), HasSubstr("must be finite and not negative"));
+}
+
+// An older or a newer format: the user learns of which version it is, and what helps.
+TEST_F(StudyDocumentFile, OfAnotherVersionIsRefusedWithTheWayOutWhereItCannotBeRead) {
+  StudyDocument document;
+  document.program = "breccia";
+  for (const auto* version : {"0.0.1", "9.0.0"}) {
+    document.version = version;
+    EXPECT_EQ(read_back(document).version, version) << "in the same format";
+    const auto text = read_text(directory.path() / "study.json");
+    directory.write("study.json", test::replaced(text, "times_s", "window_s"));
+    try {
+      static_cast<void>(read_study_document(directory.path()));
+      ADD_FAILURE() << "read without a key";
+    } catch (const OtherFormat& error) {
+      EXPECT_EQ(error.directory(), directory.path());
+      EXPECT_THAT(error.what(),
+                  AllOf(HasSubstr("study.json: not as `breccia run` writes it"),
+                        HasSubstr(fmt::format("it is of version {} of Breccia, this is version {}: read it by that "
+                                              "version, or run the study again and replace these results",
+                                              version, BRECCIA_VERSION))));
+    }
+  }
+  EXPECT_THAT(refusal_of(R"({"program": "breccia", "format": 7})"), HasSubstr("it is of another version of Breccia"));
+  EXPECT_THAT(refusal_of(R"({"program": "breccia", "version": ")" BRECCIA_VERSION R"("})"), Not(HasSubstr("it is of")));
+  EXPECT_THAT(refusal_of(R"({"program": "other", "version": "9.0.0"})"), Not(HasSubstr("it is of")));
 }
 
 TEST_F(StudyDocumentFile, HasNullForNumbersThatAreNotFinite) {
