@@ -92,7 +92,8 @@ class SweepRun {
     for (std::size_t task = 0; task < runs.size(); ++task) {
       const auto& [seconds, note] = runs[task];
       keep_if_done(task, seconds);
-      if (!note.empty() && (options_.resume || seconds)) observer_.tell(Note{note});
+      const bool is_told = !note.empty() && (options_.resume || seconds) && parallel::group() == 0;
+      if (is_told) observer_.tell(Note{note});
     }
   }
 

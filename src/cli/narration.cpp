@@ -16,6 +16,7 @@
 #include "cli/sweep_summary.hpp"
 #include "io/display.hpp"
 #include "io/units.hpp"
+#include "parallel/session.hpp"
 #include "study/gap.hpp"
 
 namespace breccia::cli {
@@ -136,11 +137,14 @@ std::string line_of(const TaskFailed& event) {
   return fmt::format("{} has failed: {}", heading_of(event.sweep, event.task), event.error);
 }
 
-/// Prints the line of an event.
+/// Prints the line of an event. All processes of a group are sent the same notes, which are printed even if the
+/// progress is not.
 struct PrintEvent {
   ProgressLine& line;
 
-  void operator()(const Note& note) const { line.note(note.text); }
+  void operator()(const Note& note) const {
+    if (parallel::rank() == 0) line.note(note.text);
+  }
   template <class Event>
   void operator()(const Event& event) const {
     if (const auto text = line_of(event); !text.empty()) line.print(text);
