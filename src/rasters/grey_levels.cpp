@@ -52,7 +52,7 @@ std::string most_frequent_colours(const PixelSamples& picture) {
   });
   std::vector<std::pair<Colour, std::size_t>> sorted(counts.begin(), counts.end());
   std::ranges::stable_sort(sorted, std::ranges::greater(), &std::pair<Colour, std::size_t>::second);
-  const auto pixels = static_cast<double>(picture.samples.size() / picture.channels);
+  const auto pixels = static_cast<double>(picture.samples.size()) / static_cast<double>(picture.channels);
   std::vector<std::string> names;
   for (const auto& [colour, count] : std::span(sorted).first(std::min(most_named, sorted.size()))) {
     names.push_back(fmt::format("({}) {:.3g} %", fmt::join(colour, ", "), 100.0 * static_cast<double>(count) / pixels));

@@ -104,7 +104,7 @@ std::string circles(const std::vector<DrawnDisc>& discs, double side) {
   const auto out = std::back_inserter(shapes);
   const double scale = picture_scale(side);
   for (const auto& [disc, colour] : discs) {
-    fmt::format_to(out, "<circle cx=\"{:.6g}\" cy=\"{:.6g}\" r=\"{:.4g}\"", disc.centre[0] * scale,
+    fmt::format_to(out, R"(<circle cx="{:.6g}" cy="{:.6g}" r="{:.4g}")", disc.centre[0] * scale,
                    drawn_side - disc.centre[1] * scale, disc.diameter / 2.0 * scale);
     if (colour != 1) fmt::format_to(out, " fill=\"{}\"", colour_of_phase(colour));
     fmt::format_to(out, "/>\n");

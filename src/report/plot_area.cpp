@@ -25,7 +25,7 @@ double length_of(const Tick& tick) {
 std::string label_of(const Tick& tick, double x, double y, std::string_view anchor) {
   if (tick.label.empty()) return "";
   const auto exponent = tick.exponent.empty() ? ""
-                                              : fmt::format("<tspan dy=\"-7\" font-size=\"{:g}\">{}</tspan>",
+                                              : fmt::format(R"(<tspan dy="-7" font-size="{:g}">{}</tspan>)",
                                                             exponent_size * plot_font_size, tick.exponent);
   return fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" text-anchor=\"{}\">{}{}</text>\n", x, y, anchor, tick.label,
                      exponent);

@@ -10,10 +10,10 @@ namespace breccia {
 /// The rectangle of a plot within its axes, which are both logarithmic. Lengths are in units of the drawing, with y
 /// downwards.
 struct PlotArea {
-  double left;
-  double right;
-  double top;
-  double bottom;
+  double left = 0.0;
+  double right = 0.0;
+  double top = 0.0;
+  double bottom = 0.0;
   LogAxis abscissa;
   LogAxis ordinate;
 

@@ -30,7 +30,8 @@ PlotLegend::PlotLegend(std::vector<LegendEntry> entries, double width_of_picture
                           std::size_t{1}, std::max(entries_.size(), std::size_t{1}))) {}
 
 double PlotLegend::height() const {
-  return row_height * static_cast<double>((entries_.size() + columns_ - 1) / columns_);
+  const auto rows = (entries_.size() + columns_ - 1) / columns_;
+  return row_height * static_cast<double>(rows);
 }
 
 std::string PlotLegend::drawn_at(double y) const {
@@ -38,8 +39,9 @@ std::string PlotLegend::drawn_at(double y) const {
   std::string svg;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const auto& [pen, label] = entries_[i];
-    const double begin = left + width_of_column_ * static_cast<double>(i % columns_);
-    const double middle = y + row_height * (static_cast<double>(i / columns_) + 0.5);
+    const auto row = i / columns_, column = i % columns_;
+    const double begin = left + width_of_column_ * static_cast<double>(column);
+    const double middle = y + row_height * (static_cast<double>(row) + 0.5);
     svg += fmt::format("<g fill=\"none\">{}</g>\n", drawn_by(pen, {{begin, middle}, {begin + sample_width, middle}},
                                                              {{begin + 0.5 * sample_width, middle}}));
     svg += plot_text(begin + sample_width + before_label, middle + middle_of_plot_text, label,

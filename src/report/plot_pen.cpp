@@ -55,7 +55,7 @@ std::string drawn_by(const PlotPen& pen, const std::vector<PlotPoint>& line, con
   if (pen.has_marks) {
     svg += fmt::format("<g stroke=\"{}\">", pen.colour);
     for (const auto& [x, y] : marks) {
-      fmt::format_to(std::back_inserter(svg), "<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"4\"/>", x, y);
+      fmt::format_to(std::back_inserter(svg), R"(<circle cx="{:.2f}" cy="{:.2f}" r="4"/>)", x, y);
     }
     svg += "</g>\n";
   }

@@ -25,7 +25,7 @@ std::string plot_text(double x, double y, std::string_view text, double widest, 
   const bool is_too_wide = plot_text_width(printable, font_size) > widest;
   return fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\"{}{}{}>{}</text>\n", x, y, attributes.empty() ? "" : " ",
                      attributes,
-                     is_too_wide ? fmt::format(" textLength=\"{:.0f}\" lengthAdjust=\"spacingAndGlyphs\"", widest) : "",
+                     is_too_wide ? fmt::format(R"( textLength="{:.0f}" lengthAdjust="spacingAndGlyphs")", widest) : "",
                      as_markup(printable));
 }
 

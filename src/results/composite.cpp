@@ -73,7 +73,8 @@ class Chooser {
       if (is_here && one.load != Load::bulk) add_once(loads, one.load);
     }
     if (choice_.shear_load == Load::bulk) {
-      mistakes_.push_back("load: expected a load of shear, got bulk; the bulk modulus is taken from its test anyway");
+      mistakes_.emplace_back(
+          "load: expected a load of shear, got bulk; the bulk modulus is taken from its test anyway");
       return;
     }
     if (loads.empty()) {

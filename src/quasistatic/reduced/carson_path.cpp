@@ -67,6 +67,7 @@ TimeWindow widened(std::span<const Material> materials, TimeWindow window, doubl
 /// The moduli of the only material of a path.
 std::vector<Moduli> moduli_of(const std::vector<CarsonPoint>& path) {
   std::vector<Moduli> moduli;
+  moduli.reserve(path.size());
   for (const auto& point : path) moduli.push_back(point.moduli.front());
   return moduli;
 }

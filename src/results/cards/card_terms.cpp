@@ -13,6 +13,7 @@ std::vector<CardTerm> terms_of(const MaterialCard& card) {
   for (const auto& [time, modulus] : card.bulk.terms())
     by_time.insert({time, {time, 0.0, 0.0}}).first->second.bulk = modulus;
   std::vector<CardTerm> terms;
+  terms.reserve(by_time.size());
   for (const auto& [time, term] : by_time) terms.push_back(term);
   return terms;
 }

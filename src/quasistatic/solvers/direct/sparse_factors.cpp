@@ -70,6 +70,8 @@ class MoreRoom {
   }
   MoreRoom(const MoreRoom&) = delete;
   MoreRoom& operator=(const MoreRoom&) = delete;
+  MoreRoom(MoreRoom&&) = delete;
+  MoreRoom& operator=(MoreRoom&&) = delete;
 
  private:
   std::string option_;

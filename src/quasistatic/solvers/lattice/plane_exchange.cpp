@@ -12,8 +12,7 @@ constexpr int tag = 0;
 
 }  // namespace
 
-PlaneExchange::PlaneExchange(const NodeLattice& lattice)
-    : lattice_(lattice), below_(MPI_PROC_NULL), above_(MPI_PROC_NULL) {
+PlaneExchange::PlaneExchange(const NodeLattice& lattice) : lattice_(lattice) {
   const int rank = parallel::rank(), ranks = parallel::ranks();
   const bool is_alone = lattice.planes == lattice.nodes[2];
   if (is_alone) return;

@@ -27,9 +27,9 @@ class PlaneExchange {
 
  private:
   NodeLattice lattice_;
-  int below_, above_;                            ///< ranks of processes, or MPI_PROC_NULL
-  MPI_Datatype components_ = MPI_DATATYPE_NULL;  ///< all components of a plane of a field
-  std::vector<double> from_below_;               ///< the components of a received plane, one after the other
+  int below_ = MPI_PROC_NULL, above_ = MPI_PROC_NULL;  ///< ranks of processes, or MPI_PROC_NULL
+  MPI_Datatype components_ = MPI_DATATYPE_NULL;        ///< all components of a plane of a field
+  std::vector<double> from_below_;                     ///< the components of a received plane, one after the other
 };
 
 }  // namespace breccia::quasistatic

@@ -76,7 +76,7 @@ void WallPreconditioner::divide_by_laplacian(const Moduli& reference, NodalField
 #pragma omp parallel for num_threads(threads_)
   for (int row = 0; row < exchange_.rows(); ++row) {
     auto* memory = waves_[2][static_cast<std::size_t>(omp_get_thread_num())].get();
-    const auto second = static_cast<std::size_t>(exchange_.first_row() + row);
+    const auto second = static_cast<std::size_t>(exchange_.first_row()) + static_cast<std::size_t>(row);
     for (std::size_t component = 0; component < 3; ++component) {
       double* values = exchange_.row(waves, component, row);
       transform(2, values, memory);

@@ -12,7 +12,7 @@ namespace {
 
 /// Averaging a jump at an edge may multiply its energy by this factor; modes beyond it become constraints (the 8 of
 /// theory, Eq. 39).
-constexpr double tolerance = 8.0;
+constexpr double jump_tolerance = 8.0;
 
 constexpr Eigen::Index vertex_unknowns = 8;
 
@@ -73,13 +73,13 @@ void BddcPreconditioner::average_edges(const std::vector<PackedSymmetric<double>
     const auto above = condensed[static_cast<std::size_t>(upper)].full();
     averages_[k] = average_at_edge(stiffness_at_edge({&below, blocks_->shape_of(lower), is_horizontal ? top : right}),
                                    stiffness_at_edge({&above, blocks_->shape_of(upper), is_horizontal ? bottom : left}),
-                                   tolerance);
+                                   jump_tolerance);
   };
   parallel::FirstException failure;
 #pragma omp parallel for num_threads(threads_) schedule(dynamic, 16)
   for (std::size_t k = 0; k < kinds.size(); ++k) failure.run([&] { average(k); });
   failure.rethrow();
-  average_shared_edges(*blocks_, condensed, tolerance, averages_);
+  average_shared_edges(*blocks_, condensed, jump_tolerance, averages_);
 }
 
 /// Also returns the coarse stiffness of each kind of block with neighbours.
@@ -189,6 +189,7 @@ void BddcPreconditioner::share_coarse_unknowns(const CoarseNumbers& numbers) {
   const auto& grid = blocks_->grid();
   const auto& between = blocks_->edges_between_processes();
   std::vector<int> first_at_owner;
+  first_at_owner.reserve(between.size());
   for (const int edge : between) first_at_owner.push_back(numbers.first_of_edge[static_cast<std::size_t>(edge)]);
   blocks_->shared_edges().copy_from_owners(std::span(first_at_owner));
   std::vector<SharedValues::Copy> copies;

@@ -46,7 +46,8 @@ BlockGrid::BlockGrid(BlockRow columns, BlockRow rows) : columns_(std::move(colum
   vertex_rows_ = up() + (rows_.wraps ? 0 : 1);
   owned_columns_ = vertex_columns_ - (columns_.ends_at_neighbour ? 1 : 0);
   owned_rows_ = vertex_rows_ - (rows_.ends_at_neighbour ? 1 : 0);
-  const auto edges = static_cast<std::size_t>(across() * vertex_rows_ + vertex_columns_ * up());
+  const int edge_count = across() * vertex_rows_ + vertex_columns_ * up();
+  const auto edges = static_cast<std::size_t>(edge_count);
   edges_.resize(edges);
   sizes_.assign(edges, 0);
   for (int b = 0; b < blocks(); ++b) {

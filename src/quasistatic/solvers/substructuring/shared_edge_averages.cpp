@@ -14,7 +14,7 @@ class Room {
 
   void put(const Eigen::MatrixXd& matrix) { next_ = std::copy_n(matrix.data(), matrix.size(), next_); }
   [[nodiscard]] Eigen::MatrixXd take(Eigen::Index rows, Eigen::Index columns) {
-    const Eigen::MatrixXd matrix = Eigen::Map<const Eigen::MatrixXd>(next_, rows, columns);
+    Eigen::MatrixXd matrix = Eigen::Map<const Eigen::MatrixXd>(next_, rows, columns);
     next_ += matrix.size();
     return matrix;
   }
