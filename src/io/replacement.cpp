@@ -192,6 +192,7 @@ std::vector<std::string> mistakes_of_links(const fs::path& directory, std::span<
     if (const auto link = first_link(directory, name); !link.empty()) links.insert(link.string());
   }
   std::vector<std::string> mistakes;
+  mistakes.reserve(links.size());
   for (const auto& link : links) {
     mistakes.push_back(
         fmt::format("{}: a symbolic link, through which files elsewhere would be written or removed; remove it", link));

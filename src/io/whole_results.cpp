@@ -29,6 +29,7 @@ ConflictingResults refusal(const std::string& problem, Remedy remedy) {
 /// Throws ConflictingResults if there are mistakes; their texts contain the remedies.
 void refuse_all(const std::vector<std::string>& mistakes) {
   std::vector<ResultConflict> conflicts;
+  conflicts.reserve(mistakes.size());
   for (const auto& mistake : mistakes) conflicts.push_back({mistake, Remedy::none});
   if (!conflicts.empty()) throw ConflictingResults(std::move(conflicts));
 }
