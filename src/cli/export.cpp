@@ -23,6 +23,7 @@
 #include "results/isochronal.hpp"
 #include "results/material_card.hpp"
 #include "results/stored_composite.hpp"
+#include "results/stored_document.hpp"
 
 namespace breccia::cli {
 namespace {
@@ -239,8 +240,12 @@ ExportedComposite composite_at(const AskedTemperature& temperature, const std::o
 
 ExportedComposite composite_for(const ExportRequest& request, const fs::path& results) {
   require_stored_study(results);
-  return request.temperature ? composite_at(*request.temperature, request.settings.times, results, request.choice)
-                             : ExportedComposite{read_stored_composite(results, request.choice)};
+  if (request.temperature) return composite_at(*request.temperature, request.settings.times, results, request.choice);
+  ExportedComposite exported{read_stored_composite(results, request.choice)};
+  if (auto note = note_on_completeness(results, read_study_document(results))) {
+    exported.warnings.push_back(*std::move(note));
+  }
+  return exported;
 }
 
 /// The exported text, and lines about it for the user.

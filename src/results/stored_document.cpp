@@ -1,5 +1,7 @@
 #include "results/stored_document.hpp"
 
+#include <fmt/format.h>
+
 namespace breccia {
 namespace {
 
@@ -14,6 +16,12 @@ StageContent content_of(const StageEntry& stage) {
 }
 
 }  // namespace
+
+std::optional<std::string> note_on_completeness(const std::filesystem::path& directory, const StudyDocument& document) {
+  if (document.is_complete) return std::nullopt;
+  return fmt::format("{}: the run is not complete: finer grids, other tests or later stages may be missing; resume it",
+                     directory.string());
+}
 
 std::vector<ShiftedMaterial> materials_of(const StudyDocument& document) {
   std::vector<ShiftedMaterial> materials;

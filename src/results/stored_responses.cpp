@@ -8,6 +8,7 @@
 #include "breccia/error.hpp"
 
 #include "results/response_file.hpp"
+#include "results/stored_document.hpp"
 
 namespace breccia {
 namespace {
@@ -37,6 +38,7 @@ std::vector<StageResponses> read_stored_responses(const fs::path& directory, con
     for (const auto& filler : stage.fillers) responses.fillers.push_back(filler.material);
     responses.warnings = stage.warnings;
     if (const auto note = note_on_responses(file)) responses.warnings.push_back(*note);
+    if (const auto note = note_on_completeness(directory, document)) responses.warnings.push_back(*note);
     all.push_back(std::move(responses));
   }
   return all;

@@ -24,6 +24,7 @@ namespace {
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsSupersetOf;
+using ::testing::Not;
 
 constexpr std::string_view composite_deck = R"(title = "Composite"
 
@@ -320,6 +321,23 @@ TEST_F(Export, WarnsAtATemperatureAsRespondDoes) {
   const auto card = export_card("csv", {"--boundary", "traction", "--poisson", "0.3", "--temperature", "150 degC"});
   ASSERT_EQ(card.exit_code, 0) << card.errors;
   EXPECT_THAT(warnings_in(card.errors), IsSupersetOf(expected));
+}
+
+// A run of two grids that ended after the first one has the file of one grid: its card is written, with a warning.
+TEST_F(Export, WarnsOfARunThatIsNotComplete) {
+  const auto record = study->result("study.json");
+  const auto whole = read_text(record);
+  write_text(record, std::regex_replace(whole, std::regex("\"complete\": true"), "\"complete\": false"));
+  const std::vector<std::string> asked = {"--boundary", "traction", "--poisson", "0.3"};
+  auto warm = asked;
+  warm.insert(warm.end(), {"--temperature", "40 degC"});
+  for (const auto& arguments : {asked, warm}) {
+    const auto card = export_card("csv", arguments);
+    EXPECT_EQ(card.exit_code, 0);
+    EXPECT_THAT(card.errors, HasSubstr("warning: out: the run is not complete"));
+  }
+  write_text(record, whole);
+  EXPECT_THAT(export_card("csv", asked).errors, Not(HasSubstr("not complete")));
 }
 
 // By default the last stage of the deck is exported, at any temperature. In this deck the alphabetical order of the

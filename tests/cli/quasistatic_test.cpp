@@ -171,7 +171,7 @@ TEST_F(Quasistatic, RespondRefusesBadArguments) {
       {{"out", "--material", "bad.toml"}, R"(bulk: expected a pressure, got "1 um")"},
       {{"out", "--material", "none.toml"}, "none.toml"},
       {{"nowhere", "--material", "stiff.toml"}, "nowhere: no such directory"},
-      {{"out/A", "--material", "stiff.toml"}, "no stage with a response.h5"},
+      {{"out/A", "--material", "stiff.toml"}, "out/A: no prony.csv, which a run writes after its first test"},
       {{"out", "--material", "stiff.toml", "--stage", "B"}, R"(no response of a stage "B")"},
       {{"out", "--material", "stiff.toml", "--times", "1 s", "1 ms"}, "expected two rising times"},
       {{"out", "--material", "nofile.toml"}, "nofile.toml: no such file"},
