@@ -6,7 +6,7 @@ import {readFileSync} from "node:fs";
 import {test} from "node:test";
 
 import {respond} from "../../../src/page/scripts/response.js";
-import {assertClose} from "../../report/page/close.mjs";
+import {assertClose} from "../../page/scripts/close.mjs";
 
 const read = (name) => readFileSync(`${process.env.RESULTS}/${name}`, "utf8");
 const {study, responses} = JSON.parse(/<script [^>]*id="data">(.*?)<\/script>/s.exec(read("study/report.html"))[1]);

@@ -8,7 +8,7 @@ import {test} from "node:test";
 import {respond} from "../../../src/page/scripts/response.js";
 import {readSpectrum} from "../../../src/page/scripts/spectrum_text.js";
 import {decadesOfShift, shiftedSeries} from "../../../src/page/scripts/viscoelasticity.js";
-import {assertClose} from "../../report/page/close.mjs";
+import {assertClose} from "../../page/scripts/close.mjs";
 
 const read = (name) => readFileSync(`${process.env.RESULTS}/${name}`, "utf8");
 
