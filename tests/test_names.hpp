@@ -45,7 +45,7 @@ inline constexpr auto by_value = [](const auto& chosen) { return as_test_name(te
 /// Names typed tests of the dimensions two and three.
 struct DimensionNames {
   template <class Dimension>
-  static std::string GetName(int /*number*/) {
+  static std::string GetName(int /*number*/) {  // NOLINT(readability-identifier-naming): GoogleTest calls it
     return Dimension::value == 2 ? "InThePlane" : "InSpace";
   }
 };

@@ -46,6 +46,7 @@ class DirectorySink final : public StudySink {
   void write(const StudyFinished& event);
 
   [[nodiscard]] std::string hash_of(const Stage& stage) const;
+  // NOLINTNEXTLINE(modernize-use-nodiscard): it writes the record, too
   StudyDocument write_record(const StudyResult& result) const;
   void write_finished_stage(const Stage& stage, const StudyResult& result) const;
 

@@ -341,8 +341,8 @@ inline constexpr auto fields<StudyDocument> = std::tuple(
 /// Error: another version of Breccia has written a `study.json` that this version cannot read.
 class OtherFormat : public FileError {
  public:
-  OtherFormat(const std::filesystem::path& directory, const std::string& message)
-      : FileError(message), directory_(directory) {}
+  OtherFormat(std::filesystem::path directory, const std::string& message)
+      : FileError(message), directory_(std::move(directory)) {}
   /// That of the results.
   [[nodiscard]] const std::filesystem::path& directory() const noexcept { return directory_; }
 

@@ -54,7 +54,8 @@ class MiddleCuts {
     for (std::size_t normal = 0; normal < 3; ++normal) {
       if (cell[normal] != grid_.cells[normal] / 2) continue;
       const auto across = (normal + 1) % 3, up = (normal + 2) % 3;
-      cuts_[normal][static_cast<std::size_t>(cell[up] * grid_.cells[across] + cell[across])] = value;
+      cuts_[normal][static_cast<std::size_t>(cell[up]) * static_cast<std::size_t>(grid_.cells[across]) +
+                    static_cast<std::size_t>(cell[across])] = value;
     }
   }
 

@@ -75,6 +75,7 @@ std::vector<std::string> mistakes_of_varied(const VariedMaterial& varied, const 
   const auto found = std::ranges::find(materials, varied.name, &Material::name);
   if (found == materials.end()) {
     std::vector<std::string> names;
+    names.reserve(materials.size());
     for (const auto& material : materials) names.push_back(material.name);
     return {fmt::format("no stage has a material \"{}\"{}", varied.name, suggestion(varied.name, names))};
   }

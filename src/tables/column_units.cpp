@@ -114,7 +114,6 @@ std::string_view example_of_unit(const ColumnMeaning& meaning) {
     case Quantity::x:
     case Quantity::y:
     case Quantity::z:
-      return "um";
     case Quantity::axis_1:
     case Quantity::axis_2:
     case Quantity::axis_3:

@@ -245,6 +245,7 @@ class MeasuredTableReader {
       mistakes_.add("", fmt::format("{} says the same as {}, with other values; leave one of them out, or choose one",
                                     shown_value(other.name), shown_value(one.name)));
     }
+    // NOLINTNEXTLINE(modernize-loop-convert): clang 14 does not know the views of the standard library
     for (auto twin = twins_.rbegin(); twin != twins_.rend(); ++twin) {
       columns.erase(columns.begin() + static_cast<std::ptrdiff_t>(twin->second));
     }

@@ -98,6 +98,7 @@ std::string description_of(const MeasuredTable& table) {
   std::erase(ignored, "");
   if (ignored.empty()) return text;
   std::vector<std::string> shown;
+  shown.reserve(ignored.size());
   for (const auto& name : ignored) shown.push_back(shown_value(name));
   return text + fmt::format("\n  {:<26} {}", "not read", fmt::join(shown, ", "));
 }

@@ -20,6 +20,7 @@ std::vector<double> sampled_times(const TimeWindow& window, int per_decade) {
   const double decades = std::log10(window.end / window.begin);
   const auto count = std::max(fewest, static_cast<int>(std::ceil(per_decade * decades)));
   std::vector<double> times;
+  times.reserve(static_cast<std::size_t>(count) + 1);
   for (int i = 0; i < count; ++i) times.push_back(window.begin * std::pow(10.0, decades * i / count));
   times.push_back(window.end);
   return times;

@@ -205,9 +205,9 @@ TEST(Examples, Pbx9501OfSpheresStiffensFromStageToStage) {
 
 TEST(Examples, TwoFillersHaveTheirStatistics) {
   const test::TemporaryDirectory directory;
-  const auto run =
-      test::run_breccia(directory.path(), {"run", BRECCIA_EXAMPLES_DIRECTORY "/two-fillers.toml", "--out", ".", "--set",
-                                           "stages.0.cells=100", "--set", R"(tests.boundaries=["traction"])"});
+  constexpr auto deck = BRECCIA_EXAMPLES_DIRECTORY "/two-fillers.toml";
+  const auto run = test::run_breccia(directory.path(), {"run", deck, "--out", ".", "--set", "stages.0.cells=100",
+                                                        "--set", R"(tests.boundaries=["traction"])"});
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   EXPECT_THAT(run.output, HasSubstr("filler 2, aluminium: "));
   const auto record = nlohmann::json::parse(read_text(directory.path() / "study.json"))["stages"][0];

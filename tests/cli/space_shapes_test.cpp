@@ -74,7 +74,7 @@ double modulus(const StudyDirectory& study, const std::string& load) {
 }
 
 TEST(SpaceGrains, RhombicDodecahedraHaveTheirExactFraction) {
-  StudyDirectory study(deck_of(grains("", "sites = \"fcc.csv\", film = \"0.1 mm\"", 12)));
+  StudyDirectory study(deck_of(grains("", R"(sites = "fcc.csv", film = "0.1 mm")", 12)));
   study.write("fcc.csv", face_centred);
   const auto check = study.breccia("check");
   ASSERT_EQ(check.exit_code, 0) << check.errors;
@@ -134,7 +134,7 @@ TEST(SpaceGrains, GoOnFromTheirState) {
 }
 
 TEST(SpaceGrains, HaveWallsAsInThePlane) {
-  StudyDirectory cut(deck_of(grains("", "sites = \"fcc.csv\", film = \"50 um\", walls = \"cut\"")));
+  StudyDirectory cut(deck_of(grains("", R"(sites = "fcc.csv", film = "50 um", walls = "cut")")));
   cut.write("fcc.csv", face_centred);
   const auto run = cut.breccia("run");
   ASSERT_EQ(run.exit_code, 0) << run.errors;
@@ -275,7 +275,7 @@ TEST(SpaceImages, ExtrudedAlongZHaveTheModuliOfThePlane) {
 
 TEST(SpaceImages, LabelsOfAnyRunAreAnImage) {
   constexpr auto points = "loads = [\"shear\"]\nmixing = \"points\"\n";
-  StudyDirectory first(deck_of(grains("", "sites = \"fcc.csv\", film = \"0.15 mm\""), points));
+  StudyDirectory first(deck_of(grains("", R"(sites = "fcc.csv", film = "0.15 mm")"), points));
   first.write("fcc.csv", face_centred);
   ASSERT_EQ(first.breccia("run").exit_code, 0);
   for (const std::string file : {"labels.npy", "labels.vti"}) {

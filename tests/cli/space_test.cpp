@@ -121,8 +121,8 @@ TEST(Space, ALatticeOfSpheresLeavesItsFiles) {
 // In a cube with a sphere, stress waves come to rest at the solution of the method without inertia.
 TEST(Space, BothMethodsAgreeOnALatticeOfSpheres) {
   StudyDirectory study(fmt::format("{}{}{}method = [\"quasistatic\", \"dynamic\"]\n", materials, lattice, tests));
-  const std::vector<std::string> few = {"--set", "tests.loads=[\"shear-zx\", \"bulk\"]", "--set",
-                                        "tests.times=[\"100 us\", \"10 ms\"]"};
+  const std::vector<std::string> few = {"--set", R"(tests.loads=["shear-zx", "bulk"])", "--set",
+                                        R"(tests.times=["100 us", "10 ms"])"};
   const auto check = study.breccia("check", few);
   ASSERT_EQ(check.exit_code, 0) << check.errors;
   EXPECT_THAT(check.output, AllOf(HasSubstr("dynamic: 4096 points, about"), HasSubstr("million points x steps/s here"),
@@ -144,7 +144,7 @@ TEST(Space, BothMethodsAgreeOnALatticeOfSpheres) {
 TEST(Space, TheDynamicMethodAloneLeavesFields) {
   StudyDirectory study(fmt::format("{}{}{}method = \"dynamic\"\n", materials, lattice, tests));
   const auto run = study.breccia("run", {"--set", "tests.loads=[\"shear-yz\"]", "--set", "stages.0.cells=6", "--set",
-                                         "tests.times=[\"1 ms\", \"10 ms\"]"});
+                                         R"(tests.times=["1 ms", "10 ms"])"});
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   EXPECT_THAT(study.results(),
               AllOf(Contains("A/fields.vtkhdf"), Contains("A/fields-stress.svg"), Contains("A/fields-strain.svg")));

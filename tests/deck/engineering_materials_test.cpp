@@ -97,7 +97,7 @@ TEST_F(EngineeringMaterials, MeasuredModuliAtSeveralTemperaturesHaveTheirShiftLa
   EXPECT_NEAR(shift.temperature, 292.15, 1e-9);
 
   const auto warm =
-      directory.study(deck(lines + "temperature_shift = { law = \"measured\", temperature = \"40 degC\" }"));
+      directory.study(deck(lines + R"(temperature_shift = { law = "measured", temperature = "40 degC" })"));
   EXPECT_EQ(warm.materials.at(0).shift.value().temperature, 313.15);
   const double factor = law.shift_factor(313.15);
   const auto& cold_terms = study.materials.at(0).material.shear.terms();

@@ -142,7 +142,7 @@ TEST_F(DeckStages, GrainsHaveAFractionOrFilms) {
                       packing, " }\n");
   };
   constexpr auto sizes = "sizes = { diameter = \"1 mm\" }";
-  const auto by_fraction = stage(with("fraction = \"94 %\", sizes = { diameter = \"1 mm\" }", ", seed = 7"));
+  const auto by_fraction = stage(with(R"(fraction = "94 %", sizes = { diameter = "1 mm" })", ", seed = 7"));
   ASSERT_NE(by_fraction.packed_by<LaguerrePacking<2>>(), nullptr);
   EXPECT_EQ(by_fraction.fillers.front().fraction, 0.94);
   EXPECT_EQ(by_fraction.packed_by<LaguerrePacking<2>>()->seed, 7U);
@@ -153,7 +153,7 @@ TEST_F(DeckStages, GrainsHaveAFractionOrFilms) {
   EXPECT_EQ(by_film.packed_by<LaguerrePacking<2>>()->walls, Walls::hard);
   EXPECT_EQ(by_film.packed_by<LaguerrePacking<2>>()->wall_film, WallFilm::half);
   EXPECT_FALSE(by_film.fillers.front().fraction);
-  const auto cut = stage(with(sizes, ", film = \"20 um\", walls = \"cut\""));
+  const auto cut = stage(with(sizes, R"(, film = "20 um", walls = "cut")"));
   EXPECT_EQ(cut.packed_by<LaguerrePacking<2>>()->walls, Walls::hard);
   EXPECT_EQ(cut.packed_by<LaguerrePacking<2>>()->wall_film, WallFilm::none);
   EXPECT_THAT(mistakes(with(sizes, ", film = \"20 um\", walls = \"cutt\"")), HasSubstr("packing.walls: "));

@@ -64,7 +64,7 @@ class DeckImage : public testing::Test {
 TEST_F(DeckImage, IsInTheMemoryOnceForAllTasksOfASweep) {
   const auto file = directory.written("deck.toml", deck(keys("scan.npy")));
   const auto sweep =
-      read_sweep(file, {}, {"tests.points_per_decade=[5, 10]", "stages.a.packing.pixel=[\"2 um\", \"3 um\"]"});
+      read_sweep(file, {}, {"tests.points_per_decade=[5, 10]", R"(stages.a.packing.pixel=["2 um", "3 um"])"});
   ASSERT_EQ(sweep.tasks.size(), 4U);
   const auto image = [&](std::size_t task) {
     return sweep.tasks[task].study.stages.at(0).packed_by<ImagePacking<2>>()->image;

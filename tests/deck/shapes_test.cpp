@@ -37,11 +37,11 @@ class DeckShapes : public testing::Test {
   /// The mistakes of an explicit packing of a table with these lines.
   [[nodiscard]] std::string mistakes_of_table(std::string_view lines) const {
     directory.write("particles.csv", lines);
-    return mistakes("", "\"explicit\", particles = \"particles.csv\"");
+    return mistakes("", R"("explicit", particles = "particles.csv")");
   }
   [[nodiscard]] std::string mistakes_of_polygons(std::string_view lines) const {
     directory.write("polygons.csv", lines);
-    return mistakes("", "\"explicit\", polygons = \"polygons.csv\"");
+    return mistakes("", R"("explicit", polygons = "polygons.csv")");
   }
 
   static constexpr auto amount = ", fraction = 0.5, sizes = { diameter = \"0.5 mm\" }";
@@ -122,7 +122,7 @@ TEST_F(DeckShapes, OtherPackingsPlaceDiscs) {
 TEST_F(DeckShapes, ListedEllipses) {
   directory.write("particles.csv", "x_mm,y_mm,axis_1_mm,axis_2_mm,angle_deg\n1,2,1.5,0.5,90\n4,4,1,1,0\n");
   const auto listed =
-      std::get<std::vector<Particle>>(listed_in(stage("", "\"explicit\", particles = \"particles.csv\"")));
+      std::get<std::vector<Particle>>(listed_in(stage("", R"("explicit", particles = "particles.csv")")));
   ASSERT_EQ(listed.size(), 2U);
   EXPECT_EQ(std::get<Ellipse>(listed[0].shape).axes, (Vector<2>{1.5e-3, 0.5e-3}));
   EXPECT_EQ(listed[0].pose.centre(), (Vector<2>{1e-3, 2e-3}));
@@ -157,8 +157,7 @@ TEST_F(DeckShapes, MistakesInListedEllipses) {
 
 TEST_F(DeckShapes, ListedPolygons) {
   directory.write("polygons.csv", "particle,x_mm,y_mm\n1,1,1\n1,2,1\n1,1,2\n2,4,4\n2,5,4\n2,5,5\n2,4,5\n");
-  const auto listed =
-      std::get<std::vector<Particle>>(listed_in(stage("", "\"explicit\", polygons = \"polygons.csv\"")));
+  const auto listed = std::get<std::vector<Particle>>(listed_in(stage("", R"("explicit", polygons = "polygons.csv")")));
   ASSERT_EQ(listed.size(), 2U);
   EXPECT_NEAR(listed[0].pose.centre()[0], 4e-3 / 3.0, 1e-15);
   EXPECT_NEAR(area(listed[1].shape), 1e-6, 1e-18);
@@ -168,7 +167,7 @@ TEST_F(DeckShapes, ListedPolygonsBesideDiscs) {
   directory.write("discs.csv", "x_mm,y_mm,diameter_mm\n3,1,1\n");
   directory.write("polygons.csv", "particle,x_mm,y_mm\n0,4,4\n0,5,4\n0,5,5\n0,4,5\n");
   const auto listed = std::get<std::vector<Particle>>(
-      listed_in(stage("", "\"explicit\", particles = \"discs.csv\", polygons = \"polygons.csv\"")));
+      listed_in(stage("", R"("explicit", particles = "discs.csv", polygons = "polygons.csv")")));
   ASSERT_EQ(listed.size(), 2U);
   EXPECT_EQ(std::get<Ellipse>(listed[0].shape).axes, (Vector<2>{1e-3, 1e-3}));
 }
@@ -186,7 +185,7 @@ TEST_F(DeckShapes, MistakesInListedPolygons) {
 TEST_F(DeckShapes, SeveralFillersOfListedPolygons) {
   const auto deck = [](std::string_view file) {
     return test::join(test::materials, "[[stages]]\nname = \"a\"\nmatrix = \"binder\"\nbox = \"6 mm\"\ncells = 60\n",
-                      "packing = { method = \"explicit\", polygons = \"", file,
+                      R"(packing = { method = "explicit", polygons = ")", file,
                       "\" }\n[[stages.filler]]\nmaterial = \"hmx\"\n[[stages.filler]]\nmaterial = \"hmx\"\n",
                       test::tests);
   };

@@ -99,7 +99,7 @@ TEST_F(DeckTests, ResolvedFilmsHaveNoFields) {
 }
 
 TEST_F(DeckTests, GrainsThatTheWallsCutHaveBothBounds) {
-  const auto cut = test::replaced(std::string(grains), "\"laguerre\"", "\"laguerre\", walls = \"cut\"");
+  const auto cut = test::replaced(std::string(grains), "\"laguerre\"", R"("laguerre", walls = "cut")");
   const auto study = directory.study(test::join(test::materials, cut, "[tests]\n", times, "model = \"films\"\n"));
   EXPECT_THAT(study.tests.boundaries, ElementsAre(Boundary::displacement, Boundary::traction));
   EXPECT_THAT(directory.mistakes(test::join(test::materials, cut, "[tests]\n", times,
@@ -183,7 +183,7 @@ TEST_F(DeckTests, MassScalingFactorsMayHaveTheirEarlierName) {
 
 // 1 / (2 pi f), the last frequency first.
 TEST_F(DeckTests, FrequenciesStandForTimes) {
-  const auto tests_of = tests("frequencies = [\"0.01 Hz\", \"1 kHz\"]");
+  const auto tests_of = tests(R"(frequencies = ["0.01 Hz", "1 kHz"])");
   EXPECT_NEAR(tests_of.first_time / 1.5915494309189535e-4, 1.0, 1e-14);
   EXPECT_NEAR(tests_of.last_time / 15.915494309189535, 1.0, 1e-14);
   EXPECT_TRUE(tests_of.by_frequency);
@@ -235,7 +235,7 @@ TEST_F(DeckTests, Mistakes) {
 
 TEST_F(DeckTests, ElasticMaterialsMayVary) {
   const auto varied = [&](std::string_view keys) { return tests(test::join(times, "[tests.quasistatic]\n", keys)); };
-  const auto given = varied("vary = { hmx = { shear = [\"1 GPa\", \"10 GPa\"], bulk = [\"10 GPa\", \"20 GPa\"] } }");
+  const auto given = varied(R"(vary = { hmx = { shear = ["1 GPa", "10 GPa"], bulk = ["10 GPa", "20 GPa"] } })");
   ASSERT_EQ(given.varied.size(), 1U);
   EXPECT_EQ(given.varied[0].name, "hmx");
   EXPECT_EQ(given.varied[0].shear.value().least, 1e9);
@@ -260,7 +260,7 @@ TEST_F(DeckTests, MistakesInMaterialsThatVary) {
   EXPECT_THAT(with("hmx = { shear = [\"1 GPa\", \"10 m\"] }"), HasSubstr("vary.hmx.shear: expected a pressure"));
   EXPECT_THAT(with("hmx = { shear = \"1 GPa\" }"), HasSubstr("vary.hmx.shear: expected an array"));
   EXPECT_THAT(with("hmx = [\"1 GPa\", \"10 GPa\"]"), HasSubstr("vary.hmx: expected a table"));
-  const auto of_zero = with("hmx = { shear = [\"0 MPa\", \"10 GPa\"] }");
+  const auto of_zero = with(R"(hmx = { shear = ["0 MPa", "10 GPa"] })");
   EXPECT_THAT(of_zero, HasSubstr("vary.hmx.shear: expected a positive pressure"));
   EXPECT_THAT(of_zero, testing::Not(HasSubstr("rising"))) << "one mistake, one line";
   EXPECT_THAT(mistakes(test::join(times,
