@@ -339,7 +339,9 @@ TEST(RespondWithoutLaw, AsksForAMaterial) {
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(outcome.errors, HasSubstr("binder has no temperature_shift in the deck of the study"));
   std::filesystem::remove(study.result("study.json"));
-  EXPECT_EQ(run_breccia(study.path(), {"respond", "out", "--temperature", "40 degC"}).exit_code, 4);
+  const auto lost = run_breccia(study.path(), {"respond", "out", "--temperature", "40 degC"});
+  EXPECT_EQ(lost.exit_code, 2);
+  EXPECT_THAT(lost.errors, HasSubstr("out: no study.json, which a run writes after its first test"));
 }
 
 }  // namespace
