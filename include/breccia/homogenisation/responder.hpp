@@ -47,9 +47,10 @@ class Responder {
   [[nodiscard]] Responder alone(const std::string& stage) const;
 
   /// Computes the results of the stages, in the order in which they build on each other: the matrix of a later stage is
-  /// the new result of the stage before it. Each result has those warnings of its study that do not depend on the
-  /// varying materials, and new warnings about its present materials and bounds. Throws NotCovered, with the times that
-  /// are covered, if a material leaves the sampled range; InputError if a stage lacks its matrix.
+  /// the new result of the stage before it. Each result has the warnings of the run, those about its bounds among
+  /// them, except the warnings about the varying materials; and new warnings about its present materials and bounds.
+  /// Throws NotCovered, with the times that are covered, if a material leaves the sampled range; InputError if a stage
+  /// lacks its matrix.
   [[nodiscard]] std::vector<StageResult> respond() const;
 
   /// The modulus of a stage at a real Laplace variable s [1/s], by the correspondence principle, on the finest grid.
