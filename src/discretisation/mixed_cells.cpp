@@ -11,6 +11,7 @@
 #include "breccia/error.hpp"
 
 #include "discretisation/mixture_numbers.hpp"
+#include "discretisation/mixture_rule.hpp"
 #include "microstructure/disc_overlap.hpp"
 #include "microstructure/sphere_overlap.hpp"
 
@@ -178,7 +179,8 @@ template <int dim>
 std::vector<Material> with_mixtures(const Discretisation<dim>& discretisation, std::vector<Material> materials) {
   const auto phases = materials.size();
   for (const auto& mixture : discretisation.mixtures()) {
-    materials.push_back(series_material<dim>(mixture, std::span(materials).first(phases)));
+    const std::span by_phase = std::span(materials).first(phases);
+    materials.push_back(MixtureRule(mixture, by_phase).template material<dim>(by_phase));
   }
   return materials;
 }

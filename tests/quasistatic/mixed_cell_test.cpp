@@ -17,9 +17,14 @@ class AnyMixedCell : public testing::Test {
   using Shape = CellShape<dim>;
   using Modes = typename Shape::ModeValues;
 
-  const Mixture mixture = {{1, 0.25}, {0, 0.625}, {2, 0.125}};
-  const MixedCell<dim> cell{mixture};
   const std::array<Moduli, 3> moduli = {{{.bulk = 5.0, .shear = 3.0}, {.bulk = 7.0, .shear = 40.0}, {2.0, 0.5}}};
+  const std::array<Material, 3> materials = {{{"middle", 1.0, PronySeries(5.0), PronySeries(3.0)},
+                                              {"stiff", 1.0, PronySeries(7.0), PronySeries(40.0)},
+                                              {"soft", 1.0, PronySeries(2.0), PronySeries(0.5)}}};
+  /// Three phases in series, each in a stiffer one, and a stiff one with a soft one inside in series with another one.
+  const std::array<MixtureRule, 3> rules = {MixtureRule({{1, 0.25}, {0, 0.625}, {2, 0.125}}),
+                                            MixtureRule({{1, 0.25}, {0, 0.625}, {2, 0.125}}, materials),
+                                            MixtureRule({{0, 0.25}, {1, 0.25}, {2, 0.5}}, materials)};
 
   Eigen::VectorXd random(Eigen::Index size) {
     Eigen::VectorXd values(size);
@@ -54,62 +59,94 @@ TYPED_TEST(AnyMixedCell, ModesGiveTheStiffnessOfOneMaterial) {
 }
 
 TYPED_TEST(AnyMixedCell, PhasesThatStrainAlikeActInParallel) {
-  const typename TestFixture::Modes strain = this->random(TestFixture::Shape::modes);
-  const auto unknown = this->cell.uniform(strain);
-  for (std::size_t part = 0; part < 3; ++part) {
-    EXPECT_LT((this->cell.strain_of(part, strain, this->view(unknown)) - strain).norm(), 1e-14);
+  for (const auto& rule : this->rules) {
+    const MixedCell<TestFixture::dim> cell(rule);
+    const typename TestFixture::Modes strain = this->random(TestFixture::Shape::modes);
+    const auto unknown = cell.uniform(strain);
+    for (std::size_t part = 0; part < 3; ++part) {
+      EXPECT_LT((cell.strain_of(part, strain, this->view(unknown)) - strain).norm(), 1e-14);
+    }
   }
 }
 
 TYPED_TEST(AnyMixedCell, TheMeanOfTheStrainsIsThatOfTheCell) {
-  const typename TestFixture::Modes strain = this->random(TestFixture::Shape::modes);
-  const auto unknown = this->random(this->cell.unknowns());
-  typename TestFixture::Modes mean = TestFixture::Modes::Zero();
-  for (std::size_t part = 0; part < 3; ++part) {
-    mean += this->mixture[part].fraction * this->cell.strain_of(part, strain, this->view(unknown));
+  for (const auto& rule : this->rules) {
+    const MixedCell<TestFixture::dim> cell(rule);
+    const typename TestFixture::Modes strain = this->random(TestFixture::Shape::modes);
+    const auto unknown = this->random(cell.unknowns());
+    typename TestFixture::Modes mean = TestFixture::Modes::Zero();
+    for (std::size_t part = 0; part < 3; ++part) {
+      mean += cell.mixture()[part].fraction * cell.strain_of(part, strain, this->view(unknown));
+    }
+    EXPECT_LT((mean - strain).norm(), 1e-14);
   }
-  EXPECT_LT((mean - strain).norm(), 1e-14);
 }
 
-// Without forces on the strains all phases have the stress of the series mixture.
-TYPED_TEST(AnyMixedCell, InEquilibriumHasOneStress) {
-  const auto series = series_moduli<TestFixture::dim>(this->mixture, this->moduli);
-  const typename TestFixture::Modes strain = this->random(TestFixture::Shape::modes);
-  const Eigen::VectorXd none = Eigen::VectorXd::Zero(this->cell.unknowns());
-  const auto strains = this->cell.strains_under(this->moduli, strain, this->view(none));
-  const auto [stress, forces] = this->cell.stresses(this->moduli, strain, this->view(strains));
-  const typename TestFixture::Modes expected = TestFixture::stress_of(series, strain);
-  EXPECT_LT((stress - expected).norm(), 1e-13 * expected.norm());
-  EXPECT_LT(forces.norm(), 1e-13 * expected.norm());
+// Without forces on the strains the stress is that of the moduli of the mixture.
+TYPED_TEST(AnyMixedCell, InEquilibriumHasTheStressOfItsModuli) {
+  for (const auto& rule : this->rules) {
+    const MixedCell<TestFixture::dim> cell(rule);
+    const auto of_cell = rule.template moduli<TestFixture::dim>(this->moduli);
+    const typename TestFixture::Modes strain = this->random(TestFixture::Shape::modes);
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(cell.unknowns());
+    const auto strains = cell.strains_under(this->moduli, strain, this->view(none));
+    const auto [stress, forces] = cell.stresses(this->moduli, strain, this->view(strains));
+    const typename TestFixture::Modes expected = TestFixture::stress_of(of_cell, strain);
+    EXPECT_LT((stress - expected).norm(), 1e-13 * expected.norm());
+    EXPECT_LT(forces.norm(), 1e-13 * expected.norm());
+  }
 }
 
 TYPED_TEST(AnyMixedCell, UnderForcesIsInEquilibriumWithThem) {
-  const auto series = series_moduli<TestFixture::dim>(this->mixture, this->moduli);
-  const typename TestFixture::Modes strain = this->random(TestFixture::Shape::modes);
-  const auto applied = this->random(this->cell.unknowns());
-  const auto strains = this->cell.strains_under(this->moduli, strain, this->view(applied));
-  const auto [stress, forces] = this->cell.stresses(this->moduli, strain, this->view(strains));
-  EXPECT_LT((forces - applied).norm(), 1e-13 * applied.norm());
-  const typename TestFixture::Modes expected =
-      TestFixture::stress_of(series, strain) - this->cell.stress_relieved_by(this->moduli, this->view(applied));
-  EXPECT_LT((stress - expected).norm(), 1e-13 * expected.norm());
+  for (const auto& rule : this->rules) {
+    const MixedCell<TestFixture::dim> cell(rule);
+    const auto of_cell = rule.template moduli<TestFixture::dim>(this->moduli);
+    const typename TestFixture::Modes strain = this->random(TestFixture::Shape::modes);
+    const auto applied = this->random(cell.unknowns());
+    const auto strains = cell.strains_under(this->moduli, strain, this->view(applied));
+    const auto [stress, forces] = cell.stresses(this->moduli, strain, this->view(strains));
+    const typename TestFixture::Modes expected =
+        TestFixture::stress_of(of_cell, strain) - cell.stress_relieved_by(this->moduli, this->view(applied));
+    EXPECT_LT((forces - applied).norm(), 1e-13 * (applied.norm() + expected.norm()));
+    EXPECT_LT((stress - expected).norm(), 1e-13 * expected.norm());
+  }
 }
 
 // The projection of the reduced basis relies on this; its parts include moduli of zero.
 TYPED_TEST(AnyMixedCell, StressesAreAffineInTheModuli) {
-  const typename TestFixture::Modes strain = this->random(TestFixture::Shape::modes);
-  const auto unknown = this->random(this->cell.unknowns());
-  std::array<Moduli, 3> sum = this->moduli;
-  const std::array<Moduli, 3> part = {{{}, {.bulk = 0.0, .shear = 11.0}, {.bulk = 3.0, .shear = 0.0}}};
-  for (std::size_t m = 0; m < 3; ++m) {
-    sum[m].bulk += part[m].bulk;
-    sum[m].shear += part[m].shear;
+  for (const auto& rule : this->rules) {
+    const MixedCell<TestFixture::dim> cell(rule);
+    const typename TestFixture::Modes strain = this->random(TestFixture::Shape::modes);
+    const auto unknown = this->random(cell.unknowns());
+    std::array<Moduli, 3> sum = this->moduli;
+    const std::array<Moduli, 3> part = {{{}, {.bulk = 0.0, .shear = 11.0}, {.bulk = 3.0, .shear = 0.0}}};
+    for (std::size_t m = 0; m < 3; ++m) {
+      sum[m].bulk += part[m].bulk;
+      sum[m].shear += part[m].shear;
+    }
+    const auto first = cell.stresses(this->moduli, strain, this->view(unknown));
+    const auto second = cell.stresses(part, strain, this->view(unknown));
+    const auto both = cell.stresses(sum, strain, this->view(unknown));
+    EXPECT_LT((first.first + second.first - both.first).norm(), 1e-12 * both.first.norm());
+    EXPECT_LT((first.second + second.second - both.second).norm(), 1e-12 * both.second.norm());
   }
-  const auto first = this->cell.stresses(this->moduli, strain, this->view(unknown));
-  const auto second = this->cell.stresses(part, strain, this->view(unknown));
-  const auto both = this->cell.stresses(sum, strain, this->view(unknown));
-  EXPECT_LT((first.first + second.first - both.first).norm(), 1e-12 * both.first.norm());
-  EXPECT_LT((first.second + second.second - both.second).norm(), 1e-12 * both.second.norm());
+}
+
+TYPED_TEST(AnyMixedCell, SharesAreTheStrainsInEquilibrium) {
+  using Shape = typename TestFixture::Shape;
+  for (const auto& rule : this->rules) {
+    const MixedCell<TestFixture::dim> cell(rule);
+    const typename TestFixture::Modes strain = this->random(Shape::modes);
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(cell.unknowns());
+    const auto strains = cell.strains_under(this->moduli, strain, this->view(none));
+    const auto shares = cell.shares(this->moduli);
+    for (std::size_t part = 1; part < cell.mixture().size(); ++part) {
+      const auto& [volumetric, deviatoric] = shares[part - 1];
+      typename TestFixture::Modes expected = deviatoric * strain;
+      expected[Shape::modes - 1] = volumetric * strain[Shape::modes - 1];
+      EXPECT_LT((cell.strain_of(part, strain, this->view(strains)) - expected).norm(), 1e-13 * strain.norm());
+    }
+  }
 }
 
 }  // namespace

@@ -99,7 +99,7 @@ TEST(DynamicTestInSpace, AMaxwellLaminateHasTheSeriesModulus) {
   test.options.mass_scaling_factors = {20.0, 200.0};
   // The period of its slowest wave is about two transits, so that a ramp of four transits excites little ringing.
   test.options.ramp_transits = 4.0;
-  const auto series = series_material<3>({{0, 0.5}, {1, 0.5}}, test.materials).shear;
+  const auto series = MixtureRule({{0, 0.5}, {1, 0.5}}).material<3>(test.materials).shear;
   for (const auto& [time, modulus] : run_dynamic_test(test).curve) {
     EXPECT_NEAR(modulus / series.at(time), 1.0, 5e-3) << "at " << time;
   }

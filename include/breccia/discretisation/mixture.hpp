@@ -1,19 +1,17 @@
 #pragma once
 
 #include <array>
-#include <span>
 #include <vector>
 
-#include "breccia/discretisation/moduli.hpp"
 #include "breccia/discretisation/phase.hpp"
-#include "breccia/viscoelasticity/material.hpp"
 #include "breccia/words.hpp"
 
 namespace breccia {
 
 /// The treatment of a cell that an interface crosses.
 enum class Mixing {
-  series,  ///< the series mixture of its phases, by area fraction (theory, Eq. 40)
+  series,  ///< a mixture of its phases by area fraction: in series with a stiffer phase, held by a stiffer one around
+           ///< them (theory, Eqs. 40 and 40a)
   points   ///< each of its material points has the phase at its position, as in the paper
 };
 
@@ -29,19 +27,8 @@ struct MixedPart {
   friend bool operator==(const MixedPart&, const MixedPart&) = default;
 };
 
-/// The content of a mixed cell: at least two phases, whose fractions add up to 1.
+/// The content of a mixed cell: at least two phases, whose fractions add up to 1, from the outside inwards. Phases are
+/// numbered so that one which surrounds others, such as a matrix or a coating, has a lower number than these.
 using Mixture = std::vector<MixedPart>;
-
-/// Moduli of a mixture in series: its shear modulus and its dilatational modulus are the harmonic means of those of its
-/// phases, 1 / G = sum of f_k / G_k (theory, Eq. 40). If a modulus of one phase is 0, that of the mixture is 0.
-template <int dim>
-[[nodiscard]] Moduli series_moduli(const Mixture& mixture, std::span<const Moduli> by_phase);
-
-/// The mixture as a material. Its compliances are the means of the compliances of its phases, converted to moduli
-/// exactly, and its density is the mean density. In plane strain its bulk modulus K, the difference of the dilatational
-/// modulus K + G/3 and of G/3, may have negative terms. Throws InputError where a dilatational or a shear modulus of a
-/// phase has negative terms. Instantiated for 2 and 3 dimensions.
-template <int dim>
-[[nodiscard]] Material series_material(const Mixture& mixture, std::span<const Material> by_phase);
 
 }  // namespace breccia

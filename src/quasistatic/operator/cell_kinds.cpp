@@ -20,12 +20,16 @@ void require_no_crystals(const std::vector<Mixture>& mixtures, const Crystals<di
 
 template <int dim>
 CellKinds<dim>::CellKinds(const Discretisation<dim>& discretisation, Volumetric volumetric,
-                          const IndexRange<dim>& own_cells, const Crystals<dim>& crystals)
+                          const IndexRange<dim>& own_cells, const Crystals<dim>& crystals,
+                          std::span<const Material> materials)
     : volumetric_(volumetric), own_cells_(own_cells) {
   for (const auto& [phase, stiffness] : crystals) {
     crystals_.emplace(phase, Crystal{stiffness, softer_moduli<dim>(stiffness).shear});
   }
   require_no_crystals<dim>(discretisation.mixtures(), crystals);
+  const auto rule_of = [&](const Mixture& mixture) {
+    return materials.empty() ? MixtureRule(mixture) : MixtureRule(mixture, materials);
+  };
   std::map<CellPhases<dim>, std::uint32_t> known;
   PetscInt strains = 0;  // number of strains of the cells before
   discretisation.grid().for_each_cell([&](const Index<dim>& cell) {
@@ -39,7 +43,7 @@ CellKinds<dim>::CellKinds(const Discretisation<dim>& discretisation, Volumetric 
       const auto [kind, is_new] = known.emplace(phases, static_cast<std::uint32_t>(known.size()));
       if (is_new) {
         phases_.push_back(phases);
-        mixed_.push_back(mixture != nullptr ? std::optional<MixedCell<dim>>(*mixture) : std::nullopt);
+        mixed_.push_back(mixture != nullptr ? std::optional<MixedCell<dim>>(rule_of(*mixture)) : std::nullopt);
       }
       of_cells_.push_back(kind->second);
     }
@@ -73,7 +77,7 @@ typename CellShape<dim>::Stiffness CellKinds<dim>::stiffness(std::size_t kind, s
   }
   typename Shape::PointModuli of_points{};
   if (mixed_[kind]) {
-    of_points.fill(series_moduli<dim>(mixed_[kind]->mixture(), moduli));
+    of_points.fill(mixed_[kind]->moduli(moduli));
   } else {
     for (std::size_t p = 0; p < of_points.size(); ++p) of_points[p] = moduli[phases_[kind][p]];
   }
@@ -90,7 +94,7 @@ std::vector<typename CellShape<dim>::Stiffness> CellKinds<dim>::stiffnesses(std:
 
 template <int dim>
 std::optional<Moduli> CellKinds<dim>::uniform_moduli(std::size_t kind, std::span<const Moduli> moduli) const {
-  if (mixed_[kind]) return series_moduli<dim>(mixed_[kind]->mixture(), moduli);
+  if (mixed_[kind]) return mixed_[kind]->moduli(moduli);
   if (has_crystals(kind)) return std::nullopt;
   const auto& phases = phases_[kind];
   const bool is_uniform = std::ranges::count(phases, phases.front()) == Shape::points;

@@ -16,17 +16,18 @@
 namespace breccia::quasistatic {
 
 /// The kinds of the cells of a process. Cells of one kind have the same materials at the same points, and so one
-/// stiffness: that of Volumetric::averaged or ::standard points, or that of the series mixture of a mixed cell.
+/// stiffness: that of Volumetric::averaged or ::standard points, or that of the mixture of a mixed cell.
 template <int dim>
 class CellKinds {
  public:
   using Shape = CellShape<dim>;
   using Stiffness = typename Shape::Stiffness;
 
-  /// Throws InputError when a point has no phase, for mixed cells with the volumetric strains of points, and for
-  /// mixed cells with crystals.
+  /// The materials, by PhaseIndex, decide the rule of each mixture; without them all phases are in series. Throws
+  /// InputError when a point has no phase, for mixed cells with the volumetric strains of points, and for mixed cells
+  /// with crystals.
   CellKinds(const Discretisation<dim>& discretisation, Volumetric volumetric, const IndexRange<dim>& own_cells,
-            const Crystals<dim>& crystals = {});
+            const Crystals<dim>& crystals = {}, std::span<const Material> materials = {});
 
   /// Number of kinds.
   [[nodiscard]] std::size_t count() const noexcept { return phases_.size(); }

@@ -14,9 +14,10 @@
 namespace breccia::quasistatic {
 template <int dim>
 ElasticOperator<dim>::ElasticOperator(const Discretisation<dim>& discretisation, Volumetric volumetric,
-                                      Boundary boundary, int threads, const Crystals<dim>& crystals)
+                                      Boundary boundary, int threads, const Crystals<dim>& crystals,
+                                      std::span<const Material> materials)
     : nodes_({discretisation.grid().cells, 1.0}, boundary),
-      kinds_(discretisation, volumetric, nodes_.cells(), crystals),
+      kinds_(discretisation, volumetric, nodes_.cells(), crystals, materials),
       threads_(parallel::threads_for(threads)) {
   find_first_strains();
 }
@@ -98,7 +99,7 @@ template <int dim>
 void ElasticOperator<dim>::condense(std::span<const Moduli> moduli, Forces& forces) const {
   for (const auto& mixed : kinds_.mixed()) {
     if (!mixed) continue;
-    const auto [bulk, shear] = series_moduli<dim>(mixed->mixture(), moduli);
+    const auto [bulk, shear] = mixed->moduli(moduli);
     if (bulk > 0.0 && shear > 0.0) continue;
     throw InputError("quasi-static solver: a phase of a mixed cell has a modulus of 0; expected positive ones");
   }

@@ -32,10 +32,11 @@ class ElasticOperator {
   using Shape = CellShape<dim>;
 
   /// `threads` is the number of threads that find forces in 3 dimensions, 0 for all cores of the process; the forces do
-  /// not depend on it. Throws InputError when a point has no phase, for mixed cells with the volumetric strains of
-  /// points, and for mixed cells with crystals.
+  /// not depend on it. The materials, by PhaseIndex, decide the rules of mixed cells, whose phases are in series
+  /// without them. Throws InputError when a point has no phase, for mixed cells with the volumetric strains of points,
+  /// and for mixed cells with crystals.
   ElasticOperator(const Discretisation<dim>& discretisation, Volumetric volumetric, Boundary boundary, int threads = 1,
-                  const Crystals<dim>& crystals = {});
+                  const Crystals<dim>& crystals = {}, std::span<const Material> materials = {});
 
   [[nodiscard]] Boundary boundary() const noexcept { return nodes_.boundary(); }
   [[nodiscard]] int threads() const noexcept { return threads_; }

@@ -6,9 +6,8 @@
 
 #include <Eigen/Core>
 
-#include "breccia/discretisation/mixture.hpp"
-
 #include "discretisation/cell_shape.hpp"
+#include "discretisation/mixture_rule.hpp"
 
 namespace breccia::quasistatic {
 
@@ -17,11 +16,10 @@ struct StrainShare {
   double volumetric, deviatoric;
 };
 
-/// A cell that holds several phases in series. Each phase k has strains y_k of its own (CellShape::mode_matrix), whose
-/// mean is the strain of the cell, s = sum of f_k y_k. The energy, half the sum of f_k (G_k |dev y_k|^2 + k_k vol
-/// y_k^2) with the dilatational modulus k, is affine in the moduli; where it is a minimum, all phases have one stress,
-/// and the moduli of the cell are those of the series mixture (theory, Eqs. 40 to 42). The strains of all phases except
-/// the first are unknowns, one after the other; the strains of the first phase follow from them.
+/// A cell that holds several phases. Each phase k has strains y_k of its own (CellShape::mode_matrix), whose mean is
+/// the strain of the cell, s = sum of f_k y_k. The energy (theory, Eqs. 41 and 41a) is affine in the moduli; where it
+/// is a minimum, the cell has the moduli of its MixtureRule. The strains of all phases except the first are unknowns,
+/// one after the other; the strains of the first phase follow from them.
 template <int dim>
 class MixedCell {
  public:
@@ -29,14 +27,17 @@ class MixedCell {
   using Modes = typename Shape::ModeValues;
   using Strains = Eigen::Map<const Eigen::VectorXd>;
 
-  explicit MixedCell(Mixture mixture) : mixture_(std::move(mixture)) {}
+  explicit MixedCell(MixtureRule rule) : rule_(std::move(rule)) {}
 
-  [[nodiscard]] const Mixture& mixture() const noexcept { return mixture_; }
+  [[nodiscard]] const Mixture& mixture() const noexcept { return rule_.mixture(); }
   /// Number of the unknown strains of this cell, or of a cell with a given mixture.
-  [[nodiscard]] Eigen::Index unknowns() const noexcept { return unknowns_of(mixture_); }
+  [[nodiscard]] Eigen::Index unknowns() const noexcept { return unknowns_of(mixture()); }
   [[nodiscard]] static Eigen::Index unknowns_of(const Mixture& mixture) noexcept {
     return Shape::modes * (static_cast<Eigen::Index>(mixture.size()) - 1);
   }
+
+  /// Moduli of the cell [Pa], for those of the phases. If a modulus of a phase in series is 0, that of the cell is 0.
+  [[nodiscard]] Moduli moduli(std::span<const Moduli> by_phase) const { return rule_.moduli<dim>(by_phase); }
 
   /// The strains of all phases if each of them has the strain of the cell.
   [[nodiscard]] Eigen::VectorXd uniform(const Modes& strain) const;
@@ -46,8 +47,8 @@ class MixedCell {
   /// [Pa] of the phases.
   [[nodiscard]] std::pair<Modes, Eigen::VectorXd> stresses(std::span<const Moduli> moduli, const Modes& strain,
                                                            const Strains& unknown) const;
-  /// Static condensation: the reduction of the stress of the series mixture by forces on the unknown strains, when
-  /// these strains have been eliminated. It is the sum in Eq. 42 of the theory, times the modulus of the mixture.
+  /// Static condensation: the reduction of the stress of the cell by forces on the unknown strains, when these strains
+  /// have been eliminated (theory, Eq. 41b).
   [[nodiscard]] Modes stress_relieved_by(std::span<const Moduli> moduli, const Strains& forces) const;
   /// The shares of all phases except the first where no forces act on the strains, for the moduli [Pa] of the phases.
   [[nodiscard]] std::vector<StrainShare> shares(std::span<const Moduli> moduli) const;
@@ -56,7 +57,14 @@ class MixedCell {
                                               const Strains& forces) const;
 
  private:
-  Mixture mixture_;
+  [[nodiscard]] static Modes of_modes(const VolumeAndShear& values);
+  /// The forces on each phase and those that it surrounds, after the elimination of the strains within, from the
+  /// outside inwards (theory, Eq. 41b).
+  [[nodiscard]] std::vector<Modes> forces_on_levels(std::span<const MixtureRule::Level> levels,
+                                                    const Strains& forces) const;
+  [[nodiscard]] static Modes segment(std::size_t part, const Strains& values);
+
+  MixtureRule rule_;
 };
 
 extern template class MixedCell<2>;

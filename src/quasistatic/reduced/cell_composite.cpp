@@ -17,7 +17,7 @@ template <int dim>
 CellComposite<dim>::CellComposite(const QuasistaticProblem<dim>& problem, std::span<const VaryingPhase> varying)
     : stiffness_(affine_stiffness(problem.materials, varying)),
       elastic_operator_(problem.discretisation, problem.volumetric, problem.boundary, problem.linear.threads,
-                        problem.crystals) {
+                        problem.crystals, problem.materials) {
   for (const auto& [phase, stiffness] : problem.crystals) {
     if (phase >= stiffness_.constant.size() ||
         std::ranges::find(varying, phase, &VaryingPhase::index) != varying.end()) {

@@ -1,0 +1,175 @@
+#include "discretisation/mixture_rule.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+#include "breccia/viscoelasticity/interconversion.hpp"
+
+namespace breccia {
+namespace {
+
+/// Whether a modulus is lower than another one at some time, and higher at none. Both fall with time, in steps about
+/// their relaxation times.
+bool is_lower(const PronySeries& one, const PronySeries& other) {
+  std::vector<double> times = {0.0, std::numeric_limits<double>::infinity()};
+  for (const auto* series : {&one, &other}) {
+    for (const auto& term : series->terms()) times.push_back(term.relaxation_time);
+  }
+  const auto is_higher_at = [&](double time) { return one.at(time) > other.at(time); };
+  const auto is_lower_at = [&](double time) { return one.at(time) < other.at(time); };
+  return std::ranges::none_of(times, is_higher_at) && std::ranges::any_of(times, is_lower_at);
+}
+
+template <int dim>
+VolumeAndShear of_phase(const Moduli& moduli) {
+  return {dilatational_modulus<dim>(moduli), moduli.shear};
+}
+
+/// The modulus of two phases in series.
+double in_series(double outer, double inner, double share_of_outer, double share_of_inner) {
+  if (outer == 0.0 || inner == 0.0) return 0.0;
+  return 1.0 / (share_of_outer / outer + share_of_inner / inner);
+}
+
+/// The modulus of two phases in series: its creep compliance is the mean of theirs.
+PronySeries in_series(const PronySeries& outer, const PronySeries& inner, double share_of_outer,
+                      double share_of_inner) {
+  double instantaneous = 0.0, fluidity = 0.0;
+  std::map<double, double> terms;
+  for (const auto& [series, share] : {std::pair(&outer, share_of_outer), std::pair(&inner, share_of_inner)}) {
+    const auto compliance = creep_compliance(*series);
+    instantaneous += share * compliance.instantaneous();
+    fluidity += share * compliance.fluidity();
+    for (const auto& [time, strength] : compliance.terms()) terms[time] += share * strength;
+  }
+  std::vector<RetardationTerm> spectrum;
+  spectrum.reserve(terms.size());
+  for (const auto& [time, strength] : terms) spectrum.push_back({time, strength});
+  return relaxation_modulus(CreepCompliance(instantaneous, std::move(spectrum), fluidity));
+}
+
+/// The difference of a modulus and a part of it, none of whose terms is negative but by rounding. The relaxation times
+/// of the part are those of the whole, but for rounding.
+PronySeries rest(const PronySeries& whole, const PronySeries& part) {
+  constexpr double rounding = 1e-6;
+  auto terms = whole.terms();
+  for (const auto& [time, modulus] : part.terms()) {
+    const auto distance = [&](const MaxwellTerm& term) { return std::abs(std::log(term.relaxation_time / time)); };
+    const auto same = std::ranges::min_element(terms, {}, distance);
+    if (same == terms.end() || distance(*same) > rounding) {
+      throw NumericalError(fmt::format("mixed cells: no term of the mixture has the relaxation time {:.6g} s", time));
+    }
+    same->modulus -= modulus;
+  }
+  std::erase_if(terms,
+                [&](const MaxwellTerm& term) { return term.modulus <= rounding * rounding * whole.unrelaxed(); });
+  return {std::max(whole.equilibrium() - part.equilibrium(), 0.0), std::move(terms)};
+}
+
+PronySeries shear_modulus(const Material& material) {
+  return material.shear;
+}
+
+void require_falling(const PronySeries& modulus, const std::string& material, int dim) {
+  if (std::ranges::none_of(modulus.terms(), [](const MaxwellTerm& term) { return term.modulus < 0.0; })) return;
+  throw InputError(fmt::format("mixed cells: a modulus of {} rises with time; expected {} and G that only fall",
+                               material, dim == 2 ? "K + G/3" : "K"));
+}
+
+}  // namespace
+
+MixtureRule::MixtureRule(Mixture mixture, std::span<const Material> by_phase) : MixtureRule(std::move(mixture)) {
+  for (std::size_t part = 0; part < holds_.size(); ++part) {
+    const auto& outer = by_phase[mixture_[part].phase].shear;
+    const auto is_softer = [&](const MixedPart& inner) { return is_lower(by_phase[inner.phase].shear, outer); };
+    holds_[part] = std::all_of(mixture_.begin() + static_cast<std::ptrdiff_t>(part) + 1, mixture_.end(), is_softer);
+  }
+}
+
+template <int dim>
+std::vector<MixtureRule::Level> MixtureRule::levels(std::span<const Moduli> by_phase) const {
+  std::vector<Level> levels(holds_.size(),
+                            Level{0.0, VolumeAndShear::Zero(), VolumeAndShear::Zero(), VolumeAndShear::Zero()});
+  double fraction = mixture_.back().fraction;
+  VolumeAndShear surrounded = of_phase<dim>(by_phase[mixture_.back().phase]);
+  for (std::size_t part = levels.size(); part-- > 0;) {
+    const auto& [phase, own] = mixture_[part];
+    const VolumeAndShear held = holds_[part] ? constraint(by_phase[phase].shear) : VolumeAndShear::Zero();
+    const double whole = own + fraction;
+    const VolumeAndShear outer = of_phase<dim>(by_phase[phase]) + held, inner = surrounded + held;
+    const VolumeAndShear both = {in_series(outer[0], inner[0], own / whole, fraction / whole),
+                                 in_series(outer[1], inner[1], own / whole, fraction / whole)};
+    levels[part] = {.fraction = whole, .phase = outer, .surrounded = inner, .both = both};
+    surrounded = both - held;
+    fraction = whole;
+  }
+  return levels;
+}
+
+template <int dim>
+Moduli MixtureRule::moduli(std::span<const Moduli> by_phase) const {
+  const auto outermost = levels<dim>(by_phase).front();
+  const VolumeAndShear held = holds(0) ? constraint(by_phase[mixture_.front().phase].shear) : VolumeAndShear::Zero();
+  const VolumeAndShear both = outermost.both - held;
+  return {.bulk = dim == 2 ? both[0] - both[1] / 3.0 : both[0], .shear = both[1]};
+}
+
+template <int dim>
+PronySeries MixtureRule::modulus(std::span<const Material> by_phase, PronySeries (*of_phase)(const Material&),
+                                 double constraint) const {
+  const auto modulus_of = [&](const MixedPart& part) {
+    const auto& material = by_phase[part.phase];
+    auto modulus = of_phase(material);
+    require_falling(modulus, material.name, dim);
+    return modulus;
+  };
+  double fraction = mixture_.back().fraction;
+  auto surrounded = modulus_of(mixture_.back());
+  for (std::size_t part = holds_.size(); part-- > 0;) {
+    const auto& [phase, own] = mixture_[part];
+    const double whole = own + fraction;
+    const auto outer = modulus_of(mixture_[part]);
+    if (holds_[part]) {
+      const auto held = by_phase[phase].shear.scaled(constraint);
+      surrounded = rest(
+          in_series(PronySeries::sum(outer, held), PronySeries::sum(surrounded, held), own / whole, fraction / whole),
+          held);
+    } else {
+      surrounded = in_series(outer, surrounded, own / whole, fraction / whole);
+    }
+    fraction = whole;
+  }
+  return surrounded;
+}
+
+template <int dim>
+Material MixtureRule::material(std::span<const Material> by_phase) const {
+  std::string name;
+  double density = 0.0;
+  for (const auto& [phase, fraction] : mixture_) {
+    const auto& material = by_phase[phase];
+    name += fmt::format("{}{:.3g} {}", name.empty() ? "" : " + ", fraction, material.name);
+    density += fraction * material.density;
+  }
+  const auto of_unit_shear = constraint(1.0);
+  const auto shear = modulus<dim>(by_phase, shear_modulus, of_unit_shear[1]);
+  const auto dilatational = modulus<dim>(by_phase, dilatational_series<dim>, of_unit_shear[0]);
+  const auto bulk = dim == 2 ? PronySeries::difference(dilatational, shear.scaled(1.0 / 3.0)) : dilatational;
+  return {std::move(name), density, bulk, shear};
+}
+
+template std::vector<MixtureRule::Level> MixtureRule::levels<2>(std::span<const Moduli>) const;
+template std::vector<MixtureRule::Level> MixtureRule::levels<3>(std::span<const Moduli>) const;
+template Moduli MixtureRule::moduli<2>(std::span<const Moduli>) const;
+template Moduli MixtureRule::moduli<3>(std::span<const Moduli>) const;
+template Material MixtureRule::material<2>(std::span<const Material>) const;
+template Material MixtureRule::material<3>(std::span<const Material>) const;
+
+}  // namespace breccia
