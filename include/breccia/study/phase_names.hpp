@@ -17,8 +17,8 @@ std::string phase_of(const Stage& stage, const Material& material);
 
 /// The names of the phases of a stage, from the outside inwards: first the matrix (name_of_matrix_phase), then one for
 /// each material of the coatings, then one for each material of the fillers that is not among those of the coatings, in
-/// the order of the fillers. A name occurs twice only where a material has the name of another phase, which is a mistake
-/// (mistakes_of_phases).
+/// the order of the fillers. A name occurs twice only where a material has the name of another phase, which is a
+/// mistake (mistakes_of_phases).
 std::vector<std::string> phase_names(const Stage& stage);
 
 }  // namespace breccia
