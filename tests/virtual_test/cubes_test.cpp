@@ -14,6 +14,7 @@
 #include "breccia/virtual_test/modulus_bounds.hpp"
 
 #include "discretisation/mixed_cells.hpp"
+#include "discretisation/mixture_rule.hpp"
 #include "messages.hpp"
 #include "virtual_test/dynamic_test.hpp"
 #include "virtual_test/quasistatic_test.hpp"
