@@ -1,65 +1,23 @@
 // Tests of square arrays of discs against conforming finite elements (tests/reference/elastic_square_array.csv).
 
+#include "quasistatic/square_array.hpp"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
-#include <numbers>
-#include <ostream>
-#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "discretisation/mixed_cells.hpp"
-#include "quasistatic/composites.hpp"
-#include "quasistatic/reduced/sampling.hpp"
-#include "tables/csv.hpp"
-
 namespace breccia {
 namespace {
 
-struct Reference {
-  double fraction, contrast, bulk_ratio;
-  Load load;
-  double modulus;  ///< modulus over the shear modulus of the matrix
-};
+using test::error_of_mixed_cells;
+using test::found;
+using test::periodic_square_arrays;
+using test::SquareArray;
 
-std::ostream& operator<<(std::ostream& stream, const Reference& reference) {
-  return stream << "fraction " << reference.fraction << ", contrast " << reference.contrast << ", K/G "
-                << reference.bulk_ratio << ", load " << static_cast<int>(reference.load);
-}
-
-std::vector<Reference> periodic_references() {
-  const auto table = read_csv(BRECCIA_REFERENCE_DIRECTORY "/elastic_square_array.csv", {"boundary", "load"});
-  const std::map<std::string, Load> loads = {
-      {"xy", Load::shear}, {"xx-yy", Load::diagonal_shear}, {"bulk", Load::bulk}};
-  std::vector<Reference> references;
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    if (table.text("boundary")[row] != "periodic") continue;
-    references.push_back({table.numbers("fraction")[row], table.numbers("contrast")[row],
-                          table.numbers("bulk_ratio")[row], loads.at(table.text("load")[row]),
-                          table.numbers("modulus")[row]});
-  }
-  return references;
-}
-
-/// Modulus of the array over the shear modulus of the matrix with n x n cells.
-double found(const Reference& reference, int n, Volumetric volumetric, Mixing mixing = Mixing::points) {
-  Microstructure<2> box = {1.0, Walls::periodic, {}};
-  box.particles.push_back({{0.5, 0.5}, 2.0 * std::sqrt(reference.fraction / std::numbers::pi)});
-  const double filler = reference.contrast;
-  constexpr std::array<PhaseIndex, 1> disc = {1};
-  const QuasistaticProblem<2> problem = {
-      .discretisation = mixing == Mixing::points ? discretise(box, n, 0, 1) : discretise_mixed(box, n, 0, disc, 2),
-      .materials = {{"matrix", 1.0, PronySeries(reference.bulk_ratio), PronySeries(1.0)},
-                    {"filler", 1.0, PronySeries(filler * 13.4 / 5.84), PronySeries(filler)}},
-      .volumetric = volumetric,
-      .boundary = Boundary::periodic};
-  const Moduli matrix = {.bulk = reference.bulk_ratio, .shear = 1.0};
-  return sample_responses(problem, std::array{reference.load}, matrix_path(0, std::array{matrix}))
-      .responses[0]
-      .modulus(matrix);
+std::vector<SquareArray> periodic_references() {
+  return periodic_square_arrays("elastic_square_array.csv");
 }
 
 struct Errors {
@@ -67,12 +25,12 @@ struct Errors {
   [[nodiscard]] double extrapolated() const { return 2.0 * fine - coarse; }
 };
 
-Errors errors(const Reference& reference, Volumetric volumetric) {
-  return {found(reference, 64, volumetric) / reference.modulus - 1.0,
-          found(reference, 128, volumetric) / reference.modulus - 1.0};
+Errors errors(const SquareArray& reference, Volumetric volumetric) {
+  return {found(reference, 64, volumetric, Mixing::points) / reference.modulus - 1.0,
+          found(reference, 128, volumetric, Mixing::points) / reference.modulus - 1.0};
 }
 
-bool is_nearly_incompressible(const Reference& reference) {
+bool is_nearly_incompressible(const SquareArray& reference) {
   return reference.bulk_ratio > 100.0;
 }
 
@@ -89,11 +47,6 @@ TEST(SquareArray, AveragedPointsConvergeToConformingFiniteElementsAtFirstOrder) 
   }
   // The interface is sampled at points: the order of a single array scatters with the area fraction that is sampled.
   EXPECT_NEAR(orders / count, 1.1, 0.2);
-}
-
-/// Relative error of the array with mixed cells.
-double error_of_mixed_cells(const Reference& reference, int n) {
-  return found(reference, n, Volumetric::averaged, Mixing::series) / reference.modulus - 1.0;
 }
 
 // The error is a tenth of that of points on the same grid (theory, section 2).
@@ -124,7 +77,8 @@ TEST(SquareArray, StandardPointsAgreeWhereTheMatrixIsCompressible) {
 TEST(SquareArray, StandardPointsLockWhereItIsNot) {
   for (const auto& reference : periodic_references()) {
     if (!is_nearly_incompressible(reference) || reference.load != Load::diagonal_shear) continue;
-    EXPECT_GT(found(reference, 64, Volumetric::standard), 1.1 * found(reference, 64, Volumetric::averaged))
+    EXPECT_GT(found(reference, 64, Volumetric::standard, Mixing::points),
+              1.1 * found(reference, 64, Volumetric::averaged, Mixing::points))
         << reference;
   }
 }
