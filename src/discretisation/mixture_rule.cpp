@@ -20,7 +20,9 @@ namespace {
 bool is_lower(const PronySeries& one, const PronySeries& other) {
   std::vector<double> times = {0.0, std::numeric_limits<double>::infinity()};
   for (const auto* series : {&one, &other}) {
-    for (const auto& term : series->terms()) times.push_back(term.relaxation_time);
+    for (const auto& term : series->terms()) {
+      for (const double factor : {0.1, 0.3, 1.0, 3.0, 10.0}) times.push_back(factor * term.relaxation_time);
+    }
   }
   const auto is_higher_at = [&](double time) { return one.at(time) > other.at(time); };
   const auto is_lower_at = [&](double time) { return one.at(time) < other.at(time); };
@@ -28,7 +30,7 @@ bool is_lower(const PronySeries& one, const PronySeries& other) {
 }
 
 template <int dim>
-VolumeAndShear of_phase(const Moduli& moduli) {
+VolumeAndShear volume_and_shear(const Moduli& moduli) {
   return {dilatational_modulus<dim>(moduli), moduli.shear};
 }
 
@@ -36,6 +38,10 @@ VolumeAndShear of_phase(const Moduli& moduli) {
 double in_series(double outer, double inner, double share_of_outer, double share_of_inner) {
   if (outer == 0.0 || inner == 0.0) return 0.0;
   return 1.0 / (share_of_outer / outer + share_of_inner / inner);
+}
+
+bool are_equal(double one, double other, double tolerance) {
+  return std::abs(std::log(one / other)) < tolerance;
 }
 
 /// The modulus of two phases in series: its creep compliance is the mean of theirs.
@@ -50,27 +56,55 @@ PronySeries in_series(const PronySeries& outer, const PronySeries& inner, double
     for (const auto& [time, strength] : compliance.terms()) terms[time] += share * strength;
   }
   std::vector<RetardationTerm> spectrum;
-  spectrum.reserve(terms.size());
-  for (const auto& [time, strength] : terms) spectrum.push_back({time, strength});
+  for (const auto& [time, strength] : terms) {
+    constexpr double rounding = 1e-10;
+    if (!spectrum.empty() && are_equal(time, spectrum.back().retardation_time, rounding)) {
+      spectrum.back().compliance += strength;
+    } else {
+      spectrum.push_back({time, strength});
+    }
+  }
   return relaxation_modulus(CreepCompliance(instantaneous, std::move(spectrum), fluidity));
+}
+
+/// A modulus whose relaxation times are those of another one where they differ by rounding alone.
+PronySeries with_times_of(const PronySeries& reference, const PronySeries& modulus) {
+  auto result = PronySeries(modulus.equilibrium());
+  for (auto [time, strength] : modulus.terms()) {
+    constexpr double rounding = 1e-8;
+    for (const auto& term : reference.terms()) {
+      if (are_equal(time, term.relaxation_time, rounding)) time = term.relaxation_time;
+    }
+    result = PronySeries::sum(result, PronySeries(0.0, {{time, strength}}));
+  }
+  return result;
 }
 
 /// The difference of a modulus and a part of it, none of whose terms is negative but by rounding. The relaxation times
 /// of the part are those of the whole, but for rounding.
 PronySeries rest(const PronySeries& whole, const PronySeries& part) {
-  constexpr double rounding = 1e-6;
+  constexpr double rounding = 1e-6, least = 1e-9;
   auto terms = whole.terms();
   for (const auto& [time, modulus] : part.terms()) {
     const auto distance = [&](const MaxwellTerm& term) { return std::abs(std::log(term.relaxation_time / time)); };
     const auto same = std::ranges::min_element(terms, {}, distance);
-    if (same == terms.end() || distance(*same) > rounding) {
-      throw NumericalError(fmt::format("mixed cells: no term of the mixture has the relaxation time {:.6g} s", time));
+    if (same == terms.end() || distance(*same) > rounding || same->modulus < (1.0 - least) * modulus) {
+      throw NumericalError(fmt::format(
+          "mixed cells: the relaxation time {:.6g} s of the matrix is lost in a mixture by rounding", time));
     }
-    same->modulus -= modulus;
+    *same = {time, std::max(same->modulus - modulus, 0.0)};
+    if (same->modulus <= least * modulus) terms.erase(same);
   }
-  std::erase_if(terms,
-                [&](const MaxwellTerm& term) { return term.modulus <= rounding * rounding * whole.unrelaxed(); });
   return {std::max(whole.equilibrium() - part.equilibrium(), 0.0), std::move(terms)};
+}
+
+/// The modulus of a matrix and of softer phases inside, whose strains a constraint holds near to those of the matrix.
+PronySeries held(const PronySeries& matrix, const PronySeries& inside, double share_of_matrix, double share_of_inside,
+                 const PronySeries& constraint) {
+  const auto stiffened = [&](const PronySeries& modulus) {
+    return PronySeries::sum(with_times_of(constraint, modulus), constraint);
+  };
+  return rest(in_series(stiffened(matrix), stiffened(inside), share_of_matrix, share_of_inside), constraint);
 }
 
 PronySeries shear_modulus(const Material& material) {
@@ -86,28 +120,31 @@ void require_falling(const PronySeries& modulus, const std::string& material, in
 }  // namespace
 
 MixtureRule::MixtureRule(Mixture mixture, std::span<const Material> by_phase) : MixtureRule(std::move(mixture)) {
-  for (std::size_t part = 0; part < holds_.size(); ++part) {
-    const auto& outer = by_phase[mixture_[part].phase].shear;
-    const auto is_softer = [&](const MixedPart& inner) { return is_lower(by_phase[inner.phase].shear, outer); };
-    holds_[part] = std::all_of(mixture_.begin() + static_cast<std::ptrdiff_t>(part) + 1, mixture_.end(), is_softer);
-  }
+  const auto is_matrix = [](const MixedPart& part) { return part.phase == matrix; };
+  const auto is_softer = [&](const MixedPart& part) {
+    return is_lower(by_phase[part.phase].shear, by_phase[matrix].shear);
+  };
+  if (std::ranges::none_of(mixture_, is_matrix) || std::ranges::none_of(mixture_, is_softer)) return;
+  const auto rank = [&](const MixedPart& part) { return is_matrix(part) ? 1 : is_softer(part) ? 2 : 0; };
+  std::ranges::stable_sort(mixture_, {}, rank);
+  holder_ = static_cast<std::size_t>(std::ranges::find_if(mixture_, is_matrix) - mixture_.begin());
 }
 
 template <int dim>
 std::vector<MixtureRule::Level> MixtureRule::levels(std::span<const Moduli> by_phase) const {
-  std::vector<Level> levels(holds_.size(),
+  std::vector<Level> levels(mixture_.size() - 1,
                             Level{0.0, VolumeAndShear::Zero(), VolumeAndShear::Zero(), VolumeAndShear::Zero()});
   double fraction = mixture_.back().fraction;
-  VolumeAndShear surrounded = of_phase<dim>(by_phase[mixture_.back().phase]);
+  VolumeAndShear later = volume_and_shear<dim>(by_phase[mixture_.back().phase]);
   for (std::size_t part = levels.size(); part-- > 0;) {
     const auto& [phase, own] = mixture_[part];
-    const VolumeAndShear held = holds_[part] ? constraint(by_phase[phase].shear) : VolumeAndShear::Zero();
+    const VolumeAndShear held = holds(part) ? constraint(by_phase[phase].shear) : VolumeAndShear::Zero();
     const double whole = own + fraction;
-    const VolumeAndShear outer = of_phase<dim>(by_phase[phase]) + held, inner = surrounded + held;
+    const VolumeAndShear outer = volume_and_shear<dim>(by_phase[phase]) + held, inner = later + held;
     const VolumeAndShear both = {in_series(outer[0], inner[0], own / whole, fraction / whole),
                                  in_series(outer[1], inner[1], own / whole, fraction / whole)};
-    levels[part] = {.fraction = whole, .phase = outer, .surrounded = inner, .both = both};
-    surrounded = both - held;
+    levels[part] = {.fraction = whole, .phase = outer, .later = inner, .both = both};
+    later = both - held;
     fraction = whole;
   }
   return levels;
@@ -131,22 +168,16 @@ PronySeries MixtureRule::modulus(std::span<const Material> by_phase, PronySeries
     return modulus;
   };
   double fraction = mixture_.back().fraction;
-  auto surrounded = modulus_of(mixture_.back());
-  for (std::size_t part = holds_.size(); part-- > 0;) {
+  auto later = modulus_of(mixture_.back());
+  for (std::size_t part = mixture_.size() - 1; part-- > 0;) {
     const auto& [phase, own] = mixture_[part];
-    const double whole = own + fraction;
+    const double whole = own + fraction, share = own / whole, rest_of_whole = fraction / whole;
     const auto outer = modulus_of(mixture_[part]);
-    if (holds_[part]) {
-      const auto held = by_phase[phase].shear.scaled(constraint);
-      surrounded = rest(
-          in_series(PronySeries::sum(outer, held), PronySeries::sum(surrounded, held), own / whole, fraction / whole),
-          held);
-    } else {
-      surrounded = in_series(outer, surrounded, own / whole, fraction / whole);
-    }
+    later = holds(part) ? held(outer, later, share, rest_of_whole, by_phase[phase].shear.scaled(constraint))
+                        : in_series(outer, later, share, rest_of_whole);
     fraction = whole;
   }
-  return surrounded;
+  return later;
 }
 
 template <int dim>

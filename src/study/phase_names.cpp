@@ -24,16 +24,18 @@ std::string phase_of(const Stage& stage, const Material& material) {
 }
 
 std::vector<std::string> phase_names(const Stage& stage) {
-  std::vector<std::string> phases = {std::string(name_of_matrix_phase)}, materials;
-  const auto add = [&](const Material& material) {
-    if (std::ranges::find(materials, material.name) != materials.end()) return;
-    materials.push_back(material.name);
-    phases.push_back(phase_of(stage, material));
-  };
-  for (const auto& filler : stage.fillers) {
-    if (filler.coating) add(filler.coating->material);
+  std::vector<std::string> phases = {std::string(name_of_matrix_phase)};
+  auto materials = filler_materials(stage);
+  if (materials.size() == 1) {
+    phases.emplace_back(name_of_filler_phase);
+  } else {
+    phases.insert(phases.end(), materials.begin(), materials.end());
   }
-  for (const auto& filler : stage.fillers) add(filler.material);
+  for (const auto& filler : stage.fillers) {
+    if (!filler.coating || std::ranges::find(materials, filler.coating->material.name) != materials.end()) continue;
+    materials.push_back(filler.coating->material.name);
+    phases.push_back(filler.coating->material.name);
+  }
   return phases;
 }
 

@@ -135,11 +135,11 @@ TEST(Fillers, OfOneMaterialAreOnePhase) {
   EXPECT_THAT(phase_names(box_with({glass_disc})), ElementsAre("matrix", "filler"));
   EXPECT_THAT(phase_names(box_with({glass_disc, glass_disc})), ElementsAre("matrix", "filler"));
   EXPECT_THAT(phase_names(box_with({steel_disc, glass_disc, steel_disc})), ElementsAre("matrix", "steel", "sand"));
-  EXPECT_THAT(phase_names(box_with({coated(glass_disc, wax)})), ElementsAre("matrix", "wax", "filler"));
+  EXPECT_THAT(phase_names(box_with({coated(glass_disc, wax)})), ElementsAre("matrix", "filler", "wax"));
   EXPECT_THAT(phase_names(box_with({coated(glass_disc, wax), coated(steel_disc, wax)})),
-              ElementsAre("matrix", "wax", "sand", "steel"));
+              ElementsAre("matrix", "sand", "steel", "wax"));
   EXPECT_THAT(phase_names(box_with({coated(glass_disc, sand)})), ElementsAre("matrix", "filler"));
-  EXPECT_THAT(phase_names(box_with({coated(glass_disc, steel), steel_disc})), ElementsAre("matrix", "steel", "sand"));
+  EXPECT_THAT(phase_names(box_with({coated(glass_disc, steel), steel_disc})), ElementsAre("matrix", "sand", "steel"));
 }
 
 // Both halves of the box have one particle each: of the phases of the points the steel is on the right.

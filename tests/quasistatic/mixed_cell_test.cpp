@@ -17,14 +17,15 @@ class AnyMixedCell : public testing::Test {
   using Shape = CellShape<dim>;
   using Modes = typename Shape::ModeValues;
 
-  const std::array<Moduli, 3> moduli = {{{.bulk = 5.0, .shear = 3.0}, {.bulk = 7.0, .shear = 40.0}, {2.0, 0.5}}};
-  const std::array<Material, 3> materials = {{{"middle", 1.0, PronySeries(5.0), PronySeries(3.0)},
+  const std::array<Moduli, 4> moduli = {{{.bulk = 5.0, .shear = 3.0}, {7.0, 40.0}, {2.0, 0.5}, {1.0, 0.2}}};
+  const std::array<Material, 4> materials = {{{"matrix", 1.0, PronySeries(5.0), PronySeries(3.0)},
                                               {"stiff", 1.0, PronySeries(7.0), PronySeries(40.0)},
-                                              {"soft", 1.0, PronySeries(2.0), PronySeries(0.5)}}};
-  /// Three phases in series, each in a stiffer one, and a stiff one with a soft one inside in series with another one.
+                                              {"soft", 1.0, PronySeries(2.0), PronySeries(0.5)},
+                                              {"softer", 1.0, PronySeries(1.0), PronySeries(0.2)}}};
+  /// Three phases in series; a matrix that holds a soft phase, in series with a stiff one; a matrix that holds two.
   const std::array<MixtureRule, 3> rules = {MixtureRule({{1, 0.25}, {0, 0.625}, {2, 0.125}}),
-                                            MixtureRule({{1, 0.25}, {0, 0.625}, {2, 0.125}}, materials),
-                                            MixtureRule({{0, 0.25}, {1, 0.25}, {2, 0.5}}, materials)};
+                                            MixtureRule({{0, 0.25}, {1, 0.625}, {2, 0.125}}, materials),
+                                            MixtureRule({{0, 0.25}, {2, 0.25}, {3, 0.5}}, materials)};
 
   Eigen::VectorXd random(Eigen::Index size) {
     Eigen::VectorXd values(size);
@@ -118,9 +119,9 @@ TYPED_TEST(AnyMixedCell, StressesAreAffineInTheModuli) {
     const MixedCell<TestFixture::dim> cell(rule);
     const typename TestFixture::Modes strain = this->random(TestFixture::Shape::modes);
     const auto unknown = this->random(cell.unknowns());
-    std::array<Moduli, 3> sum = this->moduli;
-    const std::array<Moduli, 3> part = {{{}, {.bulk = 0.0, .shear = 11.0}, {.bulk = 3.0, .shear = 0.0}}};
-    for (std::size_t m = 0; m < 3; ++m) {
+    std::array<Moduli, 4> sum = this->moduli;
+    const std::array<Moduli, 4> part = {{{0.5, 0.7}, {.bulk = 0.0, .shear = 11.0}, {.bulk = 3.0, .shear = 0.0}, {}}};
+    for (std::size_t m = 0; m < sum.size(); ++m) {
       sum[m].bulk += part[m].bulk;
       sum[m].shear += part[m].shear;
     }

@@ -10,8 +10,7 @@ namespace breccia {
 
 /// The treatment of a cell that an interface crosses.
 enum class Mixing {
-  series,  ///< a mixture of its phases by area fraction: in series with a stiffer phase, held by a stiffer one around
-           ///< them (theory, Eqs. 40 and 40a)
+  series,  ///< a mixture of its phases by area fraction (theory, Eq. 40; fillers softer than the matrix: Eq. 40a)
   points   ///< each of its material points has the phase at its position, as in the paper
 };
 
@@ -27,8 +26,7 @@ struct MixedPart {
   friend bool operator==(const MixedPart&, const MixedPart&) = default;
 };
 
-/// The content of a mixed cell: at least two phases, whose fractions add up to 1, from the outside inwards. Phases are
-/// numbered so that one which surrounds others, such as a matrix or a coating, has a lower number than these.
+/// The content of a mixed cell: at least two phases, whose fractions add up to 1.
 using Mixture = std::vector<MixedPart>;
 
 }  // namespace breccia

@@ -15,10 +15,9 @@ inline constexpr std::string_view name_of_filler_phase = "filler";
 /// is the one material of all fillers, otherwise the name of the material.
 std::string phase_of(const Stage& stage, const Material& material);
 
-/// The names of the phases of a stage, from the outside inwards: first the matrix (name_of_matrix_phase), then one for
-/// each material of the coatings, then one for each material of the fillers that is not among those of the coatings, in
-/// the order of the fillers. A name occurs twice only where a material has the name of another phase, which is a
-/// mistake (mistakes_of_phases).
+/// The names of the phases of a stage: first the matrix (name_of_matrix_phase), then one for each material of the
+/// fillers, in their order, then one for each material of the coatings that is not among those of the fillers. A name
+/// occurs twice only where a material has the name of another phase, which is a mistake (mistakes_of_phases).
 std::vector<std::string> phase_names(const Stage& stage);
 
 }  // namespace breccia

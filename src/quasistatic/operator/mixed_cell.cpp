@@ -46,16 +46,16 @@ std::pair<typename MixedCell<dim>::Modes, Eigen::VectorXd> MixedCell<dim>::stres
   }
   for (std::size_t outer = 0; outer + 1 < parts.size(); ++outer) {
     if (!rule_.holds(outer)) continue;
-    double surrounded = 0.0;
+    double inside = 0.0;
     Modes mean = Modes::Zero();
     for (std::size_t inner = outer + 1; inner < parts.size(); ++inner) {
-      surrounded += parts[inner].fraction;
+      inside += parts[inner].fraction;
       mean += parts[inner].fraction * strain_of(inner, strain, unknown);
     }
     const Modes held =
-        of_modes(MixtureRule::constraint(moduli[parts[outer].phase].shear) / (parts[outer].fraction + surrounded))
-            .cwiseProduct(strain_of(outer, strain, unknown) - mean / surrounded);
-    in_parts[outer] += surrounded * held;
+        of_modes(MixtureRule::constraint(moduli[parts[outer].phase].shear) / (parts[outer].fraction + inside))
+            .cwiseProduct(strain_of(outer, strain, unknown) - mean / inside);
+    in_parts[outer] += inside * held;
     for (std::size_t inner = outer + 1; inner < parts.size(); ++inner) in_parts[inner] -= parts[outer].fraction * held;
   }
   Eigen::VectorXd forces(unknowns());
@@ -72,8 +72,8 @@ std::vector<typename MixedCell<dim>::Modes> MixedCell<dim>::forces_on_levels(std
   std::vector<Modes> on_levels(mixture().size());
   on_levels.back() = segment(levels.size(), forces);
   for (std::size_t part = levels.size(); part-- > 0;) {
-    const auto& [fraction, phase, surrounded, both] = levels[part];
-    Modes strain = on_levels[part + 1].cwiseQuotient(of_modes(surrounded));
+    const auto& [fraction, phase, later, both] = levels[part];
+    Modes strain = on_levels[part + 1].cwiseQuotient(of_modes(later));
     if (part > 0) strain += segment(part, forces).cwiseQuotient(of_modes(phase));
     on_levels[part] = of_modes(both).cwiseProduct(strain);
   }
@@ -90,20 +90,20 @@ template <int dim>
 std::vector<StrainShare> MixedCell<dim>::shares(std::span<const Moduli> moduli) const {
   const auto levels = rule_.levels<dim>(moduli);
   std::vector<StrainShare> shares;
-  VolumeAndShear share = levels.front().both / levels.front().surrounded;
+  VolumeAndShear share = levels.front().both / levels.front().later;
   for (std::size_t part = 1; part < mixture().size(); ++part) {
     VolumeAndShear of_phase = share;
     if (part < levels.size()) {
       of_phase *= levels[part].both / levels[part].phase;
-      share *= levels[part].both / levels[part].surrounded;
+      share *= levels[part].both / levels[part].later;
     }
     shares.push_back({.volumetric = of_phase[0], .deviatoric = of_phase[1]});
   }
   return shares;
 }
 
-/// From the outside inwards, Eq. 41c of the theory: the mean strain of a phase and of those that it surrounds becomes
-/// the strain of the phase and the mean strain of the others.
+/// Eq. 41c of the theory, phase by phase: the mean strain of a phase and of those after it becomes the strain of the
+/// phase and the mean strain of the others.
 template <int dim>
 Eigen::VectorXd MixedCell<dim>::strains_under(std::span<const Moduli> moduli, const Modes& strain,
                                               const Strains& forces) const {
@@ -112,14 +112,14 @@ Eigen::VectorXd MixedCell<dim>::strains_under(std::span<const Moduli> moduli, co
   Eigen::VectorXd strains(unknowns());
   Modes mean = strain;
   for (std::size_t part = 0; part < levels.size(); ++part) {
-    const auto& [fraction, phase, surrounded, both] = levels[part];
+    const auto& [fraction, phase, later, both] = levels[part];
     const double of_phase = mixture()[part].fraction;
     const Modes stress = of_modes(both).cwiseProduct(mean) - on_levels[part] / fraction;
     if (part > 0) {
       strains.segment<Shape::modes>(Shape::modes * (static_cast<Eigen::Index>(part) - 1)) =
           (stress + segment(part, forces) / of_phase).cwiseQuotient(of_modes(phase));
     }
-    mean = (stress + on_levels[part + 1] / (fraction - of_phase)).cwiseQuotient(of_modes(surrounded));
+    mean = (stress + on_levels[part + 1] / (fraction - of_phase)).cwiseQuotient(of_modes(later));
   }
   strains.tail<Shape::modes>() = mean;
   return strains;

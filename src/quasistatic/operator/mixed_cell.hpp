@@ -36,6 +36,7 @@ class MixedCell {
     return Shape::modes * (static_cast<Eigen::Index>(mixture.size()) - 1);
   }
 
+  [[nodiscard]] const MixtureRule& rule() const noexcept { return rule_; }
   /// Moduli of the cell [Pa], for those of the phases. If a modulus of a phase in series is 0, that of the cell is 0.
   [[nodiscard]] Moduli moduli(std::span<const Moduli> by_phase) const { return rule_.moduli<dim>(by_phase); }
 
@@ -58,8 +59,7 @@ class MixedCell {
 
  private:
   [[nodiscard]] static Modes of_modes(const VolumeAndShear& values);
-  /// The forces on each phase and those that it surrounds, after the elimination of the strains within, from the
-  /// outside inwards (theory, Eq. 41b).
+  /// The forces on each phase and those after it, after the elimination of their strains (theory, Eq. 41b).
   [[nodiscard]] std::vector<Modes> forces_on_levels(std::span<const MixtureRule::Level> levels,
                                                     const Strains& forces) const;
   [[nodiscard]] static Modes segment(std::size_t part, const Strains& values);
