@@ -75,7 +75,7 @@ auto stress_of(const typename CellShape<dim>::StrainVector& shear, double pressu
   return stress;
 }
 
-/// Stress of each point of a mixed cell: the mean over its phases, which are in series.
+/// Stress of each point of a mixed cell: the mean over its phases.
 template <int dim>
 auto mixed_stress(const Index<dim>& cell, const MixedCell<dim>& mixed, std::size_t index,
                   const std::vector<AppliedToNodes<dim>>& by_material,

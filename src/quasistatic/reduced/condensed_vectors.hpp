@@ -16,7 +16,7 @@ namespace breccia::quasistatic {
 
 /// The vectors of a reduced basis of a cube without the strains of the phases of its mixed cells, which take as much
 /// memory as the displacements of the nodes. The strains follow from the displacements of the nodes: in a solution for
-/// some moduli, the phases share the strain of their cell as in the series mixture with these moduli, and a vector is
+/// some moduli, the phases share the strain of their cell by the rule of its mixture, and a vector is
 /// the sum of such a solution and of earlier vectors (theory, Eq. 76).
 class CondensedVectors {
  public:
