@@ -121,13 +121,12 @@ void require_falling(const PronySeries& modulus, const std::string& material, in
 
 MixtureRule::MixtureRule(Mixture mixture, std::span<const Material> by_phase) : MixtureRule(std::move(mixture)) {
   const auto is_matrix = [](const MixedPart& part) { return part.phase == matrix; };
-  const auto is_softer = [&](const MixedPart& part) {
-    return is_lower(by_phase[part.phase].shear, by_phase[matrix].shear);
-  };
-  if (std::ranges::none_of(mixture_, is_matrix) || std::ranges::none_of(mixture_, is_softer)) return;
-  const auto rank = [&](const MixedPart& part) { return is_matrix(part) ? 1 : is_softer(part) ? 2 : 0; };
-  std::ranges::stable_sort(mixture_, {}, rank);
-  holder_ = static_cast<std::size_t>(std::ranges::find_if(mixture_, is_matrix) - mixture_.begin());
+  const auto is_softer = [&](const Material& material) { return is_lower(material.shear, by_phase[matrix].shear); };
+  if (std::ranges::none_of(mixture_, is_matrix) || !std::ranges::all_of(by_phase.subspan(matrix + 1U), is_softer)) {
+    return;
+  }
+  std::ranges::stable_partition(mixture_, is_matrix);
+  holder_ = 0;
 }
 
 template <int dim>

@@ -17,9 +17,9 @@ namespace breccia {
 /// A number for the volumetric strain, and one for the deviators.
 using VolumeAndShear = Eigen::Array2d;
 
-/// The way in which the phases of a mixed cell act together (theory, Eqs. 40 and 40a). All are in series, except those
-/// that are softer in shear than the matrix at all times: the matrix holds their strains near to its own, by the
-/// constraint of Hill.
+/// The way in which the phases of a mixed cell act together (theory, Eqs. 40 and 40a). All are in series, unless all
+/// phases of the composite are softer in shear than its matrix at all times: then the matrix holds their strains near
+/// to its own, by the constraint of Hill.
 class MixtureRule {
  public:
   /// The phase that can hold others, by the order of phases that a stage has.
@@ -30,7 +30,7 @@ class MixtureRule {
   /// The rule for these materials, by PhaseIndex.
   MixtureRule(Mixture mixture, std::span<const Material> by_phase);
 
-  /// The phases. Where the matrix holds others, these come after it, and all the rest come before it.
+  /// The phases. Where the matrix holds the others, it is the first.
   [[nodiscard]] const Mixture& mixture() const noexcept { return mixture_; }
   /// Whether the phase at an index in the mixture holds the strains of those after it.
   [[nodiscard]] bool holds(std::size_t part) const noexcept { return part == holder_; }

@@ -22,10 +22,10 @@ class AnyMixedCell : public testing::Test {
                                               {"stiff", 1.0, PronySeries(7.0), PronySeries(40.0)},
                                               {"soft", 1.0, PronySeries(2.0), PronySeries(0.5)},
                                               {"softer", 1.0, PronySeries(1.0), PronySeries(0.2)}}};
-  /// Three phases in series; a matrix that holds a soft phase, in series with a stiff one; a matrix that holds two.
-  const std::array<MixtureRule, 3> rules = {MixtureRule({{1, 0.25}, {0, 0.625}, {2, 0.125}}),
-                                            MixtureRule({{0, 0.25}, {1, 0.625}, {2, 0.125}}, materials),
-                                            MixtureRule({{0, 0.25}, {2, 0.25}, {3, 0.5}}, materials)};
+  const std::array<Material, 4> soft = {materials[0], materials[2], materials[2], materials[3]};
+  /// Three phases in series, and a matrix that holds two phases.
+  const std::array<MixtureRule, 2> rules = {MixtureRule({{1, 0.25}, {0, 0.625}, {2, 0.125}}, materials),
+                                            MixtureRule({{2, 0.25}, {3, 0.5}, {0, 0.25}}, soft)};
 
   Eigen::VectorXd random(Eigen::Index size) {
     Eigen::VectorXd values(size);
