@@ -29,28 +29,17 @@ bool is_lower(const PronySeries& one, const PronySeries& other) {
   return std::ranges::none_of(times, is_higher_at) && std::ranges::any_of(times, is_lower_at);
 }
 
-template <int dim>
-VolumeAndShear volume_and_shear(const Moduli& moduli) {
-  return {dilatational_modulus<dim>(moduli), moduli.shear};
-}
-
-/// The modulus of two phases in series.
-double in_series(double outer, double inner, double share_of_outer, double share_of_inner) {
-  if (outer == 0.0 || inner == 0.0) return 0.0;
-  return 1.0 / (share_of_outer / outer + share_of_inner / inner);
-}
-
 bool are_equal(double one, double other, double tolerance) {
   return std::abs(std::log(one / other)) < tolerance;
 }
 
-/// The modulus of two phases in series: its creep compliance is the mean of theirs.
-PronySeries in_series(const PronySeries& outer, const PronySeries& inner, double share_of_outer,
-                      double share_of_inner) {
+/// The modulus of phases in series: its creep compliance is the mean of theirs.
+PronySeries in_series(std::span<const PronySeries> moduli, const Mixture& mixture) {
   double instantaneous = 0.0, fluidity = 0.0;
   std::map<double, double> terms;
-  for (const auto& [series, share] : {std::pair(&outer, share_of_outer), std::pair(&inner, share_of_inner)}) {
-    const auto compliance = creep_compliance(*series);
+  for (std::size_t part = 0; part < moduli.size(); ++part) {
+    const double share = mixture[part].fraction;
+    const auto compliance = creep_compliance(moduli[part]);
     instantaneous += share * compliance.instantaneous();
     fluidity += share * compliance.fluidity();
     for (const auto& [time, strength] : compliance.terms()) terms[time] += share * strength;
@@ -98,15 +87,6 @@ PronySeries rest(const PronySeries& whole, const PronySeries& part) {
   return {std::max(whole.equilibrium() - part.equilibrium(), 0.0), std::move(terms)};
 }
 
-/// The modulus of a matrix and of softer phases inside, whose strains a constraint holds near to those of the matrix.
-PronySeries held(const PronySeries& matrix, const PronySeries& inside, double share_of_matrix, double share_of_inside,
-                 const PronySeries& constraint) {
-  const auto stiffened = [&](const PronySeries& modulus) {
-    return PronySeries::sum(with_times_of(constraint, modulus), constraint);
-  };
-  return rest(in_series(stiffened(matrix), stiffened(inside), share_of_matrix, share_of_inside), constraint);
-}
-
 PronySeries shear_modulus(const Material& material) {
   return material.shear;
 }
@@ -122,61 +102,48 @@ void require_falling(const PronySeries& modulus, const std::string& material, in
 MixtureRule::MixtureRule(Mixture mixture, std::span<const Material> by_phase) : MixtureRule(std::move(mixture)) {
   const auto is_matrix = [](const MixedPart& part) { return part.phase == matrix; };
   const auto is_softer = [&](const Material& material) { return is_lower(material.shear, by_phase[matrix].shear); };
-  if (std::ranges::none_of(mixture_, is_matrix) || !std::ranges::all_of(by_phase.subspan(matrix + 1U), is_softer)) {
-    return;
-  }
-  std::ranges::stable_partition(mixture_, is_matrix);
-  holder_ = 0;
+  is_held_ = std::ranges::any_of(mixture_, is_matrix) && std::ranges::all_of(by_phase.subspan(matrix + 1U), is_softer);
 }
 
 template <int dim>
-std::vector<MixtureRule::Level> MixtureRule::levels(std::span<const Moduli> by_phase) const {
-  std::vector<Level> levels(mixture_.size() - 1,
-                            Level{0.0, VolumeAndShear::Zero(), VolumeAndShear::Zero(), VolumeAndShear::Zero()});
-  double fraction = mixture_.back().fraction;
-  VolumeAndShear later = volume_and_shear<dim>(by_phase[mixture_.back().phase]);
-  for (std::size_t part = levels.size(); part-- > 0;) {
-    const auto& [phase, own] = mixture_[part];
-    const VolumeAndShear held = holds(part) ? constraint(by_phase[phase].shear) : VolumeAndShear::Zero();
-    const double whole = own + fraction;
-    const VolumeAndShear outer = volume_and_shear<dim>(by_phase[phase]) + held, inner = later + held;
-    const VolumeAndShear both = {in_series(outer[0], inner[0], own / whole, fraction / whole),
-                                 in_series(outer[1], inner[1], own / whole, fraction / whole)};
-    levels[part] = {.fraction = whole, .phase = outer, .later = inner, .both = both};
-    later = both - held;
-    fraction = whole;
+std::vector<VolumeAndShear> MixtureRule::constrained(std::span<const Moduli> by_phase) const {
+  const auto held = constraint(by_phase);
+  std::vector<VolumeAndShear> moduli;
+  moduli.reserve(mixture_.size());
+  for (const auto& part : mixture_) {
+    const auto& of_phase = by_phase[part.phase];
+    moduli.emplace_back(dilatational_modulus<dim>(of_phase) + held[0], of_phase.shear + held[1]);
   }
-  return levels;
+  return moduli;
+}
+
+VolumeAndShear MixtureRule::in_series(std::span<const VolumeAndShear> constrained) const {
+  VolumeAndShear compliance = VolumeAndShear::Zero();
+  for (std::size_t part = 0; part < constrained.size(); ++part) {
+    compliance += mixture_[part].fraction / constrained[part];  // infinite where there is no stiffness
+  }
+  return 1.0 / compliance;
 }
 
 template <int dim>
 Moduli MixtureRule::moduli(std::span<const Moduli> by_phase) const {
-  const auto outermost = levels<dim>(by_phase).front();
-  const VolumeAndShear held = holds(0) ? constraint(by_phase[mixture_.front().phase].shear) : VolumeAndShear::Zero();
-  const VolumeAndShear both = outermost.both - held;
-  return {.bulk = dim == 2 ? both[0] - both[1] / 3.0 : both[0], .shear = both[1]};
+  const VolumeAndShear mixed = in_series(constrained<dim>(by_phase)) - constraint(by_phase);
+  return {.bulk = dim == 2 ? mixed[0] - mixed[1] / 3.0 : mixed[0], .shear = mixed[1]};
 }
 
 template <int dim>
 PronySeries MixtureRule::modulus(std::span<const Material> by_phase, PronySeries (*of_phase)(const Material&),
                                  double constraint) const {
-  const auto modulus_of = [&](const MixedPart& part) {
+  const auto held = by_phase[matrix].shear.scaled(constraint);
+  std::vector<PronySeries> moduli;
+  for (const auto& part : mixture_) {
     const auto& material = by_phase[part.phase];
-    auto modulus = of_phase(material);
-    require_falling(modulus, material.name, dim);
-    return modulus;
-  };
-  double fraction = mixture_.back().fraction;
-  auto later = modulus_of(mixture_.back());
-  for (std::size_t part = mixture_.size() - 1; part-- > 0;) {
-    const auto& [phase, own] = mixture_[part];
-    const double whole = own + fraction, share = own / whole, rest_of_whole = fraction / whole;
-    const auto outer = modulus_of(mixture_[part]);
-    later = holds(part) ? held(outer, later, share, rest_of_whole, by_phase[phase].shear.scaled(constraint))
-                        : in_series(outer, later, share, rest_of_whole);
-    fraction = whole;
+    moduli.push_back(of_phase(material));
+    require_falling(moduli.back(), material.name, dim);
+    if (is_held_) moduli.back() = PronySeries::sum(with_times_of(held, moduli.back()), held);
   }
-  return later;
+  const auto mixed = breccia::in_series(moduli, mixture_);
+  return is_held_ ? rest(mixed, held) : mixed;
 }
 
 template <int dim>
@@ -188,15 +155,14 @@ Material MixtureRule::material(std::span<const Material> by_phase) const {
     name += fmt::format("{}{:.3g} {}", name.empty() ? "" : " + ", fraction, material.name);
     density += fraction * material.density;
   }
-  const auto of_unit_shear = constraint(1.0);
-  const auto shear = modulus<dim>(by_phase, shear_modulus, of_unit_shear[1]);
-  const auto dilatational = modulus<dim>(by_phase, dilatational_series<dim>, of_unit_shear[0]);
+  const auto shear = modulus<dim>(by_phase, shear_modulus, of_unit_shear()[1]);
+  const auto dilatational = modulus<dim>(by_phase, dilatational_series<dim>, of_unit_shear()[0]);
   const auto bulk = dim == 2 ? PronySeries::difference(dilatational, shear.scaled(1.0 / 3.0)) : dilatational;
   return {std::move(name), density, bulk, shear};
 }
 
-template std::vector<MixtureRule::Level> MixtureRule::levels<2>(std::span<const Moduli>) const;
-template std::vector<MixtureRule::Level> MixtureRule::levels<3>(std::span<const Moduli>) const;
+template std::vector<VolumeAndShear> MixtureRule::constrained<2>(std::span<const Moduli>) const;
+template std::vector<VolumeAndShear> MixtureRule::constrained<3>(std::span<const Moduli>) const;
 template Moduli MixtureRule::moduli<2>(std::span<const Moduli>) const;
 template Moduli MixtureRule::moduli<3>(std::span<const Moduli>) const;
 template Material MixtureRule::material<2>(std::span<const Material>) const;

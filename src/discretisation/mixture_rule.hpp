@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -19,7 +17,7 @@ using VolumeAndShear = Eigen::Array2d;
 
 /// The way in which the phases of a mixed cell act together (theory, Eqs. 40 and 40a). All are in series, unless all
 /// phases of the composite are softer in shear than its matrix at all times: then the matrix holds their strains near
-/// to its own, by the constraint of Hill.
+/// to that of the cell, by the constraint of Hill.
 class MixtureRule {
  public:
   /// The phase that can hold others, by the order of phases that a stage has.
@@ -30,27 +28,19 @@ class MixtureRule {
   /// The rule for these materials, by PhaseIndex.
   MixtureRule(Mixture mixture, std::span<const Material> by_phase);
 
-  /// The phases. Where the matrix holds the others, it is the first.
   [[nodiscard]] const Mixture& mixture() const noexcept { return mixture_; }
-  /// Whether the phase at an index in the mixture holds the strains of those after it.
-  [[nodiscard]] bool holds(std::size_t part) const noexcept { return part == holder_; }
+  /// Whether the matrix holds the strains of the phases.
+  [[nodiscard]] bool is_held() const noexcept { return is_held_; }
 
-  /// Constraint of the strains that a matrix with this shear modulus [Pa] holds.
-  [[nodiscard]] static VolumeAndShear constraint(double shear) noexcept {
-    constexpr double of_volume = 3.0, of_shear = 10.0;  // chosen on arrays of soft discs (theory, section 2)
-    return {of_volume * shear, of_shear * shear};
+  /// The modulus c [Pa] with which the matrix holds the strains of the phases; 0 in series.
+  [[nodiscard]] VolumeAndShear constraint(std::span<const Moduli> by_phase) const {
+    return is_held_ ? VolumeAndShear(by_phase[matrix].shear * of_unit_shear()) : VolumeAndShear::Zero();
   }
-
-  /// A phase and all after it. With a constraint, all moduli include it.
-  struct Level {
-    double fraction;       ///< share of the phase and of those after it in the cell [-]
-    VolumeAndShear phase;  ///< moduli of the phase [Pa]
-    VolumeAndShear later;  ///< moduli of those after it [Pa]
-    VolumeAndShear both;   ///< moduli of both together [Pa]
-  };
-  /// The levels, one for each phase except the last. If a modulus of a phase in series is 0, that of the mixture is 0.
+  /// m + c for each phase of the mixture, in its order [Pa].
   template <int dim>
-  [[nodiscard]] std::vector<Level> levels(std::span<const Moduli> by_phase) const;
+  [[nodiscard]] std::vector<VolumeAndShear> constrained(std::span<const Moduli> by_phase) const;
+  /// M + c of the mixture, for those of its phases [Pa]: phases in series. If one of them is 0, that of the mixture is.
+  [[nodiscard]] VolumeAndShear in_series(std::span<const VolumeAndShear> constrained) const;
   /// The moduli of the mixture [Pa].
   template <int dim>
   [[nodiscard]] Moduli moduli(std::span<const Moduli> by_phase) const;
@@ -63,12 +53,17 @@ class MixtureRule {
   [[nodiscard]] Material material(std::span<const Material> by_phase) const;
 
  private:
+  /// The constraint of a matrix with a shear modulus of 1.
+  [[nodiscard]] static VolumeAndShear of_unit_shear() noexcept {
+    constexpr double of_volume = 3.0, of_shear = 10.0;  // chosen on arrays of soft discs (theory, section 2)
+    return {of_volume, of_shear};
+  }
   template <int dim>
   [[nodiscard]] PronySeries modulus(std::span<const Material> by_phase, PronySeries (*of_phase)(const Material&),
                                     double constraint) const;
 
   Mixture mixture_;
-  std::size_t holder_ = std::numeric_limits<std::size_t>::max();  ///< index of the matrix, if it holds others
+  bool is_held_ = false;
 };
 
 }  // namespace breccia

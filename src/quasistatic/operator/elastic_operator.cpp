@@ -99,8 +99,8 @@ template <int dim>
 void ElasticOperator<dim>::condense(std::span<const Moduli> moduli, Forces& forces) const {
   for (const auto& mixed : kinds_.mixed()) {
     if (!mixed) continue;
-    const auto levels = mixed->rule().template levels<dim>(moduli);
-    if (std::ranges::all_of(levels, [](const auto& level) { return level.both.minCoeff() > 0.0; })) continue;
+    const auto& rule = mixed->rule();
+    if (rule.in_series(rule.template constrained<dim>(moduli)).minCoeff() > 0.0) continue;
     throw InputError("quasi-static solver: a phase of a mixed cell has a modulus of 0; expected positive ones");
   }
   const ReadValues on_strains(forces.phase_strains());

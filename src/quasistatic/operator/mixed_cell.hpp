@@ -49,20 +49,21 @@ class MixedCell {
   [[nodiscard]] std::pair<Modes, Eigen::VectorXd> stresses(std::span<const Moduli> moduli, const Modes& strain,
                                                            const Strains& unknown) const;
   /// Static condensation: the reduction of the stress of the cell by forces on the unknown strains, when these strains
-  /// have been eliminated (theory, Eq. 41b).
+  /// have been eliminated (theory, Eq. 42).
   [[nodiscard]] Modes stress_relieved_by(std::span<const Moduli> moduli, const Strains& forces) const;
   /// The shares of all phases except the first where no forces act on the strains, for the moduli [Pa] of the phases.
   [[nodiscard]] std::vector<StrainShare> shares(std::span<const Moduli> moduli) const;
-  /// The unknown strains that are in equilibrium with these forces on them.
+  /// The unknown strains that are in equilibrium with these forces on them (theory, Eq. 42).
   [[nodiscard]] Eigen::VectorXd strains_under(std::span<const Moduli> moduli, const Modes& strain,
                                               const Strains& forces) const;
 
  private:
   [[nodiscard]] static Modes of_modes(const VolumeAndShear& values);
-  /// The forces on each phase and those after it, after the elimination of their strains (theory, Eq. 41b).
-  [[nodiscard]] std::vector<Modes> forces_on_levels(std::span<const MixtureRule::Level> levels,
-                                                    const Strains& forces) const;
-  [[nodiscard]] static Modes segment(std::size_t part, const Strains& values);
+  /// The values of a part, not the first one, among those of all parts except the first.
+  template <class Values>
+  [[nodiscard]] static auto segment(std::size_t part, Values& values) {
+    return values.template segment<Shape::modes>(Shape::modes * (static_cast<Eigen::Index>(part) - 1));
+  }
 
   MixtureRule rule_;
 };
