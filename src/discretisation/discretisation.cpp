@@ -32,7 +32,7 @@ Discretisation<dim>::Discretisation(const Grid<dim>& grid, PhaseIndex phase, con
   count_ = Grid<dim>{.cells = range_.size()}.cell_count();
   CellPhases<dim> cell{};
   cell.fill(phase);
-  auto cells = std::make_shared<CellPhases<dim>[]>(count_, cell);
+  auto cells = std::make_shared<CellArray<dim>>(count_, cell);
   own_ = cells.get();
   cells_ = std::move(cells);
 }
@@ -49,7 +49,7 @@ Discretisation<dim>::Discretisation(const Grid<dim>& grid, SharedCells<dim> cell
 
 template <int dim>
 void Discretisation<dim>::take_own_cells() {
-  auto cells = std::make_shared<CellPhases<dim>[]>(count_);
+  auto cells = std::make_shared<CellArray<dim>>(count_);
   std::ranges::copy(this->cells(), cells.get());
   own_ = cells.get();
   cells_ = std::move(cells);

@@ -70,7 +70,7 @@ SharedCells<dim> gathered_cells(const Grid<dim>& grid, const std::vector<CellPha
     begins.push_back(begin);
     counts.push_back(end - begin);
   }
-  auto cells = std::make_shared<CellPhases<dim>[]>(grid.cell_count());
+  auto cells = std::make_shared<CellArray<dim>>(grid.cell_count());
   MPI_Allgatherv(own.data(), counts[static_cast<std::size_t>(parallel::rank_on_machine())], layer, cells.get(),
                  counts.data(), begins.data(), layer, parallel::machine_communicator());
   MPI_Type_free(&layer);
@@ -81,7 +81,7 @@ SharedCells<dim> gathered_cells(const Grid<dim>& grid, const std::vector<CellPha
 template <int dim>
 SharedCells<dim> common_cells(const std::shared_ptr<std::byte>& memory, std::size_t first,
                               const std::vector<CellPhases<dim>>& own) {
-  const std::shared_ptr<CellPhases<dim>[]> cells(memory, reinterpret_cast<CellPhases<dim>*>(memory.get()));
+  const std::shared_ptr<CellArray<dim>> cells(memory, reinterpret_cast<CellPhases<dim>*>(memory.get()));
   std::ranges::copy(own, cells.get() + first);
   MPI_Barrier(parallel::machine_communicator());
   return cells;

@@ -142,10 +142,10 @@ TEST_F(EarlierResults, WithoutTheirChecksumsAreTakenWithANote) {
 
 // An older or a newer one.
 TEST_F(EarlierResults, OfAnotherFormatAreRefusedWithTheCommandThatHelps) {
-  study_.write("aged.toml", "density = \"1.48 g/cm^3\"\nbulk = \"3.6 GPa\"\nshear = \"0.5 MPa\"\n");
+  study_.write("aged.toml", "density = '1.48 g/cm^3'\nbulk = '3.6 GPa'\nshear = '0.5 MPa'\n");
   for (const auto* version : {"0.0.1", "9.0.0"}) {
-    auto record = test::replaced(before_["study.json"], "\"version\": \"" BRECCIA_VERSION,
-                                 std::string("\"version\": \"") + version);
+    auto record = test::replaced(before_["study.json"], R"("version": ")" BRECCIA_VERSION,
+                                 std::string(R"("version": ")") + version);
     record = test::replaced(record, "\"stages\": [", "\"boxes\": [");
     study_.write("out/study.json", record);
     for (const Words& command : {Words{"export", "out", "--format", "abaqus"},

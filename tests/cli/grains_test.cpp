@@ -180,9 +180,9 @@ TEST(GrainsAndFilms, ThatAreResolvedAnnounceNoFields) {
 
 TEST(GrainsAndFilms, ThatDoNotFitIntoTheMemoryAreRefusedBeforeTheyArePlaced) {
   const VoronoiFilms study;
-  const auto refused =
-      test::run_breccia(study.path(), {"run", BRECCIA_SOURCE_DIRECTORY "/examples/pbx9501-films.toml", "--set",
-                                       "tests.films.layers=16", "--set", "stages.0.box=\"28 mm\"", "--out", "large"});
+  const std::string example = BRECCIA_SOURCE_DIRECTORY "/examples/pbx9501-films.toml";
+  const auto refused = test::run_breccia(study.path(), {"run", example, "--set", "tests.films.layers=16", "--set",
+                                                        "stages.0.box=\"28 mm\"", "--out", "large"});
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_THAT(refused.errors, HasSubstr("grains and films take about "));
   EXPECT_THAT(refused.errors, HasSubstr("grains would fit"));

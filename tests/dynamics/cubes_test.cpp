@@ -119,8 +119,7 @@ TEST_P(Cubes, RelaxLikeTheirMaterialInShearAndBulk) {
     EXPECT_NEAR(modulus_of(load, averages.back().stress) / modulus.at(time), 1.0, 2e-2);
     // The box strains uniformly, so that every cell has the stress of a relaxing point, and no other component.
     const auto fields = run->fields();
-    for (std::size_t cell = 0; cell < fields.stress.size(); ++cell) {
-      const auto& [xx, yy, zz, yz, zx, xy] = fields.stress[cell];
+    for (const auto& [xx, yy, zz, yz, zx, xy] : fields.stress) {
       const Stress<3> stress = {.xx = xx, .yy = yy, .zz = zz, .yz = yz, .zx = zx, .xy = xy};
       EXPECT_NEAR(modulus_of(load, stress) / modulus.at(run->time()), 1.0, 2e-2);
       const double normal = load == Load::bulk ? modulus_of(load, stress) : 0.0;

@@ -46,7 +46,7 @@ Study box_to_plan(int cells, std::vector<Method> methods = {Method::quasistatic}
 }
 
 /// A sweep over the cells and, within them, over two seeds.
-Sweep sweep_over_cells(const std::vector<int>& cells, std::vector<Method> methods = {Method::quasistatic}) {
+Sweep sweep_over_cells(const std::vector<int>& cells, const std::vector<Method>& methods = {Method::quasistatic}) {
   Sweep sweep;
   sweep.keys = {{.path = "stages.A.cells", .label = "cells"},
                 {.path = "stages.A.packing.seed", .label = "seed", .is_seed = true}};

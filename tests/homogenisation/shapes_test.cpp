@@ -101,6 +101,7 @@ TEST(Shapes, TurningABoxByAQuarterSwapsItsAxes) {
   const std::vector<Particle> particles = {{Ellipse{{0.5, 0.2}}, Pose({0.3, 0.35}, 0.4)},
                                            {Ellipse{{0.3, 0.15}}, Pose({0.8, 0.7}, -0.7)}};
   std::vector<Particle> turned;
+  turned.reserve(particles.size());
   for (const auto& [shape, pose] : particles) {
     turned.push_back({shape, Pose({1.0 - pose.centre()[1], pose.centre()[0]}, pose.angle() + quarter_turn)});
   }

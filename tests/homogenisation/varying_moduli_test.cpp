@@ -32,6 +32,7 @@ class VaryingModuli : public testing::Test {
   /// Moduli of the matrix, the first of the phases.
   [[nodiscard]] static std::vector<Moduli> of_matrix(const std::vector<std::vector<Moduli>>& path) {
     std::vector<Moduli> moduli;
+    moduli.reserve(path.size());
     for (const auto& point : path) moduli.push_back(point.front());
     return moduli;
   }

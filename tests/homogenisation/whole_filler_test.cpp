@@ -24,6 +24,7 @@ Stage stage(const std::string& name, StageMatrix matrix, const std::string& fill
 /// Statistics of stages with one filler each, of these fractions.
 std::vector<std::vector<FillerStatistics>> packed(const std::vector<double>& fractions) {
   std::vector<std::vector<FillerStatistics>> all;
+  all.reserve(fractions.size());
   for (const double fraction : fractions) all.push_back({{.fraction = fraction}});
   return all;
 }

@@ -26,8 +26,8 @@ TEST(Printable, ControlCharactersAndBrokenBytesAreEscaped) {
        "C",
        "\\xb0C"},                           // Latin-1
       {"\xc3", "\\xc3"},                    // a cut character
-      {"\xc0\xaf", "\\xc0\\xaf"},           // an encoding that is longer than needed
-      {"\xed\xa0\x80", "\\xed\\xa0\\x80"},  // half of a surrogate pair
+      {"\xc0\xaf", R"(\xc0\xaf)"},          // an encoding that is longer than needed
+      {"\xed\xa0\x80", R"(\xed\xa0\x80)"},  // half of a surrogate pair
   };
   for (const auto& [text, escaped] : cases) {
     EXPECT_FALSE(is_printable(text)) << escaped;

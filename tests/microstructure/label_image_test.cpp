@@ -49,7 +49,8 @@ TEST(LabelImage, EveryPixelOfALargeImageIsFoundAtItsCentre) {
   LabelImage<2> image = {{count, 2}, 1e-6 / 3.0, Walls::periodic, {}};
   for (int i = 0; i < 2 * count; ++i) image.labels.push_back(static_cast<Label>(i));
   for (int i = 0; i < 2 * count; ++i) {
-    const double x = (i % count + 0.5) * image.pixel_side, y = (i / count + 0.5) * image.pixel_side;
+    const int column = i % count, row = i / count;
+    const double x = (column + 0.5) * image.pixel_side, y = (row + 0.5) * image.pixel_side;
     ASSERT_EQ(image.label_at({x, y}), i);
   }
 }

@@ -128,6 +128,7 @@ TEST_F(SpaceViews, OfVoxelsHoldTheirPhases) {
   const auto phases = view().at("microstructure").at("phases");
   EXPECT_EQ(phases.at("cells"), json({65, 1, 2}));
   std::vector<std::uint8_t> expected;
+  expected.reserve(130);
   for (int place = 0; place < 130; ++place) expected.push_back(static_cast<std::uint8_t>(place + (place < 65 ? 0 : 5)));
   EXPECT_EQ(unpacked(phases.at("values")), expected);
 }
@@ -210,7 +211,7 @@ TEST_F(SpaceViews, OfManyCellsHoldMeans) {
       [](const Index<3>& cell) { return cell[1] % 2 == 0 ? 1.0 : 3.0; });
   const auto field = view().at("fields").at("fields.vtkhdf");
   EXPECT_EQ(field.at("cells"), 33);
-  const auto stress = field.at("stress");
+  const auto& stress = field.at("stress");
   EXPECT_EQ(stress.at("from"), 1.5);
   EXPECT_EQ(stress.at("to"), 66.0);
   const auto strains = unpacked(field.at("strain").at("values"));

@@ -16,13 +16,20 @@
 
 namespace breccia {
 
+namespace gaps {
+class GapCells;
+}
+
 /// The phases of the points of one cell, in the order of CellShape.
 template <int dim>
 using CellPhases = std::array<PhaseIndex, std::size_t{1} << dim>;
 
+/// The phases of the points of many cells.
+template <int dim>
+using CellArray = CellPhases<dim>[];  // NOLINT(modernize-avoid-c-arrays): of any number
 /// The phases of the points of many cells, in memory that may be shared.
 template <int dim>
-using SharedCells = std::shared_ptr<const CellPhases<dim>[]>;  // NOLINT(modernize-avoid-c-arrays): of any number
+using SharedCells = std::shared_ptr<const CellArray<dim>>;
 
 /// A microstructure on a grid: the phase of every material point. The points of a mixed cell all have the number of its
 /// mixture in place of a phase. Copies share the phases of their points until one of them is changed. An object may

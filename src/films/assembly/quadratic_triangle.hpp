@@ -13,7 +13,7 @@ namespace breccia::films {
 struct QuadraticTriangle {
   std::array<Gradients, 3> at;  ///< gradients of the functions at three points of integration, which have equal weights
   std::array<Eigen::Vector3d, 3> linear_at;  ///< the linear functions of the corners at these points
-  double area;
+  double area = 0.0;
 };
 
 /// `corners` are counter-clockwise.
