@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <string>
 #include <utility>
@@ -12,22 +11,10 @@
 #include "breccia/error.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
+#include "discretisation/contrast.hpp"
+
 namespace breccia {
 namespace {
-
-/// Whether a modulus is lower than another one at some time, and higher at none. Both fall with time, in steps about
-/// their relaxation times.
-bool is_lower(const PronySeries& one, const PronySeries& other) {
-  std::vector<double> times = {0.0, std::numeric_limits<double>::infinity()};
-  for (const auto* series : {&one, &other}) {
-    for (const auto& term : series->terms()) {
-      for (const double factor : {0.1, 0.3, 1.0, 3.0, 10.0}) times.push_back(factor * term.relaxation_time);
-    }
-  }
-  const auto is_higher_at = [&](double time) { return one.at(time) > other.at(time); };
-  const auto is_lower_at = [&](double time) { return one.at(time) < other.at(time); };
-  return std::ranges::none_of(times, is_higher_at) && std::ranges::any_of(times, is_lower_at);
-}
 
 bool are_equal(double one, double other, double tolerance) {
   return std::abs(std::log(one / other)) < tolerance;
@@ -75,7 +62,9 @@ PronySeries rest(const PronySeries& whole, const PronySeries& part) {
   constexpr double rounding = 1e-6, least = 1e-9;
   auto terms = whole.terms();
   for (const auto& [time, modulus] : part.terms()) {
-    const auto distance = [&](const MaxwellTerm& term) { return std::abs(std::log(term.relaxation_time / time)); };
+    const auto distance = [time = time](const MaxwellTerm& term) {
+      return std::abs(std::log(term.relaxation_time / time));
+    };
     const auto same = std::ranges::min_element(terms, {}, distance);
     if (same == terms.end() || distance(*same) > rounding || same->modulus < (1.0 - least) * modulus) {
       throw NumericalError(fmt::format(
@@ -99,10 +88,13 @@ void require_falling(const PronySeries& modulus, const std::string& material, in
 
 }  // namespace
 
+MixtureRule::MixtureRule(Mixture mixture) : mixture_(std::move(mixture)) {
+  for (const auto& part : mixture_) shares_.emplace_back(part.fraction, part.fraction);
+}
+
 MixtureRule::MixtureRule(Mixture mixture, std::span<const Material> by_phase) : MixtureRule(std::move(mixture)) {
   const auto is_matrix = [](const MixedPart& part) { return part.phase == matrix; };
-  const auto is_softer = [&](const Material& material) { return is_lower(material.shear, by_phase[matrix].shear); };
-  is_held_ = std::ranges::any_of(mixture_, is_matrix) && std::ranges::all_of(by_phase.subspan(matrix + 1U), is_softer);
+  is_held_ = std::ranges::any_of(mixture_, is_matrix) && are_softer_than_matrix(by_phase);
 }
 
 template <int dim>
@@ -120,7 +112,7 @@ std::vector<VolumeAndShear> MixtureRule::constrained(std::span<const Moduli> by_
 VolumeAndShear MixtureRule::in_series(std::span<const VolumeAndShear> constrained) const {
   VolumeAndShear compliance = VolumeAndShear::Zero();
   for (std::size_t part = 0; part < constrained.size(); ++part) {
-    compliance += mixture_[part].fraction / constrained[part];  // infinite where there is no stiffness
+    compliance += shares_[part] / constrained[part];  // infinite where there is no stiffness
   }
   return 1.0 / compliance;
 }

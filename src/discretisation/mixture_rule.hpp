@@ -24,11 +24,16 @@ class MixtureRule {
   static constexpr PhaseIndex matrix = 0;
 
   /// All phases in series.
-  explicit MixtureRule(Mixture mixture) : mixture_(std::move(mixture)) {}
+  explicit MixtureRule(Mixture mixture);
+  /// All phases in series, with shares in the mean strain that are not those of the area, and need not add up to 1.
+  MixtureRule(Mixture mixture, std::vector<VolumeAndShear> shares)
+      : mixture_(std::move(mixture)), shares_(std::move(shares)) {}
   /// The rule for these materials, by PhaseIndex.
   MixtureRule(Mixture mixture, std::span<const Material> by_phase);
 
   [[nodiscard]] const Mixture& mixture() const noexcept { return mixture_; }
+  /// The shares of the phases in the mean strain [-].
+  [[nodiscard]] const std::vector<VolumeAndShear>& shares() const noexcept { return shares_; }
   /// Whether the matrix holds the strains of the phases.
   [[nodiscard]] bool is_held() const noexcept { return is_held_; }
 
@@ -63,6 +68,7 @@ class MixtureRule {
                                     double constraint) const;
 
   Mixture mixture_;
+  std::vector<VolumeAndShear> shares_;
   bool is_held_ = false;
 };
 

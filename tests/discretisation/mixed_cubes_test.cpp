@@ -18,8 +18,7 @@
 namespace breccia {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr std::array<PhaseIndex, 1> filler = {1};
+constexpr std::array<PhaseIndex, 1> sphere_phase = {1};
 constexpr Sphere sphere = {{0.513, 0.477, 0.492}, 0.61};
 
 Grid<3> unit_cube(int cells) {
@@ -45,7 +44,7 @@ double exact_fraction(const Grid<3>& grid, const Index<3>& cell) {
 TEST(MixedCubes, HoldTheVolumeOfASphereInEveryCell) {
   const Microstructure<3> one_sphere = {1.0, Walls::hard, {sphere}};
   for (const int cells : {10, 40}) {
-    const auto mixed = discretise_mixed(one_sphere, cells, 0, filler, 2);
+    const auto mixed = discretise_mixed(one_sphere, cells, 0, sphere_phase, 2);
     double largest = 0.0;
     mixed.grid().for_each_cell([&](const Index<3>& cell) {
       largest = std::max(largest, std::abs(fraction_in(mixed, cell) - exact_fraction(mixed.grid(), cell)));
@@ -53,7 +52,7 @@ TEST(MixedCubes, HoldTheVolumeOfASphereInEveryCell) {
     EXPECT_LE(largest, 0.5 / mixture_steps + 1e-9);
     EXPECT_LE(mixed.mixtures().size(), static_cast<std::size_t>(mixture_steps) - 1);
     // The roundings of the cells on the sphere are independent.
-    const double on_sphere = 1.5 * pi * 0.61 * 0.61 * cells * cells;
+    const double on_sphere = 1.5 * std::numbers::pi * 0.61 * 0.61 * cells * cells;
     const double rounding = std::sqrt(on_sphere / 12.0) / mixture_steps / (1.0 * cells * cells * cells);
     EXPECT_NEAR(mixed.fractions(2)[1], ball_volume<3>(0.61), 3.0 * rounding);
   }
@@ -61,7 +60,7 @@ TEST(MixedCubes, HoldTheVolumeOfASphereInEveryCell) {
 
 TEST(MixedCubes, SeeTheImagesInAPeriodicBox) {
   const Microstructure<3> in_corner = {1.0, Walls::periodic, {{{0.01, 0.02, 0.99}, 0.6}}};
-  const auto mixed = discretise_mixed(in_corner, 24, 0, filler, 2);
+  const auto mixed = discretise_mixed(in_corner, 24, 0, sphere_phase, 2);
   EXPECT_NEAR(mixed.fractions(2)[1], ball_volume<3>(0.6), 1e-4);
   for (const Index<3>& corner : {Index<3>{0, 0, 0}, {23, 0, 0}, {23, 23, 0}, {23, 23, 23}}) {
     EXPECT_EQ(mixed.cell(corner)[0], 1);

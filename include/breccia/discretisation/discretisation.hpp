@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "breccia/discretisation/grid.hpp"
@@ -97,6 +98,10 @@ class Discretisation {
     return &mixtures_[static_cast<std::size_t>(number - first_mixture_)];
   }
 
+  /// The cells with gaps between particles that are narrower than a cell; null where none are known.
+  [[nodiscard]] const std::shared_ptr<const gaps::GapCells>& gaps() const noexcept { return gaps_; }
+  void set_gaps(std::shared_ptr<const gaps::GapCells> gaps) requires(dim == 2) { gaps_ = std::move(gaps); }
+
   /// Number of points of each of the phases 0 .. count - 1. The points of a mixed cell count for its phases by the
   /// fractions of the mixture; the sums are exact where these fractions are multiples of 1 / mixture_steps. A mixture
   /// whose number is below `count` is counted as a phase of its own. Throws std::out_of_range for another phase; see
@@ -139,6 +144,7 @@ class Discretisation {
   CellPhases<dim>* own_ = nullptr;  ///< the phases in `cells_`, if their memory may be changed
   std::vector<Mixture> mixtures_;
   PhaseIndex first_mixture_ = no_phase;  ///< the number of the first mixture
+  std::shared_ptr<const gaps::GapCells> gaps_;
 };
 
 /// Throws InputError, with the name of the calculation, when a point has none of the phases 0 .. count - 1, so that it

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "breccia/error.hpp"
 
@@ -21,7 +22,7 @@ void require_no_crystals(const std::vector<Mixture>& mixtures, const Crystals<di
 template <int dim>
 CellKinds<dim>::CellKinds(const Discretisation<dim>& discretisation, Volumetric volumetric,
                           const IndexRange<dim>& own_cells, const Crystals<dim>& crystals,
-                          std::span<const Material> materials)
+                          std::span<const Material> materials, const GapsOfGrid<dim>& gaps)
     : volumetric_(volumetric), own_cells_(own_cells) {
   for (const auto& [phase, stiffness] : crystals) {
     crystals_.emplace(phase, Crystal{stiffness, softer_moduli<dim>(stiffness).shear});
@@ -37,21 +38,32 @@ CellKinds<dim>::CellKinds(const Discretisation<dim>& discretisation, Volumetric 
     if (std::find(phases.begin(), phases.end(), no_phase) != phases.end()) {
       throw InputError("quasi-static solver: a point has no material; empty cells are for the dynamic method");
     }
-    const auto* mixture = discretisation.mixture(phases.front());
+    const auto* gap_cell = gaps.at(cell);
+    const auto* mixture = gap_cell != nullptr ? &gap_cell->mixture : discretisation.mixture(phases.front());
     if (own_cells.contains(cell)) {
       if (cell.front() == own_cells.begin.front()) strains_before_rows_.push_back(strains);
-      const auto [kind, is_new] = known.emplace(phases, static_cast<std::uint32_t>(known.size()));
-      if (is_new) {
-        phases_.push_back(phases);
-        mixed_.push_back(mixture != nullptr ? std::optional<MixedCell<dim>>(rule_of(*mixture)) : std::nullopt);
+      if (gap_cell != nullptr) {
+        of_cells_.push_back(add_kind(phases, MixedCell<dim>(MixtureRule(gap_cell->mixture, gap_cell->shares))));
+      } else if (const auto kind = known.find(phases); kind != known.end()) {
+        of_cells_.push_back(kind->second);
+      } else {
+        of_cells_.push_back(
+            add_kind(phases, mixture != nullptr ? std::optional<MixedCell<dim>>(rule_of(*mixture)) : std::nullopt));
+        known.emplace(phases, of_cells_.back());
       }
-      of_cells_.push_back(kind->second);
     }
     if (mixture != nullptr) strains += static_cast<PetscInt>(MixedCell<dim>::unknowns_of(*mixture));
   });
   if (volumetric == Volumetric::standard && !discretisation.mixtures().empty()) {
     throw InputError("quasi-static solver: expected averaged volumetric strains, which mixed cells have");
   }
+}
+
+template <int dim>
+std::uint32_t CellKinds<dim>::add_kind(const CellPhases<dim>& phases, std::optional<MixedCell<dim>> mixed) {
+  phases_.push_back(phases);
+  mixed_.push_back(std::move(mixed));
+  return static_cast<std::uint32_t>(phases_.size() - 1);
 }
 
 template <int dim>

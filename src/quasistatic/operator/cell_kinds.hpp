@@ -10,6 +10,7 @@
 #include "breccia/discretisation/discretisation.hpp"
 
 #include "discretisation/cell_shape.hpp"
+#include "quasistatic/operator/gap_operator.hpp"
 #include "quasistatic/operator/mixed_cell.hpp"
 #include "quasistatic/operator/node_layout.hpp"
 
@@ -23,11 +24,13 @@ class CellKinds {
   using Shape = CellShape<dim>;
   using Stiffness = typename Shape::Stiffness;
 
-  /// The materials, by PhaseIndex, decide the rule of each mixture; without them all phases are in series. Throws
+  /// The materials, by PhaseIndex, decide the rule of each mixture; without them all phases are in series. A cell with
+  /// gaps is a kind of its own: a mixed cell with the shares of its phases. Throws
   /// InputError when a point has no phase, for mixed cells with the volumetric strains of points, and for mixed cells
   /// with crystals.
   CellKinds(const Discretisation<dim>& discretisation, Volumetric volumetric, const IndexRange<dim>& own_cells,
-            const Crystals<dim>& crystals = {}, std::span<const Material> materials = {});
+            const Crystals<dim>& crystals = {}, std::span<const Material> materials = {},
+            const GapsOfGrid<dim>& gaps = GapsOfGrid<dim>());
 
   /// Number of kinds.
   [[nodiscard]] std::size_t count() const noexcept { return phases_.size(); }
@@ -61,6 +64,7 @@ class CellKinds {
     double shear;
   };
 
+  std::uint32_t add_kind(const CellPhases<dim>& phases, std::optional<MixedCell<dim>> mixed);
   [[nodiscard]] bool has_crystals(std::size_t kind) const;
   [[nodiscard]] StiffnessTensor<dim> tensor(PhaseIndex phase, const Moduli& moduli) const;
 

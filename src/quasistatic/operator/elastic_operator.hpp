@@ -30,6 +30,7 @@ template <int dim>
 class ElasticOperator {
  public:
   using Shape = CellShape<dim>;
+  using CellValues = typename Shape::Values;
 
   /// `threads` is the number of threads that find forces in 3 dimensions, 0 for all cores of the process; the forces do
   /// not depend on it. The materials, by PhaseIndex, decide the rules of mixed cells, whose phases are in series
@@ -44,8 +45,9 @@ class ElasticOperator {
   [[nodiscard]] const Grid<dim>& grid() const noexcept { return nodes_.grid(); }
   /// Area or volume of the box, in units of the cell side.
   [[nodiscard]] double volume() const noexcept { return grid().volume(); }
-  /// Number of nodal components, the held ones included.
-  [[nodiscard]] std::int64_t unknowns() const noexcept { return nodes_.unknowns(); }
+  /// Number of nodal components, the held ones included, and of the unknowns of faces of cells with gaps.
+  [[nodiscard]] std::int64_t unknowns() const noexcept { return nodes_.unknowns() + nodes_.further_values(); }
+  [[nodiscard]] bool has_gaps() const noexcept { return nodes_.further_values() > 0; }
 
   /// A zero displacement, or zero forces.
   [[nodiscard]] Displacement zero() const { return {0.0, nodes_.zeros(), zero_strains_of_phases()}; }
@@ -73,25 +75,36 @@ class ElasticOperator {
   void for_mixed_cells_of_planes(int first_plane, int end_plane, Action&& action) const;
   [[nodiscard]] const CellKinds<dim>& kinds() const noexcept { return kinds_; }
   [[nodiscard]] const NodeLayout<dim>& nodes() const noexcept { return nodes_; }
+  /// The strain modes of a mixed cell, from the displacements of its nodes and the values of a nodal vector.
+  [[nodiscard]] typename Shape::ModeValues modes_of(const Index<dim>& cell, const CellValues& u,
+                                                    const double* nodal) const;
+  /// Adds forces to those on the unknowns of faces in a nodal vector.
+  void add_to_faces(std::span<const double> on_faces, Vec nodal) const;
   /// The modes of a cell.
   [[nodiscard]] const typename Shape::ModeMatrix& modes() const noexcept { return modes_; }
 
+  /// The cell with gaps at a cell; null for other cells.
+  [[nodiscard]] const gaps::GapCell* gap_cell(const Index<dim>& cell) const noexcept { return gaps_.at(cell); }
+
   /// A sparse matrix with the pattern of K on w, without values.
-  [[nodiscard]] Matrix make_matrix() const { return nodes_.make_matrix(); }
+  [[nodiscard]] Matrix make_matrix() const;
   /// Assembles K into a matrix of make_matrix(). Held components of w are coupled to nothing and get a diagonal entry.
   void assemble(std::span<const Moduli> moduli, Mat matrix) const;
   /// Attaches the rigid motions to a matrix as its near null space, for algebraic multigrid.
   void attach_rigid_motions(Mat matrix) const { nodes_.attach_rigid_motions(matrix); }
 
  private:
-  using CellValues = typename Shape::Values;
-
   void find_first_strains();
   [[nodiscard]] std::vector<PetscInt> natural_indices_of_strains() const;
   /// Calls action(cell, mixed cell, index of its first unknown strain) for the mixed cells of this process.
   template <class Action>
   void for_mixed_cells(Action&& action) const;
 
+  /// The forces on the nodes of a mixed cell that has these stresses; adds those on its faces.
+  [[nodiscard]] CellValues forces_of(const Index<dim>& cell, const typename Shape::ModeValues& stress,
+                                     std::span<double> on_faces) const;
+
+  GapsOfGrid<dim> gaps_;
   NodeLayout<dim> nodes_;
   CellKinds<dim> kinds_;
   int threads_;

@@ -14,7 +14,9 @@ typename MixedCell<dim>::Modes MixedCell<dim>::of_modes(const VolumeAndShear& va
 
 template <int dim>
 Eigen::VectorXd MixedCell<dim>::uniform(const Modes& strain) const {
-  return strain.replicate(static_cast<Eigen::Index>(mixture().size()) - 1, 1);
+  VolumeAndShear all = VolumeAndShear::Zero();
+  for (const auto& share : rule_.shares()) all += share;
+  return strain.cwiseQuotient(of_modes(all)).replicate(static_cast<Eigen::Index>(mixture().size()) - 1, 1);
 }
 
 template <int dim>
@@ -22,8 +24,8 @@ typename MixedCell<dim>::Modes MixedCell<dim>::strain_of(std::size_t part, const
                                                          const Strains& unknown) const {
   if (part > 0) return segment(part, unknown);
   Modes first = strain;
-  for (std::size_t k = 1; k < mixture().size(); ++k) first -= mixture()[k].fraction * segment(k, unknown);
-  return first / mixture().front().fraction;
+  for (std::size_t k = 1; k < mixture().size(); ++k) first -= of_share(k).cwiseProduct(segment(k, unknown));
+  return first.cwiseQuotient(of_share(0));
 }
 
 template <int dim>
@@ -37,7 +39,7 @@ std::pair<typename MixedCell<dim>::Modes, Eigen::VectorXd> MixedCell<dim>::stres
   const Modes in_first = stress_in(0);
   Eigen::VectorXd forces(unknowns());
   for (std::size_t k = 1; k < mixture().size(); ++k) {
-    segment(k, forces) = mixture()[k].fraction * (stress_in(k) - in_first);
+    segment(k, forces) = of_share(k).cwiseProduct(stress_in(k) - in_first);
   }
   return {in_first - of_modes(rule_.constraint(moduli)).cwiseProduct(strain), std::move(forces)};
 }
@@ -72,7 +74,8 @@ Eigen::VectorXd MixedCell<dim>::strains_under(std::span<const Moduli> moduli, co
   const Modes stress = of_modes(rule_.in_series(constrained)).cwiseProduct(strain) - stress_relieved_by(moduli, forces);
   Eigen::VectorXd strains(unknowns());
   for (std::size_t k = 1; k < mixture().size(); ++k) {
-    segment(k, strains) = (stress + segment(k, forces) / mixture()[k].fraction).cwiseQuotient(of_modes(constrained[k]));
+    segment(k, strains) =
+        (stress + segment(k, forces).cwiseQuotient(of_share(k))).cwiseQuotient(of_modes(constrained[k]));
   }
   return strains;
 }

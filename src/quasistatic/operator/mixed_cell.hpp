@@ -17,9 +17,9 @@ struct StrainShare {
 };
 
 /// A cell that holds several phases. Each phase k has strains y_k of its own (CellShape::mode_matrix), whose mean is
-/// the strain of the cell, s = sum of f_k y_k. The energy (theory, Eqs. 41 and 41a) is affine in the moduli; where it
-/// is a minimum, the cell has the moduli of its MixtureRule. The strains of all phases except the first are unknowns,
-/// one after the other; the strains of the first phase follow from them.
+/// the strain of the cell, s = sum of f_k y_k by the shares of its MixtureRule. The energy (theory, Eqs. 41 and 41a) is
+/// affine in the moduli; where it is a minimum, the cell has the moduli of its MixtureRule. The strains of all phases
+/// except the first are unknowns, one after the other; the strains of the first phase follow from them.
 template <int dim>
 class MixedCell {
  public:
@@ -40,7 +40,7 @@ class MixedCell {
   /// Moduli of the cell [Pa], for those of the phases. If a modulus of a phase in series is 0, that of the cell is 0.
   [[nodiscard]] Moduli moduli(std::span<const Moduli> by_phase) const { return rule_.moduli<dim>(by_phase); }
 
-  /// The strains of all phases if each of them has the strain of the cell.
+  /// The strains of all phases if all of them have the same.
   [[nodiscard]] Eigen::VectorXd uniform(const Modes& strain) const;
   /// The strain of the phase at an index in the mixture, from the strain of the cell and the unknown strains.
   [[nodiscard]] Modes strain_of(std::size_t part, const Modes& strain, const Strains& unknown) const;
@@ -59,6 +59,7 @@ class MixedCell {
 
  private:
   [[nodiscard]] static Modes of_modes(const VolumeAndShear& values);
+  [[nodiscard]] Modes of_share(std::size_t part) const { return of_modes(rule_.shares()[part]); }
   /// The values of a part, not the first one, among those of all parts except the first.
   template <class Values>
   [[nodiscard]] static auto segment(std::size_t part, Values& values) {

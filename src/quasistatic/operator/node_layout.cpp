@@ -4,6 +4,8 @@
 
 #include <petscdmda.h>
 
+#include "breccia/error.hpp"
+
 #include "quasistatic/operator/block_division.hpp"
 #include "quasistatic/operator/plane_division.hpp"
 #include "quasistatic/operator/vector_values.hpp"
@@ -54,9 +56,13 @@ void give_whole_planes(DM nodes, const Index<3>& nodes_along) {
 }  // namespace
 
 template <int dim>
-NodeLayout<dim>::NodeLayout(const Grid<dim>& grid, Boundary boundary) : grid_(grid), boundary_(boundary) {
+NodeLayout<dim>::NodeLayout(const Grid<dim>& grid, Boundary boundary, std::int32_t further_values)
+    : grid_(grid), boundary_(boundary), further_values_(further_values) {
   parallel::start();
-  if (dim == 3 && parallel::ranks() == 1) {
+  if (further_values > 0 && parallel::ranks() > 1) {
+    throw InputError("quasi-static solver: gaps under a cell need a single process");
+  }
+  if ((dim == 3 || further_values > 0) && parallel::ranks() == 1) {
     find_ranges_of_whole_box();
   } else {
     nodes_ = distributed();
@@ -187,10 +193,10 @@ NodalVector NodeLayout<dim>::zeros() const {
   if (nodes_.get() != nullptr) {
     check(DMCreateGlobalVector(nodes_.get(), nodal.put()), what);
   } else {
-    const auto values = static_cast<PetscInt>(unknowns());
+    const auto values = static_cast<PetscInt>(unknowns() + further_values_);
     check(VecCreate(PETSC_COMM_WORLD, nodal.put()), what);
     check(VecSetSizes(nodal.get(), values, values), what);
-    check(VecSetBlockSize(nodal.get(), dim), what);
+    if (further_values_ == 0) check(VecSetBlockSize(nodal.get(), dim), what);
     check(VecSetType(nodal.get(), VECSTANDARD), what);
   }
   check(VecSet(nodal.get(), 0.0), what);

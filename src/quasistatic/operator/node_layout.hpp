@@ -21,12 +21,15 @@ class NodeLayout {
   using Shape = CellShape<dim>;
   using CellValues = typename Shape::Values;
 
-  NodeLayout(const Grid<dim>& grid, Boundary boundary);
+  /// Nodal vectors have this number of further values behind those of the nodes; several processes have none.
+  NodeLayout(const Grid<dim>& grid, Boundary boundary, std::int32_t further_values = 0);
 
   [[nodiscard]] const Grid<dim>& grid() const noexcept { return grid_; }
   [[nodiscard]] Boundary boundary() const noexcept { return boundary_; }
   /// Number of nodal components, the held ones included.
   [[nodiscard]] std::int64_t unknowns() const noexcept;
+  /// Number of the further values of nodal vectors.
+  [[nodiscard]] std::int32_t further_values() const noexcept { return further_values_; }
   /// Whether this component of a node is held at zero.
   [[nodiscard]] bool is_held(const Index<dim>& node, int component) const noexcept;
   /// A mask of the components of a cell's nodes: 0 for held components, 1 for the other ones.
@@ -103,8 +106,9 @@ class NodeLayout {
 
   Grid<dim> grid_;
   Boundary boundary_;
-  NodeGrid nodes_;  ///< grid of PETSc; empty for a cube on one process, where its lists would take more memory than a
-                    ///< nodal vector
+  std::int32_t further_values_;
+  NodeGrid nodes_;  ///< grid of PETSc; empty on one process for a cube, where its lists would take more memory than a
+                    ///< nodal vector, and for nodal vectors with further values
   Range owned_;     ///< nodes that belong to this process
   Range cells_;     ///< cells whose lowest node belongs to this process
   Range seen_;      ///< nodes of this process and their neighbours

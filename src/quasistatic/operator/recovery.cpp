@@ -16,11 +16,13 @@ class NodalDisplacement {
   using Shape = CellShape<dim>;
 
   NodalDisplacement(const ElasticOperator<dim>& elastic_operator, Load load, const Displacement& displacement)
-      : nodes_(&elastic_operator.nodes()),
+      : elastic_operator_(&elastic_operator),
+        nodes_(&elastic_operator.nodes()),
         strain_(unit_strain<dim>(load)),
         macroscopic_(displacement.macroscopic()),
         seen_(nodes_->local_copy(displacement.fluctuation())),
         fluctuation_(seen_.get()),
+        nodal_(displacement.fluctuation()),
         phase_strains_(displacement.phase_strains()) {}
 
   [[nodiscard]] typename Shape::Values of_cell(const Index<dim>& cell) const {
@@ -44,17 +46,19 @@ class NodalDisplacement {
   /// The strain of a phase of a mixed cell whose first unknown strain is at an index.
   [[nodiscard]] typename Shape::ModeValues of_part(const Index<dim>& cell, const MixedCell<dim>& mixed,
                                                    std::size_t index, std::size_t part) const {
-    return mixed.strain_of(part, modes_ * of_cell(cell), phase_strains_.range(index, mixed.unknowns()));
+    const auto strain = elastic_operator_->modes_of(cell, of_cell(cell), nodal_.data());
+    return mixed.strain_of(part, strain, phase_strains_.range(index, mixed.unknowns()));
   }
 
  private:
+  const ElasticOperator<dim>* elastic_operator_;
   const NodeLayout<dim>* nodes_;
   Strain<dim> strain_;
   double macroscopic_;
   NodalVector seen_;
   ReadValues fluctuation_;    ///< fluctuation of the nodes that this process sees
+  ReadValues nodal_;          ///< fluctuation of the nodes of this process and the unknowns of faces
   ReadValues phase_strains_;  ///< strains of its mixed cells, in the order of the cells
-  typename Shape::ModeMatrix modes_ = Shape::mode_matrix();
 };
 
 template <int dim>

@@ -27,7 +27,8 @@ Forces forces_under(const ElasticOperator<2>& elastic_operator, std::span<const 
   const auto local = nodes.local_copy(displacement.fluctuation());
   const ReadValues values(local.get()), strains(displacement.phase_strains());
   const typename Shape::ModeValues unit_modes = modes * unit;
-  std::vector<double> on_strains;
+  std::vector<double> on_strains, on_faces(static_cast<std::size_t>(nodes.further_values()), 0.0);
+  const ReadValues nodal(displacement.fluctuation());
   auto [macroscopic, on_nodes] = sum_over_cells(nodes, [&](const Index<2>& cell) {
     const CellValues u = affine + nodes.cell_values(cell, values.data());
     const auto* mixed = kinds.mixed_cell(cell);
@@ -35,11 +36,25 @@ Forces forces_under(const ElasticOperator<2>& elastic_operator, std::span<const 
       const auto kind = kinds.of(cell);
       return std::pair<CellValues, double>(by_kind[kind] * u, conjugate[kind].dot(u));
     }
+    if (const auto* gap = elastic_operator.gap_cell(cell)) {
+      const GapOperator gap_operator(*gap, modes);
+      const auto unknowns = gap_operator.unknowns(u, nodal.data() + nodes.unknowns());
+      const auto [stress, forces] =
+          mixed->stresses(moduli, gap_operator.strain(unknowns), strains.range(on_strains.size(), mixed->unknowns()));
+      on_strains.insert(on_strains.end(), forces.begin(), forces.end());
+      GapOperator::Unknowns on_unknowns = GapOperator::Unknowns::Zero();
+      gap_operator.add_forces_of(stress, on_unknowns);
+      gap_operator.add_forces_of_terms(moduli, unknowns, on_unknowns);
+      gap_operator.add_to_faces(on_unknowns, on_faces.data());
+      const CellValues of_cell = on_unknowns.head<Shape::dofs>();
+      return std::pair<CellValues, double>(of_cell, unit.dot(of_cell));
+    }
     const auto [stress, forces] =
         mixed->stresses(moduli, modes * u, strains.range(on_strains.size(), mixed->unknowns()));
     on_strains.insert(on_strains.end(), forces.begin(), forces.end());
     return std::pair<CellValues, double>(modes.transpose() * stress, unit_modes.dot(stress));
   });
+  elastic_operator.add_to_faces(on_faces, on_nodes.get());
   auto on_phase_strains = elastic_operator.zero_strains_of_phases();
   std::ranges::copy(on_strains, WriteValues(on_phase_strains.get()).data());
   return {macroscopic, std::move(on_nodes), std::move(on_phase_strains)};

@@ -1,0 +1,166 @@
+#include "discretisation/gaps/cell_shares.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "microstructure/disc_overlap.hpp"
+#include "microstructure/vector_algebra.hpp"
+
+namespace breccia::gaps {
+namespace {
+
+constexpr double rounding = 1e-9;
+
+/// The particles that share a cell, with their shares of its area.
+struct ParticleShare {
+  ImageIndex image;
+  double share;
+};
+std::vector<ParticleShare> particles_in(const GapGeometry& geometry, const CellPlace& place) {
+  std::vector<ParticleShare> particles;
+  for (const auto image : geometry.discs.near(place.centre())) {
+    const double share = share_of(geometry, place, image);
+    if (share > rounding) particles.push_back({image, share});
+  }
+  return particles;
+}
+
+/// The phases of a cell from the shares of particles, with shares of binder for the volume and for the deviators. What
+/// the binder leaves is shared by the particles; they keep a trace of it, so that they have a strain.
+CellShares in_series(const GapGeometry& geometry, std::span<const ParticleShare> particles,
+                     const VolumeAndShear& binder) {
+  constexpr double least = 1e-6;
+  double all = 0.0;
+  for (const auto& one : particles) all += one.share;
+  CellShares cell;
+  const double of_binder = std::max(1.0 - all, 0.0);
+  if (binder.maxCoeff() > rounding) {
+    cell.mixture.push_back({geometry.matrix, of_binder});
+    cell.shares.push_back(binder.max(least));
+  }
+  const VolumeAndShear rest = (1.0 - binder).max(least);
+  for (const auto& one : particles) {
+    const auto phase = geometry.phase(one.image);
+    const double area = one.share * (1.0 - of_binder) / all;
+    const VolumeAndShear share = rest * one.share / all;
+    const auto known = std::ranges::find(cell.mixture, phase, &MixedPart::phase);
+    if (known == cell.mixture.end()) {
+      cell.mixture.push_back({phase, area});
+      cell.shares.push_back(share);
+    } else {
+      known->fraction += area;
+      cell.shares[static_cast<std::size_t>(known - cell.mixture.begin())] += share;
+    }
+  }
+  return cell;
+}
+
+/// Whether the cell lies beside a channel.
+bool is_beside_chain(const GapGeometry& geometry, const CellPlace& place) {
+  bool is_beside = false;
+  for_each_index(Index<2>{-1, -1}, Index<2>{2, 2}, [&](const Index<2>& step) {
+    const Index<2> other = {place.cell()[0] + step[0], place.cell()[1] + step[1]};
+    is_beside = is_beside || CellPlace(geometry, other).is_in_chain();
+  });
+  return is_beside;
+}
+
+/// Whether a node in binder belongs to a particle.
+bool has_owned_binder(const GapGeometry& geometry, const CellPlace& place) {
+  for (int node = 0; node < CellShape<2>::nodes; ++node) {
+    if (place.owner(node) != no_image && geometry.owners.is_in_binder(place.node(node))) return true;
+  }
+  return false;
+}
+
+/// The share of binder, for the deviators, of a cell that the surface of one particle crosses: nearer to the mean
+/// square gradient of the motion of its free nodes, as the distance from the particle, than to the area. The corner
+/// that a cell has in binder deforms more than the mean of the cell.
+double share_of_layer(const GapGeometry& geometry, const CellPlace& place, ImageIndex image, double binder) {
+  constexpr double of_gradient = 0.2;
+  std::array<double, CellShape<2>::nodes> distances{};
+  for (int node = 0; node < CellShape<2>::nodes; ++node) {
+    const auto at = place.node(node);
+    const Vector<2> point = {static_cast<double>(at[0]), static_cast<double>(at[1])};
+    distances[static_cast<std::size_t>(node)] = std::max(geometry.discs.distance(image, point), 0.0);
+  }
+  if (std::ranges::find(distances, 0.0) == distances.end()) return binder;
+  double gradient = 0.0;
+  for (const double x : {0.25, 0.75}) {
+    for (const double y : {0.25, 0.75}) {
+      const double along_x = (1.0 - y) * (distances[1] - distances[0]) + y * (distances[3] - distances[2]);
+      const double along_y = (1.0 - x) * (distances[2] - distances[0]) + x * (distances[3] - distances[1]);
+      gradient += 0.25 * (along_x * along_x + along_y * along_y);
+    }
+  }
+  return std::pow(binder, 1.0 - of_gradient) * std::pow(gradient / binder, of_gradient);
+}
+
+/// Binder of channels that lies in cells beside them counts for the channels.
+double binder_outside(const CellPlace& place, const Vector<2>& across) {
+  double outside = 0.0;
+  for (int face = 0; face < faces_of_cell; ++face) {
+    const double along = across[1 - CellPlace::normal(face)];
+    outside += 0.5 * along * along * place.face(face).binder_outside;
+  }
+  return outside;
+}
+
+/// Beside the end of a gap a cell is softer, since the flow turns there.
+double at_end_of_gap(const GapGeometry& geometry, const CellPlace& place, const Vector<2>& across) {
+  constexpr double most = 0.25;
+  double largest = 0.0;
+  for (int face = 0; face < faces_of_cell; ++face) {
+    if (!is_end_of_gap(geometry.owners, place.face_place(face))) continue;
+    const double normal = across[CellPlace::normal(face)];
+    largest = std::max(largest, normal * normal);
+  }
+  return 1.0 + most * largest;
+}
+
+}  // namespace
+
+double share_of(const GapGeometry& geometry, const CellPlace& place, ImageIndex image) {
+  constexpr double half_diagonal = 0.7072;
+  const double distance = geometry.discs.distance(image, place.centre());
+  if (distance > half_diagonal) return 0.0;
+  if (distance < -half_diagonal) return 1.0;
+  const Vector<2> lower = {static_cast<double>(place.cell()[0]), static_cast<double>(place.cell()[1])};
+  return overlap_area(geometry.discs.disc(image), lower, lower + Vector<2>{1.0, 1.0});
+}
+
+CellShares shares_of_channel(const GapGeometry& geometry, const CellPlace& place, const Channel& channel) {
+  const auto first = place.owner(0), second = place.second_owner();
+  const bool is_even = place.nodes_of(first) == place.nodes_of(second);
+  const double of_sliding = is_even ? 1.0 : 0.625, least_slenderness = 1e-6;
+  const std::array<ParticleShare, 2> particles = {
+      {{first, share_of(geometry, place, first) + rounding}, {second, share_of(geometry, place, second) + rounding}}};
+  return in_series(geometry, particles,
+                   {std::min(channel.area, 1.0), of_sliding / std::max(channel.slenderness, least_slenderness)});
+}
+
+CellShares shares_of_cell(const GapGeometry& geometry, const CellPlace& place) {
+  auto particles = particles_in(geometry, place);
+  if (place.has_one_owner() && is_beside_chain(geometry, place)) {
+    return in_series(geometry, std::array{ParticleShare{place.owner(0), 1.0}}, {0.0, 0.0});
+  }
+  double filled = 0.0;
+  for (const auto& one : particles) filled += one.share;
+  const double binder = std::max(1.0 - filled, 0.0);
+  if (binder <= rounding) return in_series(geometry, particles, {0.0, 0.0});
+  VolumeAndShear shares(binder, binder);
+  if (particles.size() == 1 && !has_owned_binder(geometry, place)) {
+    shares[1] = share_of_layer(geometry, place, particles.front().image, binder);
+  }
+  const auto nearest = geometry.discs.nearest_two(place.centre());
+  if (nearest.second != no_image) {
+    const auto across = geometry.discs.across(nearest.first, nearest.second, place.centre());
+    shares += binder_outside(place, across);
+    shares[1] *= place.has_free_node() ? at_end_of_gap(geometry, place, across) : 1.0;
+  }
+  shares = {std::clamp(shares[0], 0.0, 1.0), std::clamp(shares[1], 0.0, 3.0)};
+  if (particles.empty() && shares.minCoeff() < 1.0) particles.push_back({nearest.first, rounding});
+  return in_series(geometry, particles, shares);
+}
+
+}  // namespace breccia::gaps

@@ -1,0 +1,174 @@
+#include "discretisation/gaps/cell_terms.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include <Eigen/Cholesky>
+
+#include "discretisation/gaps/cell_shares.hpp"
+
+namespace breccia::gaps {
+namespace {
+
+/// An energy with the shear modulus of a particle less that of the binder.
+void add_without_binder(const GapGeometry& geometry, ImageIndex image, double factor, const LinearForm& form,
+                        std::vector<SquareTerm>& terms) {
+  terms.push_back({geometry.phase(image), factor, form});
+  terms.push_back({geometry.matrix, -factor, form});
+}
+
+/// The difference of a displacement component between two nodes, along an axis.
+LinearForm difference(int from, int to, std::size_t component) {
+  return LinearForm().add(displacement_of(to, component), 1.0).add(displacement_of(from, component), -1.0);
+}
+
+/// Whether a node beside the node of a face, along the normal on either side, belongs to its particle.
+bool has_own_neighbour(const GapGeometry& geometry, const FacePlace& face, int end) {
+  const auto node = face.node(end);
+  const auto is_own = [&](int step) {
+    auto neighbour = node;
+    neighbour[face.normal()] += step;
+    return geometry.owners.of(neighbour) == geometry.owners.of(node);
+  };
+  return is_own(-1) || is_own(1);
+}
+
+void tie_slope(const GapGeometry& geometry, const CellPlace& place, int face, int end, std::vector<SquareTerm>& terms) {
+  constexpr double of_binder = 0.001;
+  const auto normal = CellPlace::normal(face), along = 1 - normal;
+  const int node = CellPlace::node_of(face, end), other = CellPlace::node_of(face, 1 - end);
+  const int beside = CellPlace::beside(node, normal), beside_other = CellPlace::beside(other, normal);
+  const auto owner = place.owner(node);
+  const auto slope = LinearForm().add(slope_at(face, end), 1.0);
+  if (place.owner(beside) == owner && place.owner(beside_other) == owner) {
+    auto form = slope;
+    form.add(end == 0 ? -1.0 : 1.0, difference(beside, beside_other, normal));
+    terms.push_back({geometry.phase(owner), 1.0, form});
+    return;
+  }
+  // Otherwise it has the rotation of the particle, from a neighbour across the cell or else from the other face of the
+  // node; in the second case, where neither cell has such a neighbour.
+  const int other_face = 2 * static_cast<int>(along) + (CellPlace::is_upper(node, along) ? 1 : 0);
+  const int other_end = CellPlace::is_upper(node, normal) ? 1 : 0;
+  auto rotation = slope;
+  if (place.owner(beside) == owner) {
+    rotation.add(CellPlace::is_upper(beside, normal) ? 1.0 : -1.0, difference(node, beside, along));
+    add_without_binder(geometry, owner, 1.0, rotation, terms);
+  } else if (has_own_neighbour(geometry, place.face_place(face), end)) {
+    return;
+  } else if (place.face(other_face).has_slope[static_cast<std::size_t>(other_end)]) {
+    rotation.add(slope_at(other_face, other_end), 1.0);
+    add_without_binder(geometry, owner, 1.0, rotation, terms);
+  }
+  auto of_face = slope;
+  of_face.add(-1.0, difference(CellPlace::node_of(face, 0), CellPlace::node_of(face, 1), normal));
+  terms.push_back({geometry.matrix, of_binder, of_face});
+}
+
+/// Half of the energy of the flow through a face.
+void add_flow_through(const GapGeometry& geometry, const CellPlace& place, int face, std::vector<SquareTerm>& terms) {
+  if (!place.face(face).has_flow()) return;
+  terms.push_back({geometry.matrix, 0.5 / place.face(face).conductance, LinearForm().add(flow_through(face), 1.0)});
+}
+
+/// The rotation of a particle from its slopes on the two faces at the ends of a channel; nothing without a slope.
+std::optional<LinearForm> rotation_of(const CellPlace& place, const EndsOfChannel& ends, ImageIndex image) {
+  LinearForm sum;
+  int slopes = 0;
+  for (const int face : {ends.begin, ends.end}) {
+    for (int end = 0; end < 2; ++end) {
+      if (place.owner(CellPlace::node_of(face, end)) != image) continue;
+      if (!place.face(face).has_slope[static_cast<std::size_t>(end)]) continue;
+      sum.add(slope_at(face, end), CellPlace::normal(face) == 0 ? -1.0 : 1.0);
+      ++slopes;
+    }
+  }
+  if (slopes == 0) return std::nullopt;
+  return LinearForm().add(1.0 / slopes, sum);
+}
+
+/// Whether a face is on the upper side of its cell.
+bool is_upper_face(int face) {
+  return face % 2 != 0;
+}
+
+}  // namespace
+
+CellUnknowns volume_change(const CellPlace& place) {
+  CellUnknowns volume = CellUnknowns::Zero();
+  for (int face = 0; face < faces_of_cell; ++face) {
+    const double out = is_upper_face(face) ? 1.0 : -1.0;
+    const auto& of_face = place.face(face);
+    for (int end = 0; end < 2; ++end) {
+      const auto number = static_cast<std::size_t>(end);
+      volume[displacement_of(CellPlace::node_of(face, end), CellPlace::normal(face))] += out * of_face.of_nodes[number];
+      volume[slope_at(face, end)] += out * of_face.of_slopes[number];
+    }
+    if (of_face.has_flow()) volume[flow_through(face)] -= out;
+  }
+  return volume;
+}
+
+void tie_slopes(const GapGeometry& geometry, const CellPlace& place, std::vector<SquareTerm>& terms) {
+  for (int face = 0; face < faces_of_cell; ++face) {
+    for (int end = 0; end < 2; ++end) {
+      if (place.face(face).has_slope[static_cast<std::size_t>(end)]) tie_slope(geometry, place, face, end, terms);
+    }
+  }
+}
+
+void add_flow(const GapGeometry& geometry, const CellPlace& place, std::vector<SquareTerm>& terms) {
+  for (int face = 0; face < faces_of_cell; ++face) add_flow_through(geometry, place, face, terms);
+}
+
+EndsOfChannel ends_of_channel(const CellPlace& place) noexcept {
+  EndsOfChannel ends = {-1, -1};
+  for (int face = 0; face < faces_of_cell; ++face) {
+    if (place.owner(CellPlace::node_of(face, 0)) == place.owner(CellPlace::node_of(face, 1))) continue;
+    (ends.begin < 0 ? ends.begin : ends.end) = face;
+  }
+  return ends;
+}
+
+void add_flow_along(const GapGeometry& geometry, const CellPlace& place, const Channel& channel,
+                    std::vector<SquareTerm>& terms) {
+  const auto ends = ends_of_channel(place);
+  if (!place.face(ends.begin).has_flow() || !place.face(ends.end).has_flow()) {
+    add_flow(geometry, place, terms);
+    return;
+  }
+  for (int face = 0; face < faces_of_cell; ++face) {
+    if (face != ends.begin && face != ends.end) add_flow_through(geometry, place, face, terms);
+  }
+  if (channel.slenderness == 0.0) return;
+  std::array<LinearForm, 3> forms;
+  forms[0].add(flow_through(ends.begin), is_upper_face(ends.begin) ? -1.0 : 1.0);
+  forms[1].add(flow_through(ends.end), is_upper_face(ends.end) ? 1.0 : -1.0);
+  const auto first = rotation_of(place, ends, place.owner(0)), second = rotation_of(place, ends, place.second_owner());
+  if (first && second) forms[2].add(1.0, *second).add(-1.0, *first);
+  const Eigen::Matrix3d factor = channel.resistance.llt().matrixL();
+  for (int column = 0; column < 3; ++column) {
+    LinearForm form;
+    for (int row = column; row < 3; ++row) form.add(factor(row, column), forms[static_cast<std::size_t>(row)]);
+    terms.push_back({geometry.matrix, 1.0, form});
+  }
+}
+
+void add_corner_of_particle(const GapGeometry& geometry, const CellPlace& place, std::vector<SquareTerm>& terms) {
+  constexpr double least_share = 0.25;
+  for (int corner = 0; corner < CellShape<2>::nodes; ++corner) {
+    const auto owner = place.owner(corner);
+    const int beside = CellPlace::beside(corner, 0), above = CellPlace::beside(corner, 1);
+    if (place.nodes_of(owner) != 3 || place.owner(beside) != owner || place.owner(above) != owner) continue;
+    const double factor = std::max(share_of(geometry, place, owner), least_share);
+    const double to_beside = CellPlace::is_upper(beside, 0) ? 1.0 : -1.0;
+    const double to_above = CellPlace::is_upper(above, 1) ? 1.0 : -1.0;
+    LinearForm stretch, shear;
+    stretch.add(to_beside, difference(corner, beside, 0)).add(-to_above, difference(corner, above, 1));
+    shear.add(to_above, difference(corner, above, 0)).add(to_beside, difference(corner, beside, 1));
+    add_without_binder(geometry, owner, factor, stretch, terms);
+    add_without_binder(geometry, owner, factor, shear, terms);
+  }
+}
+
+}  // namespace breccia::gaps

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "discretisation/gaps/face.hpp"
+#include "discretisation/gaps/gap_cell.hpp"
+
+namespace breccia::gaps {
+
+/// All faces of the cells of a periodic box, and the numbers of their unknowns.
+class FaceTable {
+ public:
+  FaceTable(const DiscImages& discs, const Owners& owners);
+
+  /// A face in the box or on an image of it.
+  [[nodiscard]] const Face& at(const FacePlace& place) const noexcept { return numbered(place).face; }
+  /// The numbers of its flow and of its slopes; GapCell::none for those that it does not have.
+  [[nodiscard]] const std::array<std::int32_t, unknowns_of_face>& unknowns(const FacePlace& place) const noexcept {
+    return numbered(place).unknowns;
+  }
+  /// Number of the unknowns of all faces.
+  [[nodiscard]] std::int32_t unknowns() const noexcept { return unknowns_; }
+
+ private:
+  struct NumberedFace {
+    Face face;
+    std::array<std::int32_t, unknowns_of_face> unknowns;
+  };
+  [[nodiscard]] const NumberedFace& numbered(const FacePlace& place) const noexcept;
+
+  int cells_;
+  std::vector<NumberedFace> faces_;  ///< node by node, the face along the first axis and that along the second
+  std::int32_t unknowns_ = 0;
+};
+
+}  // namespace breccia::gaps

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "breccia/discretisation/discretisation.hpp"
+#include "breccia/discretisation/grid.hpp"
+#include "breccia/microstructure/microstructure.hpp"
+
+#include "discretisation/gaps/gap_cell.hpp"
+
+namespace breccia::gaps {
+
+/// The cells of a grid that have gaps, and the unknowns of their faces.
+class GapCells {
+ public:
+  GapCells(const Grid<2>& grid, std::vector<GapCell> cells, std::span<const std::size_t> places, std::int32_t unknowns);
+
+  /// The gap cell at a cell of the grid; null for other cells.
+  [[nodiscard]] const GapCell* at(const Index<2>& cell) const noexcept {
+    const auto number = numbers_[grid_.cell_index(cell)];
+    return number < 0 ? nullptr : &cells_[static_cast<std::size_t>(number)];
+  }
+  [[nodiscard]] std::span<const GapCell> cells() const noexcept { return cells_; }
+  /// Number of the unknowns of all faces.
+  [[nodiscard]] std::int32_t unknowns() const noexcept { return unknowns_; }
+
+ private:
+  Grid<2> grid_;
+  std::vector<GapCell> cells_;
+  std::vector<std::int32_t> numbers_;
+  std::int32_t unknowns_;
+};
+
+/// The gap cells of discs without coatings in a periodic box, on `cells` cells along each axis. `particles` holds the
+/// phase of each disc. Throws InputError for another box.
+[[nodiscard]] GapCells find_gap_cells(const Microstructure<2>& microstructure, int cells, PhaseIndex matrix,
+                                      std::span<const PhaseIndex> particles);
+
+}  // namespace breccia::gaps

@@ -1,0 +1,222 @@
+// Tests of the geometry of gaps under a cell and of the energies that follow from it (docs/gaps-under-a-cell.md).
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "breccia/error.hpp"
+
+#include "discretisation/gaps/cell_terms.hpp"
+#include "discretisation/gaps/gap_cells.hpp"
+#include "microstructure/vector_algebra.hpp"
+
+namespace breccia::gaps {
+namespace {
+
+constexpr int cells = 20;
+
+/// Equal discs on a square lattice in a periodic box of `cells` cells, turned by atan(step / steps).
+Microstructure<2> lattice(int steps, int step, double gap, const Vector<2>& origin) {
+  const int discs = steps * steps + step * step;
+  const Vector<2> one = {cells * static_cast<double>(steps) / discs, cells * static_cast<double>(step) / discs};
+  Microstructure<2> box = {static_cast<double>(cells), Walls::periodic, {}};
+  const double diameter = norm(one) / (1.0 + gap);
+  for (int i = -discs; i <= discs; ++i) {
+    for (int j = -discs; j <= discs; ++j) {
+      const Vector<2> centre = {origin[0] + i * one[0] - j * one[1], origin[1] + i * one[1] + j * one[0]};
+      const bool is_inside = std::min(centre[0], centre[1]) >= -1e-9 && std::max(centre[0], centre[1]) < cells - 1e-9;
+      if (is_inside) box.particles.push_back({centre, diameter});
+    }
+  }
+  return box;
+}
+
+struct Geometry {
+  explicit Geometry(const Microstructure<2>& box)
+      : discs(box, cells), owners(discs), faces(discs, owners), phases(box.particles.size(), 1) {}
+
+  [[nodiscard]] GapGeometry all() const { return {discs, owners, faces, 0, phases}; }
+
+  DiscImages discs;
+  Owners owners;
+  FaceTable faces;
+  std::vector<PhaseIndex> phases;
+};
+
+/// Calls action(cell) for all cells of the box.
+template <class Action>
+void for_each_cell(const Action& action) {
+  for_each_index(Index<2>{}, Index<2>{cells, cells}, action);
+}
+
+TEST(DiscImages, FindTheTwoThatAreNearestAcrossTheSidesOfTheBox) {
+  const Microstructure<2> box = {2.0, Walls::periodic, {{{0.1, 1.0}, 0.6}, {{1.0, 1.0}, 0.4}}};
+  const DiscImages discs(box, cells);  // ten cells a unit of length
+  const auto nearest = discs.nearest_two({19.0, 10.0});
+  EXPECT_EQ(discs.particle(nearest.first), 0U);
+  EXPECT_NEAR(nearest.to_first, -1.0, 1e-12);
+  EXPECT_EQ(discs.disc(nearest.first).centre, (Vector<2>{21.0, 10.0}));
+  const auto outside = discs.nearest_two({-3.0, 10.0});
+  EXPECT_EQ(discs.disc(outside.first).centre, (Vector<2>{1.0, 10.0}));
+  EXPECT_NEAR(outside.to_first, 1.0, 1e-12);
+}
+
+TEST(DiscImages, LeaveBinderOnALineBetweenThem) {
+  const Microstructure<2> box = {20.0, Walls::periodic, {{{9.0, 10.0}, 2.5}, {{11.5, 10.0}, 2.0}}};
+  const auto binder = DiscImages(box, cells).binder_on({{10.0, 10.0}, 0});
+  ASSERT_EQ(binder.size(), 1U);
+  EXPECT_NEAR(binder[0].begin, 0.25, 1e-12);
+  EXPECT_NEAR(binder[0].end, 0.5, 1e-12);
+}
+
+TEST(DiscImages, OfABoxWithWallsAreRefused) {
+  EXPECT_THROW(DiscImages({1.0, Walls::hard, {}}, cells), InputError);
+}
+
+TEST(Owners, OfNodesInANarrowGapAreTheNearerParticles) {
+  // The gap is one cell wide, from 9.6 to 10.6; nodes at 10 lie in it.
+  const Microstructure<2> box = {20.0, Walls::periodic, {{{4.6, 10.0}, 10.0}, {{15.6, 10.0}, 10.0}}};
+  const DiscImages discs(box, cells);
+  const Owners owners(discs);
+  EXPECT_EQ(owners.of({10, 10}), owners.of({9, 10}));
+  EXPECT_TRUE(owners.is_in_binder({10, 10}));
+  EXPECT_FALSE(owners.is_in_binder({9, 10}));
+  EXPECT_NE(owners.of({11, 10}), owners.of({10, 10}));
+  EXPECT_TRUE(owners.is_free({10, 16}));
+}
+
+class AnyLattice : public testing::TestWithParam<std::array<int, 2>> {
+ protected:
+  [[nodiscard]] Geometry at(double x, double y, double gap) const {
+    return Geometry(lattice(GetParam()[0], GetParam()[1], gap, {x, y}));
+  }
+};
+
+// A flux follows a particle up to its surface, so that it is exact for a linear displacement.
+TEST_P(AnyLattice, ALinearDisplacementWithoutDilatationChangesNoVolume) {
+  for (const double gap : {0.01, 0.05, 0.2}) {
+    const auto geometry = at(0.3, 0.1, gap);
+    const std::array<Vector<2>, 2> gradient = {{{0.3, 0.7}, {-0.2, -0.3}}};  // of u_x and of u_y
+    for_each_cell([&](const Index<2>& cell) {
+      const CellPlace place(geometry.all(), cell);
+      CellUnknowns unknowns = CellUnknowns::Zero();
+      for (int node = 0; node < 4; ++node) {
+        const Vector<2> x = {static_cast<double>(place.node(node)[0]), static_cast<double>(place.node(node)[1])};
+        for (std::size_t axis = 0; axis < 2; ++axis) unknowns[displacement_of(node, axis)] = dot(gradient[axis], x);
+      }
+      for (int face = 0; face < faces_of_cell; ++face) {
+        const auto normal = CellPlace::normal(face);
+        for (int end = 0; end < 2; ++end) unknowns[slope_at(face, end)] = gradient[normal][1 - normal];
+      }
+      ASSERT_NEAR(volume_change(place).dot(unknowns), 0.0, 1e-13) << cell[0] << ' ' << cell[1];
+    });
+  }
+}
+
+// The discs of one row slide past those of the next.
+TEST_P(AnyLattice, ParticlesThatSlideChangeNoVolume) {
+  const auto [steps, step] = GetParam();
+  const double length = std::hypot(steps, step);
+  const Vector<2> along = {steps / length, step / length};
+  const auto geometry = at(0.3, 0.1, 0.02);
+  int found = 0;
+  for_each_cell([&](const Index<2>& cell) {
+    const CellPlace place(geometry.all(), cell);
+    if (place.has_free_node() || !(place.has_one_owner() || place.is_in_chain())) return;
+    const auto first = geometry.discs.disc(place.owner(0));
+    CellUnknowns unknowns = CellUnknowns::Zero();
+    for (int node = 0; node < 4; ++node) {
+      const auto apart = geometry.discs.disc(place.owner(node)).centre - first.centre;
+      const bool is_of_another_row = std::abs(cross(along, apart)) > 0.5 * first.diameter;
+      for (std::size_t axis = 0; axis < 2; ++axis) {
+        unknowns[displacement_of(node, axis)] = is_of_another_row ? along[axis] : 0.0;
+      }
+    }
+    ASSERT_NEAR(volume_change(place).dot(unknowns), 0.0, 1e-12) << cell[0] << ' ' << cell[1];
+    ++found;
+  });
+  EXPECT_GT(found, 50);
+}
+
+// The slopes have the rotation of the particle.
+TEST_P(AnyLattice, ParticlesThatTurnTogetherHaveNoEnergy) {
+  const auto geometry = at(0.3, 0.1, 0.02);
+  for_each_cell([&](const Index<2>& cell) {
+    const CellPlace place(geometry.all(), cell);
+    CellUnknowns unknowns = CellUnknowns::Zero();
+    for (int node = 0; node < 4; ++node) {
+      unknowns[displacement_of(node, 0)] = -place.node(node)[1];
+      unknowns[displacement_of(node, 1)] = place.node(node)[0];
+    }
+    for (int face = 0; face < faces_of_cell; ++face) {
+      for (int end = 0; end < 2; ++end) unknowns[slope_at(face, end)] = CellPlace::normal(face) == 0 ? -1.0 : 1.0;
+    }
+    std::vector<SquareTerm> terms;
+    tie_slopes(geometry.all(), place, terms);
+    add_corner_of_particle(geometry.all(), place, terms);
+    for (const auto& term : terms) ASSERT_NEAR(term.form.of(unknowns), 0.0, 1e-12);
+    ASSERT_NEAR(volume_change(place).dot(unknowns), 0.0, 1e-12);
+  });
+}
+
+// Neighbouring cells see the same volume pass through their face.
+TEST_P(AnyLattice, WhatLeavesACellEntersItsNeighbour) {
+  const auto box = lattice(GetParam()[0], GetParam()[1], 0.02, {0.3, 0.1});
+  const auto cells_of_box = find_gap_cells(box, cells, 0, std::vector<PhaseIndex>(box.particles.size(), 1));
+  std::vector<double> total(static_cast<std::size_t>(cells_of_box.unknowns()), 0.0);
+  for (const auto& cell : cells_of_box.cells()) {
+    for (std::size_t k = 0; k < cell.face_unknowns.size(); ++k) {
+      const auto number = cell.face_unknowns[k];
+      if (number == GapCell::none) continue;
+      total[static_cast<std::size_t>(number)] += cell.volume[CellShape<2>::dofs + static_cast<Eigen::Index>(k)];
+    }
+  }
+  for (const double sum : total) EXPECT_NEAR(sum, 0.0, 1e-13);
+}
+
+INSTANTIATE_TEST_SUITE_P(Turned, AnyLattice, testing::Values(std::array{2, 0}, std::array{2, 1}, std::array{1, 1}),
+                         [](const auto& info) {
+                           return info.param[1] == 0 ? "Straight" : info.param[0] == 2 ? "By27Degrees" : "By45Degrees";
+                         });
+
+/// Two discs of this radius side by side with a gap between them, around the middle of the box.
+Microstructure<2> two_discs(double radius, double gap) {
+  const double to_centre = 0.5 * gap + radius;
+  return {static_cast<double>(cells),
+          Walls::periodic,
+          {{{10.0 - to_centre, 10.0}, 2.0 * radius}, {{10.0 + to_centre, 10.0}, 2.0 * radius}}};
+}
+
+// A uniform flow q has the energy (g / 2) q^2 times the integral of 12 (1 - 0.3 w) ds / h^3, with the part w along the
+// channel of the normals of both particles, squared.
+TEST(Channel, OfASmallGapHasTheResistanceOfLubrication) {
+  const double radius = 4.0, gap = 0.004;
+  const DiscImages discs(two_discs(radius, gap), cells);
+  const auto nearest = discs.nearest_two({10.0, 10.0});
+  const auto left = discs.disc(nearest.first).centre[0] < 10.0 ? nearest.first : nearest.second;
+  const auto right = left == nearest.first ? nearest.second : nearest.first;
+  const auto channel = make_channel(discs, left, right, {10.0, 9.5}, {10.0, 10.5});
+  double resistance = 0.0, slenderness = 0.0, area = 0.0;  // by the midpoint rule
+  constexpr int steps = 20000;
+  for (int i = 0; i < steps; ++i) {
+    const double s = -0.5 + (i + 0.5) / steps, ds = 1.0 / steps, to_centre = std::hypot(0.5 * gap + radius, s);
+    const double h = 2.0 * (to_centre - radius), wedge = s * s / (to_centre * to_centre);
+    resistance += 12.0 * (1.0 - 0.3 * wedge) / (h * h * h) * ds;
+    slenderness += ds / h;
+    area += h * ds;
+  }
+  const Eigen::Vector3d uniform(1.0, 1.0, 0.0);
+  EXPECT_NEAR(uniform.dot(channel.resistance * uniform) / resistance, 1.0, 0.02);
+  EXPECT_NEAR(channel.slenderness / slenderness, 1.0, 1e-3);
+  EXPECT_NEAR(channel.area / area, 1.0, 1e-6);
+}
+
+TEST(GapCells, OfParticlesWithoutPhasesAreRefused) {
+  EXPECT_THROW((void)find_gap_cells(two_discs(4.0, 0.1), cells, 0, std::array<PhaseIndex, 1>{1}), InputError);
+}
+
+}  // namespace
+}  // namespace breccia::gaps
