@@ -75,9 +75,9 @@ class CondensedSphere {
   static constexpr auto load = Load::shear_zx;
 
  private:
-  void add(Displacement vector, VectorOrigin origin) {
+  void add(Displacement vector, const VectorOrigin& origin) {
     condensed_.add(vector.copy(), origin);
-    whole_.add(std::move(vector), std::move(origin));
+    whole_.add(std::move(vector), origin);
   }
 
   CellComposite<3> composite_;

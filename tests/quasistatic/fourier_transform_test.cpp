@@ -1,5 +1,6 @@
 #include "quasistatic/solvers/lattice/fourier_transform.hpp"
 
+#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -44,8 +45,8 @@ struct Transforms {
 };
 
 /// The transforms that the solvers use, and those that need no FFTW.
-constexpr Transforms all_transforms[] = {{wave_transform, real_transform},
-                                         {wave_transform_of_eigen, real_transform_of_eigen}};
+constexpr std::array<Transforms, 2> all_transforms = {
+    {{wave_transform, real_transform}, {wave_transform_of_eigen, real_transform_of_eigen}}};
 
 class FourierTransforms : public testing::TestWithParam<int> {
  protected:
@@ -79,7 +80,8 @@ TEST_P(FourierTransforms, OfRealRowsMeetTheirSumsAndGoBack) {
   const auto length = static_cast<std::size_t>(GetParam());
   for (const auto& [of_waves, of_reals] : all_transforms) {
     std::vector<double> values;
-    for (const auto& value : some_values(static_cast<std::size_t>(rows * width))) values.push_back(value.real());
+    for (const auto& value : some_values(static_cast<std::size_t>(rows) * static_cast<std::size_t>(width)))
+      values.push_back(value.real());
     const auto before = values;
     const auto transform = of_reals({GetParam(), rows, width});
     transform->apply(values.data());

@@ -56,6 +56,7 @@ Microstructure<3> random_spheres(Random& random) {
 std::vector<Material> random_materials(Random& random) {
   const double unrelaxed = over_decades(1e5, 1e8, random), contrast = over_decades(0.1, 1e3, random);
   std::vector<MaxwellTerm> terms;
+  terms.reserve(3);
   for (int i = 0; i < 3; ++i) {
     terms.push_back(
         {over_decades(spectrum_times.begin, spectrum_times.end, random), unrelaxed * over_decades(0.01, 1.0, random)});

@@ -14,6 +14,7 @@ TEST(PlaneDivision, GivesEveryPlaneToOneProcess) {
       const auto division = PlaneDivision::among(processes, planes);
       ASSERT_TRUE(division);
       std::vector<int> given;
+      given.reserve(static_cast<std::size_t>(processes));
       for (int process = 0; process < processes; ++process) given.push_back(division->planes(process));
       const auto [fewest, most] = std::ranges::minmax(given);
       EXPECT_GE(fewest, 1);

@@ -59,6 +59,7 @@ QuasistaticProblem<2> coated(int n, Boundary boundary, Mixing mixing) {
 
 std::vector<Material> of_varying(const QuasistaticProblem<2>& problem, const std::vector<VaryingPhase>& varying) {
   std::vector<Material> chosen;
+  chosen.reserve(varying.size());
   for (const auto& [index, name] : varying) chosen.push_back(problem.materials[index]);
   return chosen;
 }

@@ -49,8 +49,8 @@ Discretisation<3> layers(const Grid<3>& grid, std::size_t axis, double begin, do
 }
 
 TEST(Space, LaminatesAreExact) {
-  constexpr Load across_shears[3][2] = {
-      {Load::shear, Load::shear_zx}, {Load::shear, Load::shear_yz}, {Load::shear_yz, Load::shear_zx}};
+  constexpr std::array<std::array<Load, 2>, 3> across_shears = {
+      {{Load::shear, Load::shear_zx}, {Load::shear, Load::shear_yz}, {Load::shear_yz, Load::shear_zx}}};
   constexpr std::array along_shears = {Load::shear_yz, Load::shear_zx, Load::shear};
   const double mean = 0.5 * (1.0 + 30.0), harmonic = 1.0 / (0.5 * (1.0 / 1.0 + 1.0 / 30.0));
   // Equal strains of 1/3 in the layers; across them the stress is the same in both.

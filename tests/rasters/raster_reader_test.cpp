@@ -83,7 +83,7 @@ std::vector<ImageOfAnotherProgram> sound_images() {
 /// Arrays are named by a path or without it.
 std::string name_of_image(const testing::TestParamInfo<ImageOfAnotherProgram>& image) {
   const auto& [file, array] = image.param;
-  const auto name = test::as_test_name(file);
+  auto name = test::as_test_name(file);
   if (array.empty()) return name;
   return name + (array.starts_with('/') ? "_path_" : "_array_") + test::as_test_name(array);
 }

@@ -20,7 +20,7 @@ using Enumerations =
     testing::Types<Load, Boundary, Method, Volumetric, Solver, SampledRange, LinearMethod, Formulation, Start>;
 struct EnumerationNames {
   template <class Enum>
-  static std::string GetName(int number) {
+  static std::string GetName(int number) {  // NOLINT(readability-identifier-naming): as GoogleTest calls it
     constexpr std::array names = {"Load",         "Boundary",     "Method",      "Volumetric", "Solver",
                                   "SampledRange", "LinearMethod", "Formulation", "Start"};
     return names.at(static_cast<std::size_t>(number));

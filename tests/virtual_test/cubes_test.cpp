@@ -81,7 +81,8 @@ TEST(DynamicTestInSpace, FieldsOfAHomogeneousCubeAreUniform) {
           EXPECT_NEAR(fields.stress[cell][component], 0.0, rings * stiffness_of_waves);
         }
       }
-      const double x = (static_cast<double>(cell % 6) - 2.5) / 6e3, z = (static_cast<double>(cell / 36) - 2.5) / 6e3;
+      const std::size_t column = cell % 6, plane = cell / 36;
+      const double x = (static_cast<double>(column) - 2.5) / 6e3, z = (static_cast<double>(plane) - 2.5) / 6e3;
       EXPECT_NEAR(fields.displacement[cell][0], 0.5 * z, rings * 1e-3);
       EXPECT_NEAR(fields.displacement[cell][1], 0.0, rings * 1e-3);
       EXPECT_NEAR(fields.displacement[cell][2], 0.5 * x, rings * 1e-3);
