@@ -3,8 +3,10 @@
 namespace breccia::gaps {
 
 FaceTable::FaceTable(const DiscImages& discs, const Owners& owners) : cells_(discs.cells()) {
-  const auto number = [this](bool exists) { return exists ? unknowns_++ : GapCell::none; };
+  std::int32_t next = 0;
+  const auto number = [&](bool exists) { return exists ? next++ : GapCell::none; };
   for_each_index(Index<2>{}, Index<2>{cells_, cells_}, [&](const Index<2>& node) {
+    first_unknowns_.push_back(next);
     for (std::size_t along = 0; along < 2; ++along) {
       auto face = make_face(discs, owners, {node, along});
       const auto flow = number(face.has_flow());
@@ -12,6 +14,7 @@ FaceTable::FaceTable(const DiscImages& discs, const Owners& owners) : cells_(dis
       faces_.push_back({face, {flow, first_slope, number(face.has_slope[1])}});
     }
   });
+  first_unknowns_.push_back(next);
 }
 
 const FaceTable::NumberedFace& FaceTable::numbered(const FacePlace& place) const noexcept {

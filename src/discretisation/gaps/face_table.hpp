@@ -21,8 +21,8 @@ class FaceTable {
   [[nodiscard]] const std::array<std::int32_t, unknowns_of_face>& unknowns(const FacePlace& place) const noexcept {
     return numbered(place).unknowns;
   }
-  /// Number of the unknowns of all faces.
-  [[nodiscard]] std::int32_t unknowns() const noexcept { return unknowns_; }
+  /// By node, where the numbers of the unknowns of its two faces begin, and last the number of all unknowns.
+  [[nodiscard]] const std::vector<std::int32_t>& first_unknowns() const noexcept { return first_unknowns_; }
 
  private:
   struct NumberedFace {
@@ -33,7 +33,7 @@ class FaceTable {
 
   int cells_;
   std::vector<NumberedFace> faces_;  ///< node by node, the face along the first axis and that along the second
-  std::int32_t unknowns_ = 0;
+  std::vector<std::int32_t> first_unknowns_;
 };
 
 }  // namespace breccia::gaps

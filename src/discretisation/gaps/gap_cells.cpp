@@ -56,8 +56,11 @@ std::optional<GapCell> make_gap_cell(const GapGeometry& geometry, const Index<2>
 }  // namespace
 
 GapCells::GapCells(const Grid<2>& grid, std::vector<GapCell> cells, std::span<const std::size_t> places,
-                   std::int32_t unknowns)
-    : grid_(grid), cells_(std::move(cells)), numbers_(grid.cell_count(), GapCell::none), unknowns_(unknowns) {
+                   std::vector<std::int32_t> first_unknowns)
+    : grid_(grid),
+      cells_(std::move(cells)),
+      numbers_(grid.cell_count(), GapCell::none),
+      first_unknowns_(std::move(first_unknowns)) {
   for (std::size_t number = 0; number < places.size(); ++number) {
     numbers_[places[number]] = static_cast<std::int32_t>(number);
   }
@@ -82,7 +85,7 @@ GapCells find_gap_cells(const Microstructure<2>& microstructure, int cells, Phas
     gap_cells.push_back(std::move(*gap_cell));
     places.push_back(grid.cell_index(cell));
   });
-  return {grid, std::move(gap_cells), places, faces.unknowns()};
+  return {grid, std::move(gap_cells), places, faces.first_unknowns()};
 }
 
 }  // namespace breccia::gaps

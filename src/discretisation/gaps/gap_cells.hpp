@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -16,7 +17,10 @@ namespace breccia::gaps {
 /// The cells of a grid that have gaps, and the unknowns of their faces.
 class GapCells {
  public:
-  GapCells(const Grid<2>& grid, std::vector<GapCell> cells, std::span<const std::size_t> places, std::int32_t unknowns);
+  /// `places` are the places of the cells in the grid; `first_unknowns`, by node, say where the unknowns of the two
+  /// faces begin whose first node it is, and last how many there are.
+  GapCells(const Grid<2>& grid, std::vector<GapCell> cells, std::span<const std::size_t> places,
+           std::vector<std::int32_t> first_unknowns);
 
   /// The gap cell at a cell of the grid; null for other cells.
   [[nodiscard]] const GapCell* at(const Index<2>& cell) const noexcept {
@@ -25,13 +29,18 @@ class GapCells {
   }
   [[nodiscard]] std::span<const GapCell> cells() const noexcept { return cells_; }
   /// Number of the unknowns of all faces.
-  [[nodiscard]] std::int32_t unknowns() const noexcept { return unknowns_; }
+  [[nodiscard]] std::int32_t unknowns() const noexcept { return first_unknowns_.back(); }
+  /// The range of the numbers of the unknowns of the two faces that begin at a node.
+  [[nodiscard]] std::array<std::int32_t, 2> unknowns_at(const Index<2>& node) const noexcept {
+    const auto place = grid_.cell_index(node);
+    return {first_unknowns_[place], first_unknowns_[place + 1]};
+  }
 
  private:
   Grid<2> grid_;
   std::vector<GapCell> cells_;
   std::vector<std::int32_t> numbers_;
-  std::int32_t unknowns_;
+  std::vector<std::int32_t> first_unknowns_;
 };
 
 /// The gap cells of discs without coatings in a periodic box, on `cells` cells along each axis. `particles` holds the

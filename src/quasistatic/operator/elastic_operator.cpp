@@ -1,7 +1,6 @@
 #include "quasistatic/operator/elastic_operator.hpp"
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -10,6 +9,7 @@
 
 #include "discretisation/contrast.hpp"
 #include "parallel/threads.hpp"
+#include "quasistatic/operator/gap_matrix.hpp"
 #include "quasistatic/operator/sum_over_cells.hpp"
 #include "quasistatic/operator/vector_values.hpp"
 
@@ -21,43 +21,6 @@ bool may_have_gaps(std::span<const Material> materials) {
   return materials.empty() || are_stiffer_than_matrix(materials);
 }
 
-/// Assembles the stiffness of cells, some of which have gaps, on one process.
-void assemble_with_gaps(const ElasticOperator<2>& elastic_operator, std::span<const Moduli> moduli,
-                        const std::vector<CellShape<2>::Stiffness>& by_kind, double stiffest, Mat matrix) {
-  constexpr const char* what = "assembling the stiffness matrix";
-  const auto& nodes = elastic_operator.nodes();
-  const auto& kinds = elastic_operator.kinds();
-  const auto first_of_faces = static_cast<PetscInt>(nodes.unknowns());
-  nodes.for_cells([&](const Index<2>& cell) {
-    std::array<PetscInt, gaps::unknowns_of_cell> rows{};
-    rows.fill(-1);  // of an unknown that the cell does not have
-    const auto of_nodes = nodes.nodal_indices_of(cell);
-    for (int i = 0; i < CellShape<2>::dofs; ++i) {
-      rows[static_cast<std::size_t>(i)] = static_cast<PetscInt>(of_nodes[static_cast<std::size_t>(i / 2)]) + i % 2;
-    }
-    GapOperator::Stiffness stiffness = GapOperator::Stiffness::Zero();
-    const auto kind = kinds.of(cell);
-    if (const auto* gap = elastic_operator.gap_cell(cell)) {
-      for (std::size_t k = 0; k < gap->face_unknowns.size(); ++k) {
-        const auto number = gap->face_unknowns[k];
-        if (number != gaps::GapCell::none) rows[CellShape<2>::dofs + k] = first_of_faces + number;
-      }
-      const auto of_cell = kinds.mixed()[kind]->moduli(moduli);
-      stiffness = GapOperator(*gap, elastic_operator.modes()).stiffness(of_cell, moduli);
-    } else {
-      stiffness.topLeftCorner<CellShape<2>::dofs, CellShape<2>::dofs>() = by_kind[kind];
-    }
-    GapOperator::Unknowns free = GapOperator::Unknowns::Ones();
-    free.head<CellShape<2>::dofs>() = nodes.held_mask(cell);
-    stiffness = free.asDiagonal() * stiffness * free.asDiagonal();
-    stiffness.diagonal() += stiffest * (GapOperator::Unknowns::Ones() - free);
-    const auto count = static_cast<PetscInt>(rows.size());
-    check(MatSetValues(matrix, count, rows.data(), count, rows.data(), stiffness.data(), ADD_VALUES), what);
-  });
-  check(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY), what);
-  check(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY), what);
-}
-
 }  // namespace
 
 template <int dim>
@@ -65,10 +28,16 @@ ElasticOperator<dim>::ElasticOperator(const Discretisation<dim>& discretisation,
                                       Boundary boundary, int threads, const Crystals<dim>& crystals,
                                       std::span<const Material> materials)
     : gaps_(may_have_gaps(materials) ? discretisation.gaps() : nullptr),
-      nodes_({discretisation.grid().cells, 1.0}, boundary, gaps_.unknowns()),
+      nodes_({discretisation.grid().cells, 1.0}, boundary),
       kinds_(discretisation, volumetric, nodes_.cells(), crystals, materials, gaps_),
       threads_(parallel::threads_for(threads)) {
   find_first_strains();
+  if constexpr (dim == 2) {
+    if (!has_gaps()) return;
+    faces_ = FaceLayout(*discretisation.gaps(), nodes_.own_nodes(), nodes_.cells());
+    const auto own = faces_.numbers().first(faces_.own());
+    nodes_.append({own.begin(), own.end()});
+  }
 }
 
 template <int dim>
@@ -105,12 +74,12 @@ NodalVector ElasticOperator<dim>::zero_strains_of_phases() const {
 }
 
 template <int dim>
-typename CellShape<dim>::ModeValues ElasticOperator<dim>::modes_of(const Index<dim>& cell, const CellValues& u,
-                                                                   [[maybe_unused]] const double* nodal) const {
+typename CellShape<dim>::ModeValues ElasticOperator<dim>::modes_of(
+    const Index<dim>& cell, const CellValues& u, [[maybe_unused]] std::span<const double> of_faces) const {
   if constexpr (dim == 2) {
     if (const auto* gap = gap_cell(cell)) {
       const GapOperator gap_operator(*gap, modes_);
-      return gap_operator.strain(gap_operator.unknowns(u, nodal + nodes_.unknowns()));
+      return gap_operator.strain(gap_operator.unknowns(u, faces_, of_faces));
     }
   }
   return modes_ * u;
@@ -125,18 +94,11 @@ typename CellShape<dim>::Values ElasticOperator<dim>::forces_of(const Index<dim>
       const GapOperator gap_operator(*gap, modes_);
       GapOperator::Unknowns forces = GapOperator::Unknowns::Zero();
       gap_operator.add_forces_of(stress, forces);
-      gap_operator.add_to_faces(forces, on_faces.data());
+      gap_operator.add_to_faces(forces, faces_, on_faces);
       return forces.template head<Shape::dofs>();
     }
   }
   return modes_.transpose() * stress;
-}
-
-template <int dim>
-void ElasticOperator<dim>::add_to_faces(std::span<const double> on_faces, Vec nodal) const {
-  const WriteValues values(nodal);
-  auto* const of_faces = values.data() + nodes_.unknowns();
-  for (std::size_t k = 0; k < on_faces.size(); ++k) of_faces[k] += on_faces[k];
 }
 
 template <int dim>
@@ -145,9 +107,9 @@ Displacement ElasticOperator<dim>::uniform_strain(Load load) const {
   const auto strain = unit_strain<dim>(load);
   const auto affine = Shape::affine_motion(strain);
   const WriteValues phase_strains(displacement.phase_strains());
-  const ReadValues nodal(displacement.fluctuation());
+  const std::vector<double> at_rest(faces_.seen(), 0.0);
   for_mixed_cells([&](const Index<dim>& cell, const MixedCell<dim>& mixed, std::size_t index) {
-    phase_strains.range(index, mixed.unknowns()) = mixed.uniform(modes_of(cell, affine, nodal.data()));
+    phase_strains.range(index, mixed.unknowns()) = mixed.uniform(modes_of(cell, affine, at_rest));
   });
   if (boundary() != Boundary::traction) {
     displacement.set_macroscopic(1.0);
@@ -190,7 +152,7 @@ void ElasticOperator<dim>::condense(std::span<const Moduli> moduli, Forces& forc
   }
   const ReadValues on_strains(forces.phase_strains());
   std::size_t index = 0;
-  std::vector<double> on_faces(static_cast<std::size_t>(nodes_.further_values()), 0.0);
+  std::vector<double> on_faces(faces_.seen(), 0.0);
   const auto relief = sum_over_cells(nodes_, [&](const Index<dim>& cell) {
     const auto* mixed = kinds_.mixed_cell(cell);
     if (mixed == nullptr) return std::pair<CellValues, double>(CellValues::Zero(), 0.0);
@@ -198,7 +160,7 @@ void ElasticOperator<dim>::condense(std::span<const Moduli> moduli, Forces& forc
     index += static_cast<std::size_t>(mixed->unknowns());
     return std::pair<CellValues, double>(forces_of(cell, stress, on_faces), 0.0);
   });
-  add_to_faces(on_faces, relief.on_nodes.get());
+  faces_.add(std::move(on_faces), relief.on_nodes.get());
   check(VecAXPY(forces.fluctuation(), 1.0, relief.on_nodes.get()), "adding nodal forces");
 }
 
@@ -206,10 +168,11 @@ template <int dim>
 void ElasticOperator<dim>::recover_phase_strains(std::span<const Moduli> moduli, const Forces& forces,
                                                  Displacement& displacement) const {
   const auto local = nodes_.local_copy(displacement.fluctuation());
-  const ReadValues values(local.get()), nodal(displacement.fluctuation()), on_strains(forces.phase_strains());
+  const auto of_faces = faces_.values(displacement.fluctuation());
+  const ReadValues values(local.get()), on_strains(forces.phase_strains());
   const WriteValues strains(displacement.phase_strains());
   for_mixed_cells([&](const Index<dim>& cell, const MixedCell<dim>& mixed, std::size_t index) {
-    const auto strain = modes_of(cell, nodes_.cell_values(cell, values.data()), nodal.data());
+    const auto strain = modes_of(cell, nodes_.cell_values(cell, values.data()), of_faces);
     strains.range(index, mixed.unknowns()) =
         mixed.strains_under(moduli, strain, on_strains.range(index, mixed.unknowns()));
   });
@@ -236,17 +199,10 @@ std::vector<PetscInt> ElasticOperator<dim>::natural_indices_of_strains() const {
 
 template <int dim>
 Matrix ElasticOperator<dim>::make_matrix() const {
-  if (!has_gaps()) return nodes_.make_matrix();
-  // A node shares its cells with 8 nodes and 12 faces, a face with 6 nodes and 7 faces.
-  constexpr PetscInt of_node = 9 * dim + 12 * gaps::unknowns_of_face, of_face = 6 * dim + 7 * gaps::unknowns_of_face;
-  constexpr const char* what = "making the stiffness matrix";
-  std::vector<PetscInt> in_row(static_cast<std::size_t>(unknowns()), of_face);
-  std::fill_n(in_row.begin(), nodes_.unknowns(), of_node);
-  const auto rows = static_cast<PetscInt>(unknowns());
-  Matrix matrix;
-  check(MatCreateSeqAIJ(PETSC_COMM_SELF, rows, rows, 0, in_row.data(), matrix.put()), what);
-  check(MatSetOption(matrix.get(), MAT_SPD, PETSC_TRUE), what);
-  return matrix;
+  if constexpr (dim == 2) {
+    if (has_gaps()) return make_gap_matrix(*this);
+  }
+  return nodes_.make_matrix();
 }
 
 template <int dim>
@@ -254,12 +210,11 @@ void ElasticOperator<dim>::assemble(std::span<const Moduli> moduli, Mat matrix) 
   constexpr const char* what = "assembling the stiffness matrix";
   double stiffest = 0.0;
   for (const auto& [bulk, shear] : moduli) stiffest = std::max(stiffest, bulk + shear);
-  const auto by_kind = kinds_.stiffnesses(moduli);
   check(MatZeroEntries(matrix), what);
-  if (has_gaps()) {
-    if constexpr (dim == 2) assemble_with_gaps(*this, moduli, by_kind, stiffest, matrix);
-    return;
+  if constexpr (dim == 2) {
+    if (has_gaps()) return assemble_gap_matrix(*this, moduli, stiffest, matrix);
   }
+  const auto by_kind = kinds_.stiffnesses(moduli);
   nodes_.for_cells([&](const Index<dim>& cell) {
     const CellValues free = nodes_.held_mask(cell);
     typename Shape::Stiffness stiffness = free.asDiagonal() * by_kind[kinds_.of(cell)] * free.asDiagonal();

@@ -12,6 +12,7 @@
 #include "discretisation/cell_shape.hpp"
 #include "quasistatic/operator/cell_kinds.hpp"
 #include "quasistatic/operator/displacement.hpp"
+#include "quasistatic/operator/face_layout.hpp"
 #include "quasistatic/operator/mixed_cell.hpp"
 #include "quasistatic/operator/natural_order.hpp"
 #include "quasistatic/operator/node_layout.hpp"
@@ -46,8 +47,8 @@ class ElasticOperator {
   /// Area or volume of the box, in units of the cell side.
   [[nodiscard]] double volume() const noexcept { return grid().volume(); }
   /// Number of nodal components, the held ones included, and of the unknowns of faces of cells with gaps.
-  [[nodiscard]] std::int64_t unknowns() const noexcept { return nodes_.unknowns() + nodes_.further_values(); }
-  [[nodiscard]] bool has_gaps() const noexcept { return nodes_.further_values() > 0; }
+  [[nodiscard]] std::int64_t unknowns() const noexcept { return nodes_.unknowns() + gaps_.unknowns(); }
+  [[nodiscard]] bool has_gaps() const noexcept { return gaps_.unknowns() > 0; }
 
   /// A zero displacement, or zero forces.
   [[nodiscard]] Displacement zero() const { return {0.0, nodes_.zeros(), zero_strains_of_phases()}; }
@@ -75,14 +76,14 @@ class ElasticOperator {
   void for_mixed_cells_of_planes(int first_plane, int end_plane, Action&& action) const;
   [[nodiscard]] const CellKinds<dim>& kinds() const noexcept { return kinds_; }
   [[nodiscard]] const NodeLayout<dim>& nodes() const noexcept { return nodes_; }
-  /// The strain modes of a mixed cell, from the displacements of its nodes and the values of a nodal vector.
+  /// The strain modes of a mixed cell, from the displacements of its nodes and the values of faces (FaceLayout).
   [[nodiscard]] typename Shape::ModeValues modes_of(const Index<dim>& cell, const CellValues& u,
-                                                    const double* nodal) const;
-  /// Adds forces to those on the unknowns of faces in a nodal vector.
-  void add_to_faces(std::span<const double> on_faces, Vec nodal) const;
+                                                    std::span<const double> of_faces) const;
   /// The modes of a cell.
   [[nodiscard]] const typename Shape::ModeMatrix& modes() const noexcept { return modes_; }
 
+  /// The unknowns of faces of cells with gaps.
+  [[nodiscard]] const FaceLayout& faces() const noexcept { return faces_; }
   /// The cell with gaps at a cell; null for other cells.
   [[nodiscard]] const gaps::GapCell* gap_cell(const Index<dim>& cell) const noexcept { return gaps_.at(cell); }
 
@@ -107,6 +108,7 @@ class ElasticOperator {
   GapsOfGrid<dim> gaps_;
   NodeLayout<dim> nodes_;
   CellKinds<dim> kinds_;
+  FaceLayout faces_;
   int threads_;
   /// Index of the first strain of the mixed cells, by plane of cells of this process.
   std::vector<std::size_t> first_strain_;

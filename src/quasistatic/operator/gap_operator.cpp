@@ -4,12 +4,14 @@
 
 namespace breccia::quasistatic {
 
-GapOperator::Unknowns GapOperator::unknowns(const Shape::Values& of_nodes, const double* of_faces) const noexcept {
+GapOperator::Unknowns GapOperator::unknowns(const Shape::Values& of_nodes, const FaceLayout& faces,
+                                            std::span<const double> of_faces) const noexcept {
   Unknowns unknowns = Unknowns::Zero();
   unknowns.head<Shape::dofs>() = of_nodes;
   for (std::size_t k = 0; k < cell_->face_unknowns.size(); ++k) {
     const auto number = cell_->face_unknowns[k];
-    if (number != gaps::GapCell::none) unknowns[Shape::dofs + static_cast<Eigen::Index>(k)] = of_faces[number];
+    if (number != gaps::GapCell::none)
+      unknowns[Shape::dofs + static_cast<Eigen::Index>(k)] = of_faces[faces.index_of(number)];
   }
   return unknowns;
 }
@@ -32,10 +34,12 @@ void GapOperator::add_forces_of_terms(std::span<const Moduli> moduli, const Unkn
   }
 }
 
-void GapOperator::add_to_faces(const Unknowns& forces, double* on_faces) const noexcept {
+void GapOperator::add_to_faces(const Unknowns& forces, const FaceLayout& faces,
+                               std::span<double> on_faces) const noexcept {
   for (std::size_t k = 0; k < cell_->face_unknowns.size(); ++k) {
     const auto number = cell_->face_unknowns[k];
-    if (number != gaps::GapCell::none) on_faces[number] += forces[Shape::dofs + static_cast<Eigen::Index>(k)];
+    if (number != gaps::GapCell::none)
+      on_faces[faces.index_of(number)] += forces[Shape::dofs + static_cast<Eigen::Index>(k)];
   }
 }
 

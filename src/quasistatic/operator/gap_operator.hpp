@@ -9,6 +9,7 @@
 
 #include "discretisation/cell_shape.hpp"
 #include "discretisation/gaps/gap_cells.hpp"
+#include "quasistatic/operator/face_layout.hpp"
 
 namespace breccia::quasistatic {
 
@@ -41,15 +42,16 @@ class GapOperator {
 
   GapOperator(const gaps::GapCell& cell, const Shape::ModeMatrix& modes) : cell_(&cell), modes_(&modes) {}
 
-  /// The unknowns from the displacements of the nodes and the values of the unknowns of all faces.
-  [[nodiscard]] Unknowns unknowns(const Shape::Values& of_nodes, const double* of_faces) const noexcept;
+  /// The unknowns from the displacements of the nodes and the values of faces (FaceLayout).
+  [[nodiscard]] Unknowns unknowns(const Shape::Values& of_nodes, const FaceLayout& faces,
+                                  std::span<const double> of_faces) const noexcept;
   [[nodiscard]] Modes strain(const Unknowns& unknowns) const noexcept;
   /// Adds the forces on the unknowns of stresses conjugate to the modes.
   void add_forces_of(const Modes& stress, Unknowns& forces) const noexcept;
   /// Adds the forces of the flow and of the ties of the slopes, for the moduli [Pa] of the phases.
   void add_forces_of_terms(std::span<const Moduli> moduli, const Unknowns& unknowns, Unknowns& forces) const noexcept;
-  /// Adds forces to those on the unknowns of all faces.
-  void add_to_faces(const Unknowns& forces, double* on_faces) const noexcept;
+  /// Adds forces to those on faces (FaceLayout).
+  void add_to_faces(const Unknowns& forces, const FaceLayout& faces, std::span<double> on_faces) const noexcept;
   /// The stiffness for the moduli [Pa] of the cell and of the phases.
   [[nodiscard]] Stiffness stiffness(const Moduli& of_cell, std::span<const Moduli> moduli) const;
 

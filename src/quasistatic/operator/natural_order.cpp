@@ -78,7 +78,7 @@ parallel::OrderedPlaces natural_indices_of_nodes(Vec nodal) {
   if (parallel::ranks() == 1) return all_indices(nodal);
   DM grid = nullptr;
   check(VecGetDM(nodal, &grid), ordering);
-  if (grid == nullptr) throw std::logic_error("a nodal vector without its grid");
+  if (grid == nullptr) return natural_indices(nodal);
   auto indices = all_indices(nodal);
   indices.place_of = [box = box_of(grid)](std::size_t value) { return box.index_of(value); };
   return indices;
@@ -97,6 +97,7 @@ parallel::OrderedPlaces natural_indices(Vec vector) {
   ISLocalToGlobalMapping mapping = nullptr;
   check(VecGetLocalToGlobalMapping(vector, &mapping), ordering);
   auto indices = all_indices(vector);
+  if (mapping == nullptr && parallel::ranks() > 1) throw std::logic_error("a distributed vector without its order");
   if (mapping == nullptr) return indices;
   indices.place_of = [known = std::make_shared<const NaturalIndices>(mapping)](std::size_t value) {
     return (*known)[value];

@@ -4,9 +4,8 @@
 
 #include <petscdmda.h>
 
-#include "breccia/error.hpp"
-
 #include "quasistatic/operator/block_division.hpp"
+#include "quasistatic/operator/natural_order.hpp"
 #include "quasistatic/operator/plane_division.hpp"
 #include "quasistatic/operator/vector_values.hpp"
 
@@ -53,16 +52,41 @@ void give_whole_planes(DM nodes, const Index<3>& nodes_along) {
   check(DMDASetOwnershipRanges(nodes, &across, &up, planes.data()), what);
 }
 
+/// The values of the nodes in a nodal vector, as a vector of the grid of nodes.
+class OfNodes {
+ public:
+  OfNodes(DM nodes, Vec nodal, bool has_further_values) : nodes_(nodes), nodal_(nodal) {
+    if (!has_further_values) return;
+    check(VecGetArray(nodal_, &values_), what);
+    check(DMGetGlobalVector(nodes_, &view_), what);
+    check(VecPlaceArray(view_, values_), what);
+  }
+  OfNodes(const OfNodes&) = delete;
+  OfNodes& operator=(const OfNodes&) = delete;
+  OfNodes(OfNodes&&) = delete;
+  OfNodes& operator=(OfNodes&&) = delete;
+  ~OfNodes() {
+    if (view_ == nullptr) return;
+    VecResetArray(view_);
+    DMRestoreGlobalVector(nodes_, &view_);
+    VecRestoreArray(nodal_, &values_);
+  }
+
+  [[nodiscard]] Vec get() const noexcept { return view_ != nullptr ? view_ : nodal_; }
+
+ private:
+  static constexpr const char* what = "reading the values of nodes";
+  DM nodes_;
+  Vec nodal_, view_ = nullptr;
+  double* values_ = nullptr;
+};
+
 }  // namespace
 
 template <int dim>
-NodeLayout<dim>::NodeLayout(const Grid<dim>& grid, Boundary boundary, std::int32_t further_values)
-    : grid_(grid), boundary_(boundary), further_values_(further_values) {
+NodeLayout<dim>::NodeLayout(const Grid<dim>& grid, Boundary boundary) : grid_(grid), boundary_(boundary) {
   parallel::start();
-  if (further_values > 0 && parallel::ranks() > 1) {
-    throw InputError("quasi-static solver: gaps under a cell need a single process");
-  }
-  if ((dim == 3 || further_values > 0) && parallel::ranks() == 1) {
+  if (dim == 3 && parallel::ranks() == 1) {
     find_ranges_of_whole_box();
   } else {
     nodes_ = distributed();
@@ -189,16 +213,34 @@ typename NodeLayout<dim>::CellValues NodeLayout<dim>::held_mask(const Index<dim>
 template <int dim>
 NodalVector NodeLayout<dim>::zeros() const {
   constexpr const char* what = "making a nodal vector";
+  if (further_values_) return zeros_with_further_values();
   NodalVector nodal;
   if (nodes_.get() != nullptr) {
     check(DMCreateGlobalVector(nodes_.get(), nodal.put()), what);
   } else {
-    const auto values = static_cast<PetscInt>(unknowns() + further_values_);
+    const auto values = static_cast<PetscInt>(unknowns());
     check(VecCreate(PETSC_COMM_WORLD, nodal.put()), what);
     check(VecSetSizes(nodal.get(), values, values), what);
-    if (further_values_ == 0) check(VecSetBlockSize(nodal.get(), dim), what);
+    check(VecSetBlockSize(nodal.get(), dim), what);
     check(VecSetType(nodal.get(), VECSTANDARD), what);
   }
+  check(VecSet(nodal.get(), 0.0), what);
+  return nodal;
+}
+
+template <int dim>
+NodalVector NodeLayout<dim>::zeros_with_further_values() const {
+  constexpr const char* what = "making a nodal vector";
+  std::vector<PetscInt> natural;
+  Grid<dim> grid = {.cells = nodes_along()};
+  for_each_index(owned_.begin, owned_.end, [&](const Index<dim>& node) {
+    const auto first = dim * static_cast<PetscInt>(grid.cell_index(node));
+    for (int component = 0; component < dim; ++component) natural.push_back(first + component);
+  });
+  for (const auto number : *further_values_) natural.push_back(static_cast<PetscInt>(unknowns()) + number);
+  NodalVector nodal;
+  check(VecCreateMPI(PETSC_COMM_WORLD, static_cast<PetscInt>(natural.size()), PETSC_DETERMINE, nodal.put()), what);
+  if (parallel::ranks() > 1) set_natural_indices(natural, nodal.get());
   check(VecSet(nodal.get(), 0.0), what);
   return nodal;
 }
@@ -222,7 +264,8 @@ template <int dim>
 NodalVector NodeLayout<dim>::local_copy(Vec nodal) const {
   auto local = local_zeros();
   if (nodes_.get() != nullptr) {
-    check(DMGlobalToLocal(nodes_.get(), nodal, INSERT_VALUES, local.get()), "exchanging nodal values");
+    const OfNodes of_nodes(nodes_.get(), nodal, further_values_.has_value());
+    check(DMGlobalToLocal(nodes_.get(), of_nodes.get(), INSERT_VALUES, local.get()), "exchanging nodal values");
     return local;
   }
   const ReadValues values(nodal);
@@ -305,7 +348,8 @@ void NodeLayout<dim>::add_to_cell(const Index<dim>& cell, const CellValues& valu
 template <int dim>
 void NodeLayout<dim>::sum_up(Vec local, Vec nodal) const {
   if (nodes_.get() != nullptr) {
-    check(DMLocalToGlobal(nodes_.get(), local, ADD_VALUES, nodal), "adding nodal forces");
+    const OfNodes of_nodes(nodes_.get(), nodal, further_values_.has_value());
+    check(DMLocalToGlobal(nodes_.get(), local, ADD_VALUES, of_nodes.get()), "adding nodal forces");
   } else {
     const ReadValues added(local);
     const WriteValues values(nodal);

@@ -3,6 +3,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "breccia/discretisation/boundary.hpp"
@@ -21,15 +23,15 @@ class NodeLayout {
   using Shape = CellShape<dim>;
   using CellValues = typename Shape::Values;
 
-  /// Nodal vectors have this number of further values behind those of the nodes; several processes have none.
-  NodeLayout(const Grid<dim>& grid, Boundary boundary, std::int32_t further_values = 0);
+  NodeLayout(const Grid<dim>& grid, Boundary boundary);
 
   [[nodiscard]] const Grid<dim>& grid() const noexcept { return grid_; }
   [[nodiscard]] Boundary boundary() const noexcept { return boundary_; }
   /// Number of nodal components, the held ones included.
   [[nodiscard]] std::int64_t unknowns() const noexcept;
-  /// Number of the further values of nodal vectors.
-  [[nodiscard]] std::int32_t further_values() const noexcept { return further_values_; }
+  /// Lets nodal vectors have further values on every process, behind those of its nodes: their numbers, which follow
+  /// those of all components of nodes, in an order that does not depend on the processes.
+  void append(std::vector<std::int32_t> numbers_of_values) { further_values_ = std::move(numbers_of_values); }
   /// Whether this component of a node is held at zero.
   [[nodiscard]] bool is_held(const Index<dim>& node, int component) const noexcept;
   /// A mask of the components of a cell's nodes: 0 for held components, 1 for the other ones.
@@ -95,6 +97,7 @@ class NodeLayout {
  private:
   /// Number of the nodes of the box along each axis; in a periodic box without the last one.
   [[nodiscard]] Index<dim> nodes_along() const noexcept;
+  [[nodiscard]] NodalVector zeros_with_further_values() const;
   /// The nodes as PETSc distributes them.
   [[nodiscard]] NodeGrid distributed() const;
   void find_ranges_of_distributed();
@@ -106,9 +109,9 @@ class NodeLayout {
 
   Grid<dim> grid_;
   Boundary boundary_;
-  std::int32_t further_values_;
-  NodeGrid nodes_;  ///< grid of PETSc; empty on one process for a cube, where its lists would take more memory than a
-                    ///< nodal vector, and for nodal vectors with further values
+  std::optional<std::vector<std::int32_t>> further_values_;
+  NodeGrid nodes_;  ///< grid of PETSc; empty for a cube on one process, where its lists would take more memory than a
+                    ///< nodal vector
   Range owned_;     ///< nodes that belong to this process
   Range cells_;     ///< cells whose lowest node belongs to this process
   Range seen_;      ///< nodes of this process and their neighbours

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include "quasistatic/operator/vector_values.hpp"
 
@@ -22,7 +23,7 @@ class NodalDisplacement {
         macroscopic_(displacement.macroscopic()),
         seen_(nodes_->local_copy(displacement.fluctuation())),
         fluctuation_(seen_.get()),
-        nodal_(displacement.fluctuation()),
+        of_faces_(elastic_operator.faces().values(displacement.fluctuation())),
         phase_strains_(displacement.phase_strains()) {}
 
   [[nodiscard]] typename Shape::Values of_cell(const Index<dim>& cell) const {
@@ -46,7 +47,7 @@ class NodalDisplacement {
   /// The strain of a phase of a mixed cell whose first unknown strain is at an index.
   [[nodiscard]] typename Shape::ModeValues of_part(const Index<dim>& cell, const MixedCell<dim>& mixed,
                                                    std::size_t index, std::size_t part) const {
-    const auto strain = elastic_operator_->modes_of(cell, of_cell(cell), nodal_.data());
+    const auto strain = elastic_operator_->modes_of(cell, of_cell(cell), of_faces_);
     return mixed.strain_of(part, strain, phase_strains_.range(index, mixed.unknowns()));
   }
 
@@ -56,8 +57,8 @@ class NodalDisplacement {
   Strain<dim> strain_;
   double macroscopic_;
   NodalVector seen_;
-  ReadValues fluctuation_;    ///< fluctuation of the nodes that this process sees
-  ReadValues nodal_;          ///< fluctuation of the nodes of this process and the unknowns of faces
+  ReadValues fluctuation_;  ///< fluctuation of the nodes that this process sees
+  std::vector<double> of_faces_;
   ReadValues phase_strains_;  ///< strains of its mixed cells, in the order of the cells
 };
 

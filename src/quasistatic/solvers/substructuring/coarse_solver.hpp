@@ -6,7 +6,7 @@
 #include <Eigen/Dense>
 
 #include "quasistatic/operator/petsc_handle.hpp"
-#include "quasistatic/solvers/substructuring/shared_values.hpp"
+#include "quasistatic/operator/shared_values.hpp"
 
 namespace breccia::quasistatic {
 

@@ -4,7 +4,7 @@
 
 #include "quasistatic/operator/block_division.hpp"
 #include "quasistatic/solvers/substructuring/block_grid.hpp"
-#include "quasistatic/solvers/substructuring/shared_values.hpp"
+#include "quasistatic/operator/shared_values.hpp"
 
 namespace breccia::quasistatic {
 

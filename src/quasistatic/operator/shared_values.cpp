@@ -1,4 +1,4 @@
-#include "quasistatic/solvers/substructuring/shared_values.hpp"
+#include "quasistatic/operator/shared_values.hpp"
 
 namespace breccia::quasistatic {
 namespace {
