@@ -48,7 +48,7 @@ Dense dense(const Discretisation<2>& discretisation, Boundary boundary, double c
   std::vector<PackedSymmetric<double>> condensed;
   for (std::size_t kind = 0; kind < blocks.blocks_by_kind().size(); ++kind) {
     condensed.emplace_back(
-        BlockStiffness(blocks.block_kind(static_cast<int>(kind), cells), stiffness_of_held).condensed());
+        BlockStiffness(blocks.block_kind(static_cast<int>(kind), cells, {}), stiffness_of_held).condensed());
   }
   BddcPreconditioner preconditioner(blocks, condensed, stiffness_of_held, 1);
 

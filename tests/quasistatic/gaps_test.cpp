@@ -98,6 +98,19 @@ TEST(SquareArrays, WithWideGapsAreBetterThanInSeries) {
   EXPECT_LT(errors.back(), 0.04);
 }
 
+// Blocks with faces inside and on their sides.
+TEST(Gaps, OfTheIterativeSolverAreThoseOfTheDirectOne) {
+  for (const double bulk_ratio : {3.0, 1e3, 1e6}) {
+    auto problem = test::with_gaps(test::disc_packing("ratio2.3_66_040_g030.csv"), 77, bulk_ratio, 10.0 * bulk_ratio);
+    problem.linear.method = LinearMethod::direct;
+    auto iterative = problem;
+    iterative.linear.method = LinearMethod::iterative;
+    for (const auto load : {Load::shear, Load::bulk}) {
+      EXPECT_NEAR(test::modulus_of(iterative, load) / test::modulus_of(problem, load), 1.0, 1e-5) << bulk_ratio;
+    }
+  }
+}
+
 TEST(Gaps, OfABoxThatIsMovedByWholeCellsAreTheSame) {
   const auto box = test::disc_packing("equal_57_040_g040.csv");
   constexpr int cells = 60;

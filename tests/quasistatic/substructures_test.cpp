@@ -37,7 +37,7 @@ TEST(Substructures, OfOneKindHaveTheSameCellsAndNeighbours) {
   const auto cells = elastic_operator.kinds().stiffnesses(moduli);
   ASSERT_EQ(blocks.grid().blocks(), 32);
   for (int b = 0; b < 32; ++b) {
-    const auto kind = blocks.block_kind(blocks.kind_of(b), cells);
+    const auto kind = blocks.block_kind(blocks.kind_of(b), cells, {});
     const auto block = blocks.grid().block(b);
     ASSERT_EQ(kind.cells.size(), 64U);
     for (int cell = 0; cell < 64; ++cell) {

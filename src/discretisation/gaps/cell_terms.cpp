@@ -34,12 +34,16 @@ bool has_own_neighbour(const GapGeometry& geometry, const FacePlace& face, int e
 }
 
 void tie_slope(const GapGeometry& geometry, const CellPlace& place, int face, int end, std::vector<SquareTerm>& terms) {
-  constexpr double of_binder = 0.001;
   const auto normal = CellPlace::normal(face), along = 1 - normal;
   const int node = CellPlace::node_of(face, end), other = CellPlace::node_of(face, 1 - end);
   const int beside = CellPlace::beside(node, normal), beside_other = CellPlace::beside(other, normal);
   const auto owner = place.owner(node);
   const auto slope = LinearForm().add(slope_at(face, end), 1.0);
+  // A little stiffness of the binder, so that no cell is without, keeps the slope to that of the face.
+  constexpr double little = 0.0005;
+  auto of_face = slope;
+  of_face.add(-1.0, difference(CellPlace::node_of(face, 0), CellPlace::node_of(face, 1), normal));
+  terms.push_back({geometry.matrix, little, of_face});
   if (place.owner(beside) == owner && place.owner(beside_other) == owner) {
     auto form = slope;
     form.add(end == 0 ? -1.0 : 1.0, difference(beside, beside_other, normal));
@@ -54,15 +58,11 @@ void tie_slope(const GapGeometry& geometry, const CellPlace& place, int face, in
   if (place.owner(beside) == owner) {
     rotation.add(CellPlace::is_upper(beside, normal) ? 1.0 : -1.0, difference(node, beside, along));
     add_without_binder(geometry, owner, 1.0, rotation, terms);
-  } else if (has_own_neighbour(geometry, place.face_place(face), end)) {
-    return;
-  } else if (place.face(other_face).has_slope[static_cast<std::size_t>(other_end)]) {
+  } else if (!has_own_neighbour(geometry, place.face_place(face), end) &&
+             place.face(other_face).has_slope[static_cast<std::size_t>(other_end)]) {
     rotation.add(slope_at(other_face, other_end), 1.0);
     add_without_binder(geometry, owner, 1.0, rotation, terms);
   }
-  auto of_face = slope;
-  of_face.add(-1.0, difference(CellPlace::node_of(face, 0), CellPlace::node_of(face, 1), normal));
-  terms.push_back({geometry.matrix, of_binder, of_face});
 }
 
 /// Half of the energy of the flow through a face.
@@ -133,14 +133,13 @@ EndsOfChannel ends_of_channel(const CellPlace& place) noexcept {
 void add_flow_along(const GapGeometry& geometry, const CellPlace& place, const Channel& channel,
                     std::vector<SquareTerm>& terms) {
   const auto ends = ends_of_channel(place);
-  if (!place.face(ends.begin).has_flow() || !place.face(ends.end).has_flow()) {
+  if (!place.face(ends.begin).has_flow() || !place.face(ends.end).has_flow() || channel.slenderness == 0.0) {
     add_flow(geometry, place, terms);
     return;
   }
   for (int face = 0; face < faces_of_cell; ++face) {
     if (face != ends.begin && face != ends.end) add_flow_through(geometry, place, face, terms);
   }
-  if (channel.slenderness == 0.0) return;
   std::array<LinearForm, 3> forms;
   forms[0].add(flow_through(ends.begin), is_upper_face(ends.begin) ? -1.0 : 1.0);
   forms[1].add(flow_through(ends.end), is_upper_face(ends.end) ? 1.0 : -1.0);

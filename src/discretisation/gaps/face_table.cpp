@@ -6,8 +6,8 @@ FaceTable::FaceTable(const DiscImages& discs, const Owners& owners) : cells_(dis
   std::int32_t next = 0;
   const auto number = [&](bool exists) { return exists ? next++ : GapCell::none; };
   for_each_index(Index<2>{}, Index<2>{cells_, cells_}, [&](const Index<2>& node) {
-    first_unknowns_.push_back(next);
     for (std::size_t along = 0; along < 2; ++along) {
+      first_unknowns_.push_back(next);
       auto face = make_face(discs, owners, {node, along});
       const auto flow = number(face.has_flow());
       const auto first_slope = number(face.has_slope[0]);

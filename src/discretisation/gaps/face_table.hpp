@@ -21,7 +21,7 @@ class FaceTable {
   [[nodiscard]] const std::array<std::int32_t, unknowns_of_face>& unknowns(const FacePlace& place) const noexcept {
     return numbered(place).unknowns;
   }
-  /// By node, where the numbers of the unknowns of its two faces begin, and last the number of all unknowns.
+  /// By node and axis, where the numbers of the unknowns of a face begin, and last the number of all unknowns.
   [[nodiscard]] const std::vector<std::int32_t>& first_unknowns() const noexcept { return first_unknowns_; }
 
  private:

@@ -17,8 +17,8 @@ namespace breccia::gaps {
 /// The cells of a grid that have gaps, and the unknowns of their faces.
 class GapCells {
  public:
-  /// `places` are the places of the cells in the grid; `first_unknowns`, by node, say where the unknowns of the two
-  /// faces begin whose first node it is, and last how many there are.
+  /// `places` are the places of the cells in the grid; `first_unknowns` say where the unknowns of the faces begin, by
+  /// node and axis, and last how many there are.
   GapCells(const Grid<2>& grid, std::vector<GapCell> cells, std::span<const std::size_t> places,
            std::vector<std::int32_t> first_unknowns);
 
@@ -32,8 +32,12 @@ class GapCells {
   [[nodiscard]] std::int32_t unknowns() const noexcept { return first_unknowns_.back(); }
   /// The range of the numbers of the unknowns of the two faces that begin at a node.
   [[nodiscard]] std::array<std::int32_t, 2> unknowns_at(const Index<2>& node) const noexcept {
-    const auto place = grid_.cell_index(node);
-    return {first_unknowns_[place], first_unknowns_[place + 1]};
+    return {unknowns_at(node, 0)[0], unknowns_at(node, 1)[1]};
+  }
+  /// The range of those of the face that begins at a node and goes along an axis.
+  [[nodiscard]] std::array<std::int32_t, 2> unknowns_at(const Index<2>& node, std::size_t axis) const noexcept {
+    const auto face = 2 * grid_.cell_index(node) + axis;
+    return {first_unknowns_[face], first_unknowns_[face + 1]};
   }
 
  private:

@@ -84,6 +84,8 @@ class ElasticOperator {
 
   /// The unknowns of faces of cells with gaps.
   [[nodiscard]] const FaceLayout& faces() const noexcept { return faces_; }
+  /// The cells with gaps, if there are any.
+  [[nodiscard]] const gaps::GapCells& gap_cells() const noexcept { return gaps_.cells(); }
   /// The cell with gaps at a cell; null for other cells.
   [[nodiscard]] const gaps::GapCell* gap_cell(const Index<dim>& cell) const noexcept { return gaps_.at(cell); }
 

@@ -24,6 +24,8 @@ class GapsOfGrid {
     if constexpr (dim == 2) return cells_ != nullptr ? cells_->at(cell) : nullptr;
     return nullptr;
   }
+  /// All of them, if there are any.
+  [[nodiscard]] const gaps::GapCells& cells() const noexcept { return *cells_; }
   /// Number of the unknowns of all faces.
   [[nodiscard]] std::int32_t unknowns() const noexcept { return cells_ != nullptr ? cells_->unknowns() : 0; }
 

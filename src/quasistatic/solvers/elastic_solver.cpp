@@ -110,7 +110,7 @@ std::unique_ptr<ElasticSolver<dim>> make_elastic_solver(const ElasticOperator<di
   // Opposite sides of a single periodic cell are the same nodes, so it cannot be cut into blocks.
   const bool is_one_cell =
       elastic_operator.boundary() == Boundary::periodic && std::ranges::min(elastic_operator.grid().cells) == 1;
-  if (options.is_direct(elastic_operator.unknowns(), dim) || is_one_cell || elastic_operator.has_gaps()) {
+  if (options.is_direct(elastic_operator.unknowns(), dim) || is_one_cell) {
     return std::make_unique<AssembledSolver<dim>>(elastic_operator, options, Preconditioner::factors);
   }
   return make_iterative_solver(elastic_operator, options);

@@ -18,18 +18,14 @@ std::vector<LocalNode> boundary_nodes(const Block& block) {
 }
 
 SideRange side_range(const Block& block, Side side) {
-  const Eigen::Index horizontal = 2 * (block.columns - 1), vertical = 2 * (block.rows - 1);
-  switch (side) {
-    case bottom:
-      return {0, horizontal};
-    case top:
-      return {horizontal, horizontal};
-    case left:
-      return {2 * horizontal, vertical};
-    case right:
-      break;
+  SideRange range = {0, 0};
+  for (const auto one : {bottom, top, left, right}) {
+    range.begin += range.size;
+    const int nodes = (one == bottom || one == top ? block.columns : block.rows) - 1;
+    range.size = 2 * nodes + block.of_faces.at(one);
+    if (one == side) break;
   }
-  return {2 * horizontal + vertical, vertical};
+  return range;
 }
 
 std::array<int, 2> ends_of(Side side) {
@@ -37,11 +33,12 @@ std::array<int, 2> ends_of(Side side) {
   return ends.at(side);
 }
 
-BlockGrid::BlockGrid(const BlockDivision& division, int rank)
+BlockGrid::BlockGrid(const BlockDivision& division, int rank, const UnknownsOfFaces& faces)
     : BlockGrid(division.blocks_along(0, division.position_of(rank)[0]),
-                division.blocks_along(1, division.position_of(rank)[1])) {}
+                division.blocks_along(1, division.position_of(rank)[1]), faces) {}
 
-BlockGrid::BlockGrid(BlockRow columns, BlockRow rows) : columns_(std::move(columns)), rows_(std::move(rows)) {
+BlockGrid::BlockGrid(BlockRow columns, BlockRow rows, UnknownsOfFaces faces)
+    : columns_(std::move(columns)), rows_(std::move(rows)), faces_(std::move(faces)) {
   vertex_columns_ = across() + (columns_.wraps ? 0 : 1);
   vertex_rows_ = up() + (rows_.wraps ? 0 : 1);
   owned_columns_ = vertex_columns_ - (columns_.ends_at_neighbour ? 1 : 0);
@@ -57,8 +54,10 @@ BlockGrid::BlockGrid(BlockRow columns, BlockRow rows) : columns_(std::move(colum
     for (const int edge : {left_edge, right_edge}) edges_[static_cast<std::size_t>(edge)].is_horizontal = false;
     edges_[static_cast<std::size_t>(left_edge)].upper = b;
     edges_[static_cast<std::size_t>(right_edge)].lower = b;
-    for (const int edge : {bottom_edge, top_edge}) sizes_[static_cast<std::size_t>(edge)] = 2 * (block(b).columns - 1);
-    for (const int edge : {left_edge, right_edge}) sizes_[static_cast<std::size_t>(edge)] = 2 * (block(b).rows - 1);
+    const auto shape = block(b);
+    for (const auto side : {bottom, top, left, right}) {
+      sizes_[static_cast<std::size_t>(edges_of(b).at(side))] = static_cast<int>(side_range(shape, side).size);
+    }
     colours_[static_cast<std::size_t>(b % across() % 2 + 2 * (b / across() % 2))].push_back(b);
   }
   first_unknown_.resize(edges);
@@ -77,10 +76,24 @@ BlockGrid::BlockGrid(BlockRow columns, BlockRow rows) : columns_(std::move(colum
   unknowns_ = next;
 }
 
-Block BlockGrid::block(int number) const noexcept {
+Block BlockGrid::block(int number) const {
   const auto i = static_cast<std::size_t>(number % across()), j = static_cast<std::size_t>(number / across());
   const auto &x = columns_.cuts, &y = rows_.cuts;
-  return {x[i], y[j], x[i + 1] - x[i], y[j + 1] - y[j]};
+  Block block = {x[i], y[j], x[i + 1] - x[i], y[j + 1] - y[j]};
+  if (!faces_) return block;
+  const auto count = [&](int column, int row, std::size_t axis) {
+    const auto [begin, end] = faces_({column, row}, axis);
+    return end - begin;
+  };
+  for (int column = x[i]; column < x[i + 1]; ++column) {
+    block.of_faces[bottom] += count(column, y[j], 0);
+    block.of_faces[top] += count(column, y[j + 1], 0);
+  }
+  for (int row = y[j]; row < y[j + 1]; ++row) {
+    block.of_faces[left] += count(x[i], row, 1);
+    block.of_faces[right] += count(x[i + 1], row, 1);
+  }
+  return block;
 }
 
 bool BlockGrid::is_owned(int edge) const noexcept {

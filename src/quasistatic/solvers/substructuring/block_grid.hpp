@@ -6,12 +6,14 @@
 #include <Eigen/Dense>
 
 #include "quasistatic/operator/block_division.hpp"
+#include "quasistatic/solvers/substructuring/block_unknowns.hpp"
 
 namespace breccia::quasistatic {
 
 /// A rectangle of cells.
 struct Block {
   int first_column, first_row, columns, rows;
+  std::array<int, 4> of_faces = {};  ///< number of the unknowns of the faces on each Side
 };
 
 /// The sides of a block, in the order of its boundary nodes.
@@ -26,7 +28,8 @@ struct LocalNode {
 /// coordinates, and then the vertices: lower left, lower right, upper left, upper right.
 std::vector<LocalNode> boundary_nodes(const Block& block);
 
-/// Index of the first unknown of a side among the unknowns of the boundary of a block, and their number.
+/// Index of the first unknown of a side among the unknowns of the boundary of a block (boundary_unknowns), and their
+/// number.
 struct SideRange {
   Eigen::Index begin, size;
 };
@@ -35,8 +38,8 @@ SideRange side_range(const Block& block, Side side);
 /// The two vertices at the ends of a side: 0 to 3, in the order of boundary_nodes.
 std::array<int, 2> ends_of(Side side);
 
-/// An edge: the nodes that two blocks share, without the vertices. On the boundary of the box, and where another
-/// process has the other block, it has only one block.
+/// An edge: the nodes that two blocks share, without the vertices, and the faces between them. On the boundary of the
+/// box, and where another process has the other block, it has only one block.
 struct BlockEdge {
   static constexpr int none = -1;
   int lower = none;  ///< number of the block below or to the left
@@ -51,12 +54,13 @@ class BlockGrid {
  public:
   /// Blocks along both axes. Rows that wrap around have an even number of blocks, so that four colours are enough for
   /// no two neighbours to have the same one.
-  BlockGrid(BlockRow columns, BlockRow rows);
+  BlockGrid(BlockRow columns, BlockRow rows, UnknownsOfFaces faces = {});
   /// The blocks of a process.
-  BlockGrid(const BlockDivision& division, int rank);
+  BlockGrid(const BlockDivision& division, int rank, const UnknownsOfFaces& faces = {});
 
   [[nodiscard]] int blocks() const noexcept { return across() * up(); }
-  [[nodiscard]] Block block(int number) const noexcept;
+  [[nodiscard]] Block block(int number) const;
+  [[nodiscard]] const UnknownsOfFaces& faces() const noexcept { return faces_; }
   [[nodiscard]] const std::vector<BlockEdge>& edges() const noexcept { return edges_; }
   /// Numbers of the edges of a block, by Side.
   [[nodiscard]] std::array<int, 4> edges_of(int block) const noexcept;
@@ -92,13 +96,14 @@ class BlockGrid {
     return first_unknown_[static_cast<std::size_t>(edge)];
   }
   [[nodiscard]] int unknowns_of_edge(int edge) const noexcept { return sizes_[static_cast<std::size_t>(edge)]; }
-  /// Numbers of the unknowns of the boundary of a block, in the order of boundary_nodes, x and y in turn.
+  /// Numbers of the unknowns of the boundary of a block, in the order of boundary_unknowns.
   [[nodiscard]] std::vector<int> unknowns_of(int block) const;
   /// Numbers of the blocks, by colour. Blocks of one colour share no unknown.
   [[nodiscard]] const std::array<std::vector<int>, 4>& colours() const noexcept { return colours_; }
 
  private:
   BlockRow columns_, rows_;
+  UnknownsOfFaces faces_;
   int vertex_columns_, vertex_rows_;  ///< columns and rows of vertices
   int owned_columns_, owned_rows_;    ///< columns and rows of vertices that belong to this process
   std::vector<BlockEdge> edges_;

@@ -10,16 +10,18 @@ namespace {
 /// The grids of the next processes along the axes.
 class NextGrids {
  public:
-  NextGrids(const BlockDivision& division, int rank) : division_(&division), position_(division.position_of(rank)) {}
+  NextGrids(const BlockDivision& division, int rank, const UnknownsOfFaces& faces)
+      : division_(&division), faces_(&faces), position_(division.position_of(rank)) {}
 
   /// The rank and the grid of the next process along one or both axes.
   std::pair<int, const BlockGrid&> next(bool along_first, bool along_second) {
     const int rank = division_->rank_at({position_[0] + (along_first ? 1 : 0), position_[1] + (along_second ? 1 : 0)});
-    return {rank, grids_.try_emplace(rank, *division_, rank).first->second};
+    return {rank, grids_.try_emplace(rank, *division_, rank, *faces_).first->second};
   }
 
  private:
   const BlockDivision* division_;
+  const UnknownsOfFaces* faces_;
   std::array<int, 2> position_;
   std::map<int, BlockGrid> grids_;
 };
@@ -41,10 +43,10 @@ std::vector<int> edges_between_processes(const BlockGrid& grid) {
   return edges;
 }
 
-SharedBoundaries shared_boundaries(const BlockDivision& division, int rank) {
-  const BlockGrid grid(division, rank);
+SharedBoundaries shared_boundaries(const BlockDivision& division, int rank, const UnknownsOfFaces& faces) {
+  const BlockGrid grid(division, rank, faces);
   const int across = grid.across(), up = grid.up();
-  NextGrids grids(division, rank);
+  NextGrids grids(division, rank, faces);
   SharedBoundaries shared;
   const auto add_vertex = [&](int column, int row, bool is_right, bool is_top) {
     const auto [owner, other] = grids.next(is_right, is_top);

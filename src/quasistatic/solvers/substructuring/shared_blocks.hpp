@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "quasistatic/operator/block_division.hpp"
-#include "quasistatic/solvers/substructuring/block_grid.hpp"
 #include "quasistatic/operator/shared_values.hpp"
+#include "quasistatic/solvers/substructuring/block_grid.hpp"
 
 namespace breccia::quasistatic {
 
@@ -26,7 +26,7 @@ struct SharedBoundaries {
 };
 
 /// The vertices and edges of the process with this rank that belong to other processes.
-SharedBoundaries shared_boundaries(const BlockDivision& division, int rank);
+SharedBoundaries shared_boundaries(const BlockDivision& division, int rank, const UnknownsOfFaces& faces = {});
 
 /// Exchange of the unknowns between blocks of different processes.
 SharedValues shared_unknowns(const BlockGrid& grid, const SharedBoundaries& shared);

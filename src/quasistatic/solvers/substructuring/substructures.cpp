@@ -16,6 +16,15 @@ void append(std::string& signature, Number number) {
   signature.append(reinterpret_cast<const char*>(&number), sizeof(number));
 }
 
+/// The unknowns of the faces of a box.
+UnknownsOfFaces unknowns_of_faces(const ElasticOperator<2>& elastic_operator) {
+  if (!elastic_operator.has_gaps()) return {};
+  return [&cells = elastic_operator.gap_cells(), along = elastic_operator.grid().cells](const Index<2>& node,
+                                                                                        std::size_t axis) {
+    return cells.unknowns_at({node[0] % along[0], node[1] % along[1]}, axis);
+  };
+}
+
 }  // namespace
 
 Substructures::Substructures(const ElasticOperator<2>& elastic_operator)
@@ -25,9 +34,9 @@ Substructures::Substructures(const ElasticOperator<2>& elastic_operator)
 
 Substructures::Substructures(const ElasticOperator<2>& elastic_operator, const BlockDivision& division)
     : elastic_operator_(&elastic_operator),
-      grid_(division, parallel::rank()),
+      grid_(division, parallel::rank(), unknowns_of_faces(elastic_operator)),
       edges_between_processes_(quasistatic::edges_between_processes(grid_)),
-      shared_boundaries_(quasistatic::shared_boundaries(division, parallel::rank())),
+      shared_boundaries_(quasistatic::shared_boundaries(division, parallel::rank(), grid_.faces())),
       shared_unknowns_(quasistatic::shared_unknowns(grid_, shared_boundaries_)),
       shared_edges_(quasistatic::shared_edges(division, parallel::rank(), shared_boundaries_)) {
   first_unknown_ = {0};
@@ -63,11 +72,11 @@ void Substructures::sort_blocks() {
 void Substructures::append_unknowns(int number, std::string& signature) {
   const auto block = grid_.block(number);
   auto unknowns = grid_.unknowns_of(number);
-  const auto nodes = boundary_nodes(block);
+  const auto on_boundary = boundary_unknowns(block, grid_.faces());
   for (std::size_t i = 0; i < unknowns.size(); ++i) {
-    const auto& [x, y] = nodes[i / 2];
-    const bool held =
-        elastic_operator_->is_held({block.first_column + x, block.first_row + y}, static_cast<int>(i % 2));
+    const auto& [x, y, component, of_face] = on_boundary[i];
+    const bool held = of_face == BlockUnknown::none &&
+                      elastic_operator_->is_held({block.first_column + x, block.first_row + y}, component);
     signature.push_back(held ? '1' : '0');
     if (held) unknowns[i] = -1;
   }
@@ -112,13 +121,19 @@ void Substructures::sort_blocks_with_neighbours() {
   }
 }
 
-BlockKind Substructures::block_kind(int kind, const std::vector<CellShape<2>::Stiffness>& cells) const {
+BlockKind Substructures::block_kind(int kind, const std::vector<CellShape<2>::Stiffness>& cells,
+                                    std::span<const Moduli> moduli) const {
   const int example = blocks_by_kind_[static_cast<std::size_t>(kind)].front();
-  BlockKind block_kind = {grid_.block(example), {}, {}};
+  BlockKind block_kind = {grid_.block(example), {}, {}, grid_.faces()};
   for (int row = 0; row < block_kind.shape.rows; ++row) {
     for (int column = 0; column < block_kind.shape.columns; ++column) {
-      block_kind.cells.push_back(&cells[elastic_operator_->kinds().of(
-          {block_kind.shape.first_column + column, block_kind.shape.first_row + row})]);
+      const Index<2> cell = {block_kind.shape.first_column + column, block_kind.shape.first_row + row};
+      const auto kind_of_cell = elastic_operator_->kinds().of(cell);
+      const auto* gap = elastic_operator_->gap_cell(cell);
+      block_kind.cells.push_back(gap == nullptr ? &cells[kind_of_cell] : nullptr);
+      if (gap == nullptr) continue;
+      const auto of_cell = elastic_operator_->kinds().mixed()[kind_of_cell]->moduli(moduli);
+      block_kind.with_gaps.push_back({gap, GapOperator(*gap, elastic_operator_->modes()).stiffness(of_cell, moduli)});
     }
   }
   const int* unknowns = unknowns_of(example);

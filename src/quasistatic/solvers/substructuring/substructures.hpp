@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -56,7 +57,7 @@ class Substructures {
     return neighbourhood_of_[static_cast<std::size_t>(block)];
   }
 
-  /// Numbers of the unknowns of the boundary of a block, in the order of boundary_nodes; -1 for held ones.
+  /// Numbers of the unknowns of the boundary of a block, in the order of boundary_unknowns; -1 for held ones.
   [[nodiscard]] const int* unknowns_of(int block) const noexcept {
     return unknowns_.data() + first_unknown_[static_cast<std::size_t>(block)];
   }
@@ -71,8 +72,9 @@ class Substructures {
   /// Length of the list of the boundary unknowns of all blocks.
   [[nodiscard]] std::size_t unknowns_of_all_blocks() const noexcept { return unknowns_.size(); }
 
-  /// A kind of block, with the stiffness matrices of the kinds of cells.
-  [[nodiscard]] BlockKind block_kind(int kind, const std::vector<CellShape<2>::Stiffness>& cells) const;
+  /// A kind of block, with the stiffness matrices of the kinds of cells, and moduli [Pa] for cells with gaps.
+  [[nodiscard]] BlockKind block_kind(int kind, const std::vector<CellShape<2>::Stiffness>& cells,
+                                     std::span<const Moduli> moduli) const;
 
  private:
   Substructures(const ElasticOperator<2>& elastic_operator, const BlockDivision& division);

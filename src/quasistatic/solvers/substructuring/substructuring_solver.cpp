@@ -31,6 +31,12 @@ Eigen::VectorXd gather(const int* unknowns, Eigen::Index count, const std::vecto
   return local;
 }
 
+Eigen::VectorXd values_at(const std::vector<std::size_t>& indices, const double* values) {
+  Eigen::VectorXd chosen(static_cast<Eigen::Index>(indices.size()));
+  for (std::size_t i = 0; i < indices.size(); ++i) chosen[static_cast<Eigen::Index>(i)] = values[indices[i]];
+  return chosen;
+}
+
 /// Throws NumericalError when a displacement of the interface has no positive energy.
 void require_definite(double energy) {
   if (energy > 0.0) return;
@@ -55,24 +61,28 @@ SubstructuringSolver::SubstructuringSolver(const ElasticOperator<2>& elastic_ope
   const auto& grid = blocks_.grid();
   for (int b = 0; b < grid.blocks(); ++b) {
     const auto block = grid.block(b);
-    const auto nodes = boundary_nodes(block);
+    const auto on_boundary = boundary_unknowns(block, grid.faces());
     const auto unknowns = grid.unknowns_of(b);
     for (std::size_t i = 0; i < unknowns.size(); ++i) {
       if (unknowns[i] >= grid.owned_unknowns()) continue;
-      const auto& [x, y] = nodes[i / 2];
-      index_of_unknown_[static_cast<std::size_t>(unknowns[i])] =
-          index_of(block.first_column + x, block.first_row + y) + i % 2;
+      index_of_unknown_[static_cast<std::size_t>(unknowns[i])] = index_of(block, on_boundary[i]);
     }
   }
 }
 
-/// Index of the x displacement of a node among the nodal values of this process.
-std::size_t SubstructuringSolver::index_of(int column, int row) const noexcept {
+/// Index of an unknown of a block among the values of this process in a nodal vector.
+std::size_t SubstructuringSolver::index_of(const Block& block, const BlockUnknown& unknown) const noexcept {
   const auto& [begin, end] = elastic_operator().nodes().own_nodes();
-  // The last nodes of a process that wraps around are its first ones.
   const int width = end[0] - begin[0], height = end[1] - begin[1];
-  return 2 * (static_cast<std::size_t>((row - begin[1]) % height) * static_cast<std::size_t>(width) +
-              static_cast<std::size_t>((column - begin[0]) % width));
+  if (unknown.of_face != BlockUnknown::none) {
+    const auto of_nodes = 2 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    return of_nodes + elastic_operator().faces().index_of(unknown.of_face);
+  }
+  // The last nodes of a process that wraps around are its first ones.
+  const int column = block.first_column + unknown.x - begin[0], row = block.first_row + unknown.y - begin[1];
+  return 2 * (static_cast<std::size_t>(row % height) * static_cast<std::size_t>(width) +
+              static_cast<std::size_t>(column % width)) +
+         static_cast<std::size_t>(unknown.component);
 }
 
 double SubstructuringSolver::product(const std::vector<double>& a, const std::vector<double>& b) const {
@@ -92,7 +102,7 @@ void SubstructuringSolver::update_stiffness(std::span<const Moduli> moduli) {
 #pragma omp parallel for num_threads(threads_) schedule(dynamic, 16)
   for (std::size_t kind = 0; kind < condensed_.size(); ++kind) {
     failure.run([&] {
-      const BlockStiffness stiffness(blocks_.block_kind(static_cast<int>(kind), cells_), stiffest_);
+      const BlockStiffness stiffness(blocks_.block_kind(static_cast<int>(kind), cells_, this->moduli()), stiffest_);
       condensed_[kind] = PackedSymmetric<double>(stiffness.condensed());
     });
   }
@@ -108,28 +118,27 @@ void SubstructuringSolver::for_each_block(const Work& work) const {
 #pragma omp parallel for num_threads(threads_) schedule(dynamic, 16)
   for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
     failure.run([&] {
-      const BlockStiffness stiffness(blocks_.block_kind(static_cast<int>(kind), cells_), stiffest_);
+      const BlockStiffness stiffness(blocks_.block_kind(static_cast<int>(kind), cells_, this->moduli()), stiffest_);
       for (const int block : kinds[kind]) work(block, stiffness);
     });
   }
   failure.rethrow();
 }
 
-Eigen::VectorXd SubstructuringSolver::inside_of(const Block& block, const double* nodal) const {
-  const Eigen::Index row_size = 2 * (block.columns - 1);
-  Eigen::VectorXd inside(row_size * (block.rows - 1));
-  for (int y = 1; y < block.rows; ++y) {
-    const double* row = nodal + index_of(block.first_column + 1, block.first_row + y);
-    inside.segment((y - 1) * row_size, row_size) = Eigen::Map<const Eigen::VectorXd>(row, row_size);
+std::vector<std::size_t> SubstructuringSolver::indices_inside(int number) const {
+  const auto block = blocks_.grid().block(number);
+  std::vector<std::size_t> indices;
+  for (const auto& unknown : inside_unknowns(block, blocks_.grid().faces())) {
+    indices.push_back(index_of(block, unknown));
   }
-  return inside;
+  return indices;
 }
 
 std::vector<double> SubstructuringSolver::condense(const double* forces) const {
   const auto& grid = blocks_.grid();
   std::vector<double> carried(blocks_.unknowns_of_all_blocks());
   for_each_block([&](int block, const BlockStiffness& stiffness) {
-    const Eigen::VectorXd of_block = stiffness.carried_by_boundary(inside_of(grid.block(block), forces));
+    const Eigen::VectorXd of_block = stiffness.carried_by_boundary(values_at(indices_inside(block), forces));
     std::copy_n(of_block.data(), of_block.size(), carried.data() + blocks_.first_unknown(block));
   });
   std::vector<double> interface(static_cast<std::size_t>(grid.unknowns()), 0.0);
@@ -148,14 +157,10 @@ std::vector<double> SubstructuringSolver::condense(const double* forces) const {
 void SubstructuringSolver::expand(const double* forces, const std::vector<double>& interface,
                                   double* displacement) const {
   for_each_block([&](int b, const BlockStiffness& stiffness) {
-    const auto block = blocks_.grid().block(b);
+    const auto indices = indices_inside(b);
     const auto boundary = gather(blocks_.unknowns_of(b), blocks_.unknowns_on_boundary(b), interface);
-    const Eigen::VectorXd inside = stiffness.displacement_inside(inside_of(block, forces), boundary);
-    const Eigen::Index row_size = 2 * (block.columns - 1);
-    for (int y = 1; y < block.rows; ++y) {
-      double* row = displacement + index_of(block.first_column + 1, block.first_row + y);
-      Eigen::Map<Eigen::VectorXd>(row, row_size) += inside.segment((y - 1) * row_size, row_size);
-    }
+    const Eigen::VectorXd inside = stiffness.displacement_inside(values_at(indices, forces), boundary);
+    for (std::size_t i = 0; i < indices.size(); ++i) displacement[indices[i]] += inside[static_cast<Eigen::Index>(i)];
   });
   for (std::size_t u = 0; u < index_of_unknown_.size(); ++u) displacement[index_of_unknown_[u]] += interface[u];
 }

@@ -43,8 +43,9 @@ class SubstructuringSolver final : public ElasticSolver<2> {
   /// Calls work(number of the block, its stiffness) for each block.
   template <class Work>
   void for_each_block(const Work& work) const;
-  [[nodiscard]] std::size_t index_of(int column, int row) const noexcept;
-  [[nodiscard]] Eigen::VectorXd inside_of(const Block& block, const double* nodal) const;
+  [[nodiscard]] std::size_t index_of(const Block& block, const BlockUnknown& unknown) const noexcept;
+  /// The indices of the unknowns inside a block among the values of this process in a nodal vector.
+  [[nodiscard]] std::vector<std::size_t> indices_inside(int number) const;
 
   Substructures blocks_;
   int threads_;
