@@ -21,11 +21,11 @@ bool are_equal(double one, double other, double tolerance) {
 }
 
 /// The modulus of phases in series: its creep compliance is the mean of theirs.
-PronySeries in_series(std::span<const PronySeries> moduli, const Mixture& mixture) {
+PronySeries in_series(std::span<const PronySeries> moduli, std::span<const double> shares) {
   double instantaneous = 0.0, fluidity = 0.0;
   std::map<double, double> terms;
   for (std::size_t part = 0; part < moduli.size(); ++part) {
-    const double share = mixture[part].fraction;
+    const double share = shares[part];
     const auto compliance = creep_compliance(moduli[part]);
     instantaneous += share * compliance.instantaneous();
     fluidity += share * compliance.fluidity();
@@ -125,8 +125,10 @@ Moduli MixtureRule::moduli(std::span<const Moduli> by_phase) const {
 
 template <int dim>
 PronySeries MixtureRule::modulus(std::span<const Material> by_phase, PronySeries (*of_phase)(const Material&),
-                                 double constraint) const {
-  const auto held = by_phase[matrix].shear.scaled(constraint);
+                                 Eigen::Index mode) const {
+  const auto held = by_phase[matrix].shear.scaled(of_unit_shear()[mode]);
+  std::vector<double> shares;
+  for (const auto& share : shares_) shares.push_back(share[mode]);
   std::vector<PronySeries> moduli;
   for (const auto& part : mixture_) {
     const auto& material = by_phase[part.phase];
@@ -134,7 +136,7 @@ PronySeries MixtureRule::modulus(std::span<const Material> by_phase, PronySeries
     require_falling(moduli.back(), material.name, dim);
     if (is_held_) moduli.back() = PronySeries::sum(with_times_of(held, moduli.back()), held);
   }
-  const auto mixed = breccia::in_series(moduli, mixture_);
+  const auto mixed = breccia::in_series(moduli, shares);
   return is_held_ ? rest(mixed, held) : mixed;
 }
 
@@ -147,8 +149,8 @@ Material MixtureRule::material(std::span<const Material> by_phase) const {
     name += fmt::format("{}{:.3g} {}", name.empty() ? "" : " + ", fraction, material.name);
     density += fraction * material.density;
   }
-  const auto shear = modulus<dim>(by_phase, shear_modulus, of_unit_shear()[1]);
-  const auto dilatational = modulus<dim>(by_phase, dilatational_series<dim>, of_unit_shear()[0]);
+  const auto shear = modulus<dim>(by_phase, shear_modulus, 1);
+  const auto dilatational = modulus<dim>(by_phase, dilatational_series<dim>, 0);
   const auto bulk = dim == 2 ? PronySeries::difference(dilatational, shear.scaled(1.0 / 3.0)) : dilatational;
   return {std::move(name), density, bulk, shear};
 }

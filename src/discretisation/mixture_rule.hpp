@@ -63,9 +63,10 @@ class MixtureRule {
     constexpr double of_volume = 3.0, of_shear = 10.0;  // chosen on arrays of soft discs (theory, section 2)
     return {of_volume, of_shear};
   }
+  /// The modulus of a mode of VolumeAndShear.
   template <int dim>
   [[nodiscard]] PronySeries modulus(std::span<const Material> by_phase, PronySeries (*of_phase)(const Material&),
-                                    double constraint) const;
+                                    Eigen::Index mode) const;
 
   Mixture mixture_;
   std::vector<VolumeAndShear> shares_;

@@ -1,4 +1,4 @@
-// Tests of the geometry of gaps under a cell and of the energies that follow from it (docs/gaps-under-a-cell.md).
+// Tests of the geometry of gaps under a cell and of the energies that follow from it (theory, section 2).
 
 #include <array>
 #include <cmath>
@@ -9,6 +9,7 @@
 
 #include "breccia/error.hpp"
 
+#include "discretisation/gaps/cell_shares.hpp"
 #include "discretisation/gaps/cell_terms.hpp"
 #include "discretisation/gaps/gap_cells.hpp"
 #include "microstructure/vector_algebra.hpp"
@@ -36,14 +37,14 @@ Microstructure<2> lattice(int steps, int step, double gap, const Vector<2>& orig
 
 struct Geometry {
   explicit Geometry(const Microstructure<2>& box)
-      : discs(box, cells), owners(discs), faces(discs, owners), phases(box.particles.size(), 1) {}
+      : discs(box, cells), owners(discs), faces(discs, owners), phases(box.particles.size(), {.phase = 1}) {}
 
-  [[nodiscard]] GapGeometry all() const { return {discs, owners, faces, 0, phases}; }
+  [[nodiscard]] GapGeometry all() const { return {discs, owners, faces, 0, phases, 1.0}; }
 
   DiscImages discs;
   Owners owners;
   FaceTable faces;
-  std::vector<PhaseIndex> phases;
+  std::vector<ParticlePhases> phases;
 };
 
 /// Calls action(cell) for all cells of the box.
@@ -165,7 +166,8 @@ TEST_P(AnyLattice, ParticlesThatTurnTogetherHaveNoEnergy) {
 // Neighbouring cells see the same volume pass through their face.
 TEST_P(AnyLattice, WhatLeavesACellEntersItsNeighbour) {
   const auto box = lattice(GetParam()[0], GetParam()[1], 0.02, {0.3, 0.1});
-  const auto cells_of_box = find_gap_cells(box, cells, 0, std::vector<PhaseIndex>(box.particles.size(), 1));
+  const auto cells_of_box =
+      find_gap_cells(box, cells, 0, std::vector<ParticlePhases>(box.particles.size(), {.phase = 1}));
   std::vector<double> total(static_cast<std::size_t>(cells_of_box.unknowns()), 0.0);
   for (const auto& cell : cells_of_box.cells()) {
     for (std::size_t k = 0; k < cell.face_unknowns.size(); ++k) {
@@ -214,8 +216,81 @@ TEST(Channel, OfASmallGapHasTheResistanceOfLubrication) {
   EXPECT_NEAR(channel.area / area, 1.0, 1e-6);
 }
 
+// The surface of a coating is that of the particle; a coating of the material of its core makes no difference.
+TEST(GapCells, OfCoatedDiscsAreThoseOfLargerOnes) {
+  const auto box = lattice(2, 1, 0.02, {0.3, 0.1});
+  auto cores = box;
+  for (auto& disc : cores.particles) disc.diameter -= 0.5;
+  const std::vector<ParticlePhases> discs(box.particles.size(), {.phase = 1}),
+      coated(box.particles.size(), {.phase = 1, .coating = 1, .coating_thickness = 0.25}),
+      of_two(box.particles.size(), {.phase = 1, .coating = 2, .coating_thickness = 0.25});
+  const auto expected = find_gap_cells(box, cells, 0, discs), found = find_gap_cells(cores, cells, 0, coated),
+             mixed = find_gap_cells(cores, cells, 0, of_two);
+  ASSERT_EQ(found.cells().size(), expected.cells().size());
+  for (std::size_t i = 0; i < expected.cells().size(); ++i) {
+    const auto &one = expected.cells()[i], &other = found.cells()[i];
+    ASSERT_EQ(other.shares.size(), one.shares.size());
+    for (std::size_t k = 0; k < one.shares.size(); ++k) {
+      EXPECT_LT((other.shares[k] - one.shares[k]).abs().maxCoeff(), 1e-9);
+    }
+    EXPECT_LT((other.volume - one.volume).norm(), 1e-9);
+  }
+  double of_coating = 0.0;
+  for (const auto& cell : mixed.cells()) {
+    for (const auto& [phase, fraction] : cell.mixture) of_coating += phase == 2 ? fraction : 0.0;
+  }
+  const double outer = box.particles.front().diameter, inner = cores.particles.front().diameter;
+  const double of_rings = 5.0 * 0.25 * std::numbers::pi * (outer * outer - inner * inner);
+  EXPECT_NEAR(of_coating / of_rings, 1.0, 0.05);
+}
+
+// Which disc is the first, and where the channel begins, makes no difference.
+TEST(Channel, IsTheSameFromBothSides) {
+  const DiscImages discs({20.0, Walls::periodic, {{{5.0, 9.0}, 9.0}, {{14.0, 12.0}, 9.9}}}, cells);
+  const Vector<2> begin = {9.2, 11.0}, end = {9.6, 10.2};
+  const auto nearest = discs.nearest_two(begin);
+  const auto channel = make_channel(discs, nearest.first, nearest.second, begin, end),
+             backwards = make_channel(discs, nearest.first, nearest.second, end, begin),
+             swapped = make_channel(discs, nearest.second, nearest.first, begin, end);
+  const double energy = Eigen::Vector3d(0.7, -0.2, 0.4).dot(channel.resistance * Eigen::Vector3d(0.7, -0.2, 0.4));
+  const Eigen::Vector3d reversed(0.2, -0.7, 0.4), other(0.7, -0.2, -0.4);
+  EXPECT_NEAR(reversed.dot(backwards.resistance * reversed) / energy, 1.0, 1e-12);
+  EXPECT_NEAR(other.dot(swapped.resistance * other) / energy, 1.0, 1e-12);
+}
+
+// A cell with binder is never taken for one of a single phase.
+TEST_P(AnyLattice, CellsThatAreNotOfOnePhaseAreGapCells) {
+  const auto box = lattice(GetParam()[0], GetParam()[1], 0.02, {0.3, 0.1});
+  const auto gap_cells = find_gap_cells(box, cells, 0, std::vector<ParticlePhases>(box.particles.size(), {.phase = 1}));
+  const Geometry geometry(box);
+  for_each_cell([&](const Index<2>& cell) {
+    const CellPlace place(geometry.all(), cell);
+    double filled = 0.0;
+    for (const auto image : geometry.discs.near(place.centre())) filled += share_of(geometry.all(), place, image);
+    const bool is_cut = filled > 1e-6 && filled < 1.0 - 1e-6;
+    EXPECT_TRUE(!is_cut || gap_cells.at(cell) != nullptr) << cell[0] << ' ' << cell[1];
+  });
+}
+
+// Both discs lie in the same direction from some cells, and a disc lies in the middle of one.
+TEST(GapCells, OfSmallDiscsHaveShares) {
+  const Microstructure<2> box = {20.0, Walls::periodic, {{{3.5, 10.5}, 2.0}, {{6.5, 10.5}, 2.0}, {{15.5, 10.5}, 0.6}}};
+  const auto gap_cells = find_gap_cells(box, cells, 0, std::vector<ParticlePhases>(3, {.phase = 1}));
+  for (const auto& cell : gap_cells.cells()) {
+    ASSERT_FALSE(cell.mixture.empty());
+    for (const auto& share : cell.shares) EXPECT_TRUE(share.allFinite());
+    EXPECT_TRUE(cell.volume.allFinite());
+  }
+}
+
+TEST(GapCells, OfDiscsThatOverlapAreRefused) {
+  const Microstructure<2> box = {20.0, Walls::periodic, {{{5.0, 10.0}, 4.0}, {{8.0, 10.0}, 4.0}}};
+  EXPECT_THROW((void)find_gap_cells(box, cells, 0, std::vector<ParticlePhases>(2, {.phase = 1})), InputError);
+}
+
 TEST(GapCells, OfParticlesWithoutPhasesAreRefused) {
-  EXPECT_THROW((void)find_gap_cells(two_discs(4.0, 0.1), cells, 0, std::array<PhaseIndex, 1>{1}), InputError);
+  EXPECT_THROW((void)find_gap_cells(two_discs(4.0, 0.1), cells, 0, std::array<ParticlePhases, 1>{{{.phase = 1}}}),
+               InputError);
 }
 
 }  // namespace

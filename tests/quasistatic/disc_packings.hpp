@@ -43,7 +43,8 @@ inline QuasistaticProblem<2> with_gaps(const Microstructure<2>& box, int n, doub
                     {"discs", 1.0, PronySeries(contrast * 13.4 / 5.84), PronySeries(contrast)}},
       .volumetric = Volumetric::averaged,
       .boundary = Boundary::periodic};
-  problem.discretisation.set_gaps(std::make_shared<const gaps::GapCells>(gaps::find_gap_cells(box, n, 0, discs)));
+  problem.discretisation.set_gaps(
+      std::make_shared<const gaps::GapCells>(gaps::find_gap_cells(box, n, 0, without_coatings(discs))));
   return problem;
 }
 

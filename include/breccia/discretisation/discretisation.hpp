@@ -98,7 +98,8 @@ class Discretisation {
     return &mixtures_[static_cast<std::size_t>(number - first_mixture_)];
   }
 
-  /// The cells with gaps between particles that are narrower than a cell; null where none are known.
+  /// The cells with gaps between particles that are narrower than a cell; null where none are known, and after a change
+  /// of any cell.
   [[nodiscard]] const std::shared_ptr<const gaps::GapCells>& gaps() const noexcept { return gaps_; }
   void set_gaps(std::shared_ptr<const gaps::GapCells> gaps) requires(dim == 2) { gaps_ = std::move(gaps); }
 
@@ -131,6 +132,7 @@ class Discretisation {
 
   /// The phases of the points, to be changed: in memory that belongs to this object alone.
   [[nodiscard]] CellPhases<dim>* own_cells() {
+    gaps_.reset();
     if (own_ == nullptr || cells_.use_count() > 1) take_own_cells();
     return own_;
   }

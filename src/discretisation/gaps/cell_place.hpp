@@ -3,6 +3,8 @@
 #include <array>
 #include <span>
 
+#include "breccia/discretisation/discretisation.hpp"
+
 #include "discretisation/gaps/face_table.hpp"
 
 namespace breccia::gaps {
@@ -13,9 +15,17 @@ struct GapGeometry {
   const Owners& owners;
   const FaceTable& faces;
   PhaseIndex matrix;
-  std::span<const PhaseIndex> particles;  ///< phases of the particles
+  std::span<const ParticlePhases> particles;  ///< by particle; discs include their coatings
+  double cell_side;                           ///< [m]
 
-  [[nodiscard]] PhaseIndex phase(ImageIndex image) const noexcept { return particles[discs.particle(image)]; }
+  /// The phases of a particle.
+  [[nodiscard]] const ParticlePhases& phases(ImageIndex image) const noexcept {
+    return particles[discs.particle(image)];
+  }
+  /// The phase at the surface of a particle.
+  [[nodiscard]] PhaseIndex phase_at_surface(ImageIndex image) const noexcept {
+    return phases(image).coating_thickness > 0.0 ? phases(image).coating : phases(image).phase;
+  }
 };
 
 /// A cell of a grid with its nodes and faces, in the orders of CellShape and of GapCell.

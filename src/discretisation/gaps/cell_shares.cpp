@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "microstructure/disc_overlap.hpp"
 #include "microstructure/vector_algebra.hpp"
@@ -25,34 +26,63 @@ std::vector<ParticleShare> particles_in(const GapGeometry& geometry, const CellP
   return particles;
 }
 
+/// The share of the area of a cell in a disc [-].
+double share_of(const Disc& disc, const CellPlace& place) {
+  constexpr double half_diagonal = 0.7072;
+  const double distance = norm(place.centre() - disc.centre) - 0.5 * disc.diameter;
+  if (distance > half_diagonal) return 0.0;
+  if (distance < -half_diagonal) return 1.0;
+  const Vector<2> lower = {static_cast<double>(place.cell()[0]), static_cast<double>(place.cell()[1])};
+  return overlap_area(disc, lower, lower + Vector<2>{1.0, 1.0});
+}
+
+/// The part of a particle in a cell that is its core, and not its coating [-].
+double part_of_core(const GapGeometry& geometry, const CellPlace& place, ImageIndex image) {
+  const double thickness = geometry.phases(image).coating_thickness / geometry.cell_side;
+  if (thickness == 0.0) return 1.0;
+  auto core = geometry.discs.disc(image);
+  const double all = share_of(core, place);
+  core.diameter -= 2.0 * thickness;
+  return all > rounding ? share_of(core, place) / all : 0.0;
+}
+
+/// Shares of a cell, phase by phase.
+class PhaseShares {
+ public:
+  void add(PhaseIndex phase, double area, const VolumeAndShear& share) {
+    const auto known = std::ranges::find(cell_.mixture, phase, &MixedPart::phase);
+    if (known == cell_.mixture.end()) {
+      cell_.mixture.push_back({phase, area});
+      cell_.shares.push_back(share);
+    } else {
+      known->fraction += area;
+      cell_.shares[static_cast<std::size_t>(known - cell_.mixture.begin())] += share;
+    }
+  }
+  [[nodiscard]] CellShares take() { return std::move(cell_); }
+
+ private:
+  CellShares cell_;
+};
+
 /// The phases of a cell from the shares of particles, with shares of binder for the volume and for the deviators. What
 /// the binder leaves is shared by the particles; they keep a trace of it, so that they have a strain.
-CellShares in_series(const GapGeometry& geometry, std::span<const ParticleShare> particles,
+CellShares in_series(const GapGeometry& geometry, const CellPlace& place, std::span<const ParticleShare> particles,
                      const VolumeAndShear& binder) {
   constexpr double least = 1e-6;
   double all = 0.0;
   for (const auto& one : particles) all += one.share;
-  CellShares cell;
+  PhaseShares cell;
   const double of_binder = std::max(1.0 - all, 0.0);
-  if (binder.maxCoeff() > rounding) {
-    cell.mixture.push_back({geometry.matrix, of_binder});
-    cell.shares.push_back(binder.max(least));
-  }
+  if (binder.maxCoeff() > rounding) cell.add(geometry.matrix, of_binder, binder.max(least));
   const VolumeAndShear rest = (1.0 - binder).max(least);
   for (const auto& one : particles) {
-    const auto phase = geometry.phase(one.image);
-    const double area = one.share * (1.0 - of_binder) / all;
-    const VolumeAndShear share = rest * one.share / all;
-    const auto known = std::ranges::find(cell.mixture, phase, &MixedPart::phase);
-    if (known == cell.mixture.end()) {
-      cell.mixture.push_back({phase, area});
-      cell.shares.push_back(share);
-    } else {
-      known->fraction += area;
-      cell.shares[static_cast<std::size_t>(known - cell.mixture.begin())] += share;
-    }
+    const double core = part_of_core(geometry, place, one.image), part = one.share / all;
+    const auto& [phase, coating, thickness] = geometry.phases(one.image);
+    if (core > 0.0) cell.add(phase, core * part * (1.0 - of_binder), core * part * rest);
+    if (core < 1.0) cell.add(coating, (1.0 - core) * part * (1.0 - of_binder), (1.0 - core) * part * rest);
   }
-  return cell;
+  return cell.take();
 }
 
 /// Whether the cell lies beside a channel.
@@ -121,12 +151,7 @@ double at_end_of_gap(const GapGeometry& geometry, const CellPlace& place, const 
 }  // namespace
 
 double share_of(const GapGeometry& geometry, const CellPlace& place, ImageIndex image) {
-  constexpr double half_diagonal = 0.7072;
-  const double distance = geometry.discs.distance(image, place.centre());
-  if (distance > half_diagonal) return 0.0;
-  if (distance < -half_diagonal) return 1.0;
-  const Vector<2> lower = {static_cast<double>(place.cell()[0]), static_cast<double>(place.cell()[1])};
-  return overlap_area(geometry.discs.disc(image), lower, lower + Vector<2>{1.0, 1.0});
+  return share_of(geometry.discs.disc(image), place);
 }
 
 CellShares shares_of_channel(const GapGeometry& geometry, const CellPlace& place, const Channel& channel) {
@@ -135,19 +160,23 @@ CellShares shares_of_channel(const GapGeometry& geometry, const CellPlace& place
   const double of_sliding = is_even ? 1.0 : 0.625, least_slenderness = 1e-6;
   const std::array<ParticleShare, 2> particles = {
       {{first, share_of(geometry, place, first) + rounding}, {second, share_of(geometry, place, second) + rounding}}};
-  return in_series(geometry, particles,
+  return in_series(geometry, place, particles,
                    {std::min(channel.area, 1.0), of_sliding / std::max(channel.slenderness, least_slenderness)});
 }
 
 CellShares shares_of_cell(const GapGeometry& geometry, const CellPlace& place) {
   auto particles = particles_in(geometry, place);
   if (place.has_one_owner() && is_beside_chain(geometry, place)) {
-    return in_series(geometry, std::array{ParticleShare{place.owner(0), 1.0}}, {0.0, 0.0});
+    return in_series(geometry, place, std::array{ParticleShare{place.owner(0), 1.0}}, {0.0, 0.0});
   }
-  double filled = 0.0;
-  for (const auto& one : particles) filled += one.share;
-  const double binder = std::max(1.0 - filled, 0.0);
-  if (binder <= rounding) return in_series(geometry, particles, {0.0, 0.0});
+  double in_particles = 0.0;
+  for (const auto& one : particles) in_particles += one.share;
+  const double binder = std::max(1.0 - in_particles, 0.0);
+  if (binder <= rounding) {
+    auto filled = in_series(geometry, place, particles, {0.0, 0.0});
+    filled.is_one_phase = filled.mixture.size() == 1;
+    return filled;
+  }
   VolumeAndShear shares(binder, binder);
   if (particles.size() == 1 && !has_owned_binder(geometry, place)) {
     shares[1] = share_of_layer(geometry, place, particles.front().image, binder);
@@ -159,8 +188,11 @@ CellShares shares_of_cell(const GapGeometry& geometry, const CellPlace& place) {
     shares[1] *= place.has_free_node() ? at_end_of_gap(geometry, place, across) : 1.0;
   }
   shares = {std::clamp(shares[0], 0.0, 1.0), std::clamp(shares[1], 0.0, 3.0)};
+  const bool is_binder = particles.empty() && (shares == 1.0).all();
   if (particles.empty() && shares.minCoeff() < 1.0) particles.push_back({nearest.first, rounding});
-  return in_series(geometry, particles, shares);
+  auto cell = in_series(geometry, place, particles, shares);
+  cell.is_one_phase = is_binder;
+  return cell;
 }
 
 }  // namespace breccia::gaps

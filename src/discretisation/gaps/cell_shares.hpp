@@ -10,6 +10,7 @@ namespace breccia::gaps {
 struct CellShares {
   Mixture mixture;
   std::vector<VolumeAndShear> shares;
+  bool is_one_phase = false;  ///< whether one phase fills the cell, and has it for itself
 };
 
 /// A cell of a channel: its binder resists sliding, and its volume change, with that of the channel.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 
 #include "discretisation/gaps/cell_shares.hpp"
 
@@ -13,7 +13,7 @@ namespace {
 /// An energy with the shear modulus of a particle less that of the binder.
 void add_without_binder(const GapGeometry& geometry, ImageIndex image, double factor, const LinearForm& form,
                         std::vector<SquareTerm>& terms) {
-  terms.push_back({geometry.phase(image), factor, form});
+  terms.push_back({geometry.phase_at_surface(image), factor, form});
   terms.push_back({geometry.matrix, -factor, form});
 }
 
@@ -47,7 +47,7 @@ void tie_slope(const GapGeometry& geometry, const CellPlace& place, int face, in
   if (place.owner(beside) == owner && place.owner(beside_other) == owner) {
     auto form = slope;
     form.add(end == 0 ? -1.0 : 1.0, difference(beside, beside_other, normal));
-    terms.push_back({geometry.phase(owner), 1.0, form});
+    terms.push_back({geometry.phase_at_surface(owner), 1.0, form});
     return;
   }
   // Otherwise it has the rotation of the particle, from a neighbour across the cell or else from the other face of the
@@ -65,10 +65,11 @@ void tie_slope(const GapGeometry& geometry, const CellPlace& place, int face, in
   }
 }
 
-/// Half of the energy of the flow through a face.
-void add_flow_through(const GapGeometry& geometry, const CellPlace& place, int face, std::vector<SquareTerm>& terms) {
+/// A share of the energy of the flow through a face.
+void add_flow_through(const GapGeometry& geometry, const CellPlace& place, int face, double share,
+                      std::vector<SquareTerm>& terms) {
   if (!place.face(face).has_flow()) return;
-  terms.push_back({geometry.matrix, 0.5 / place.face(face).conductance, LinearForm().add(flow_through(face), 1.0)});
+  terms.push_back({geometry.matrix, share / place.face(face).conductance, LinearForm().add(flow_through(face), 1.0)});
 }
 
 /// The rotation of a particle from its slopes on the two faces at the ends of a channel; nothing without a slope.
@@ -118,7 +119,7 @@ void tie_slopes(const GapGeometry& geometry, const CellPlace& place, std::vector
 }
 
 void add_flow(const GapGeometry& geometry, const CellPlace& place, std::vector<SquareTerm>& terms) {
-  for (int face = 0; face < faces_of_cell; ++face) add_flow_through(geometry, place, face, terms);
+  for (int face = 0; face < faces_of_cell; ++face) add_flow_through(geometry, place, face, 0.5, terms);
 }
 
 EndsOfChannel ends_of_channel(const CellPlace& place) noexcept {
@@ -133,23 +134,31 @@ EndsOfChannel ends_of_channel(const CellPlace& place) noexcept {
 void add_flow_along(const GapGeometry& geometry, const CellPlace& place, const Channel& channel,
                     std::vector<SquareTerm>& terms) {
   const auto ends = ends_of_channel(place);
-  if (!place.face(ends.begin).has_flow() || !place.face(ends.end).has_flow() || channel.slenderness == 0.0) {
+  if (!place.face(ends.begin).has_flow() || !place.face(ends.end).has_flow()) {
     add_flow(geometry, place, terms);
     return;
   }
+  // A channel without length does not resist; a little of the energy of its faces keeps their flows determined.
+  constexpr double little = 1e-4;
+  const bool has_length = channel.slenderness > 0.0;
   for (int face = 0; face < faces_of_cell; ++face) {
-    if (face != ends.begin && face != ends.end) add_flow_through(geometry, place, face, terms);
+    const bool is_end = face == ends.begin || face == ends.end;
+    if (!is_end) add_flow_through(geometry, place, face, 0.5, terms);
+    if (is_end && !has_length) add_flow_through(geometry, place, face, little, terms);
   }
+  if (!has_length) return;
   std::array<LinearForm, 3> forms;
   forms[0].add(flow_through(ends.begin), is_upper_face(ends.begin) ? -1.0 : 1.0);
   forms[1].add(flow_through(ends.end), is_upper_face(ends.end) ? 1.0 : -1.0);
   const auto first = rotation_of(place, ends, place.owner(0)), second = rotation_of(place, ends, place.second_owner());
   if (first && second) forms[2].add(1.0, *second).add(-1.0, *first);
-  const Eigen::Matrix3d factor = channel.resistance.llt().matrixL();
-  for (int column = 0; column < 3; ++column) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> modes(channel.resistance);
+  for (int mode = 0; mode < 3; ++mode) {
     LinearForm form;
-    for (int row = column; row < 3; ++row) form.add(factor(row, column), forms[static_cast<std::size_t>(row)]);
-    terms.push_back({geometry.matrix, 1.0, form});
+    for (int part = 0; part < 3; ++part) {
+      form.add(modes.eigenvectors()(part, mode), forms[static_cast<std::size_t>(part)]);
+    }
+    terms.push_back({geometry.matrix, std::max(modes.eigenvalues()[mode], 0.0), form});
   }
 }
 

@@ -17,7 +17,7 @@ struct Channel {
 };
 
 /// The channel between two particles, by lubrication of the second order for a parabolic profile
-/// (docs/gaps-under-a-cell.md). A channel without length has none.
+/// (theory, Eq. 42g). A channel without length has none.
 [[nodiscard]] Channel make_channel(const DiscImages& discs, ImageIndex first, ImageIndex second, const Vector<2>& begin,
                                    const Vector<2>& end);
 

@@ -13,12 +13,21 @@ namespace {
 /// Distance up to which particles are near.
 constexpr double reach = 4.0;
 
+/// The unit vector along a vector; zero for a vector of rounding errors.
+Vector<2> direction(const Vector<2>& vector) {
+  constexpr double rounding = 1e-12;
+  const double length = norm(vector);
+  return length > rounding ? vector / length : Vector<2>{};
+}
+
 }  // namespace
 
 DiscImages::DiscImages(const Microstructure<2>& microstructure, int cells) : cells_(cells) {
   if (microstructure.walls != Walls::periodic) throw InputError("gaps under a cell: expected a periodic box");
   const double per_length = cells / microstructure.side, outside = margin + reach;
-  constexpr int sides = 2;
+  double widest = 0.0;
+  for (const auto& ball : microstructure.particles) widest = std::max(widest, per_length * ball.diameter);
+  const int sides = 1 + static_cast<int>(std::ceil((outside + 0.5 * widest) / cells));
   for (std::size_t particle = 0; particle < microstructure.particles.size(); ++particle) {
     for_each_index(Index<2>{-sides, -sides}, Index<2>{sides + 1, sides + 1}, [&](const Index<2>& shift) {
       const auto& ball = microstructure.particles[particle];
@@ -71,8 +80,7 @@ double DiscImages::distance(ImageIndex image, const Vector<2>& point) const noex
 }
 
 Vector<2> DiscImages::normal(ImageIndex image, const Vector<2>& point) const noexcept {
-  const auto radius = point - of(image).disc.centre;
-  return radius / norm(radius);
+  return direction(point - of(image).disc.centre);
 }
 
 NearestTwo DiscImages::nearest_two(const Vector<2>& point) const noexcept {
@@ -91,8 +99,7 @@ NearestTwo DiscImages::nearest_two(const Vector<2>& point) const noexcept {
 }
 
 Vector<2> DiscImages::across(ImageIndex one, ImageIndex other, const Vector<2>& point) const noexcept {
-  const auto apart = normal(one, point) - normal(other, point);
-  return apart / norm(apart);
+  return direction(normal(one, point) - normal(other, point));
 }
 
 std::optional<Interval> DiscImages::chord(ImageIndex image, const GridLine& line) const noexcept {

@@ -60,13 +60,14 @@ class DiscImages {
   [[nodiscard]] Disc disc(ImageIndex image) const noexcept { return of(image).disc; }
   /// Distance of a point from a particle, negative inside.
   [[nodiscard]] double distance(ImageIndex image, const Vector<2>& point) const noexcept;
-  /// The gradient of that distance.
+  /// The gradient of that distance; zero at the centre.
   [[nodiscard]] Vector<2> normal(ImageIndex image, const Vector<2>& point) const noexcept;
   /// The particles that may be at a point or within a few cells around it.
   [[nodiscard]] std::span<const ImageIndex> near(const Vector<2>& point) const noexcept;
   /// The two of these particles that are nearest. Of two particles as near the first one in the order is taken.
   [[nodiscard]] NearestTwo nearest_two(const Vector<2>& point) const noexcept;
-  /// The unit vector across the gap between two particles, towards the second one.
+  /// The unit vector across the gap between two particles, towards the second one; zero where there is no gap because
+  /// both lie in the same direction.
   [[nodiscard]] Vector<2> across(ImageIndex one, ImageIndex other, const Vector<2>& point) const noexcept;
   /// The piece of a line in a particle.
   [[nodiscard]] std::optional<Interval> chord(ImageIndex image, const GridLine& line) const noexcept;

@@ -25,7 +25,7 @@ struct FacePlace {
   }
 };
 
-/// What passes through a face (docs/gaps-under-a-cell.md). The flux of a displacement u follows particles up to their
+/// What passes through a face (theory, Eqs. 42d and 42e). The flux of a displacement u follows particles up to their
 /// surfaces: F = of_nodes[0] u_A + of_nodes[1] u_B + of_slopes[0] theta_A + of_slopes[1] theta_B, with the
 /// displacements u along the normal of both nodes and the slopes theta, along the face, of u in their particles.
 struct Face {

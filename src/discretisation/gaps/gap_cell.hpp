@@ -69,7 +69,8 @@ struct SquareTerm {
   LinearForm form;
 };
 
-/// A cell with gaps (docs/gaps-under-a-cell.md). Its deviators are those of its nodes; its phases are in series.
+/// A cell that the surface of a particle crosses, or on whose faces there is binder (theory, Eqs. 42c to 42h). Its
+/// deviators are those of its nodes; its phases are in series.
 struct GapCell {
   Mixture mixture;                     ///< its phases, with their shares of its area
   std::vector<VolumeAndShear> shares;  ///< the shares of these phases in series, which need not add up to 1

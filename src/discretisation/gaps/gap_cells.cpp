@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
+#include "breccia/microstructure/validity.hpp"
 
 #include "discretisation/gaps/cell_shares.hpp"
 #include "discretisation/gaps/cell_terms.hpp"
@@ -19,13 +21,15 @@ Vector<2> middle_of(const CellPlace& place, int face) {
   return place.face_place(face).line().at(place.face(face).split);
 }
 
-/// Whether a cell would be the same without gaps: of one phase, whose faces have no unknowns.
-bool is_plain(const GapCell& cell) {
-  const auto has_none = std::ranges::all_of(cell.face_unknowns, [](auto number) { return number == GapCell::none; });
-  return has_none && cell.shares.size() == 1 && (cell.shares.front() == 1.0).all();
+/// The microstructure of the particles with their coatings.
+Microstructure<2> with_coatings(Microstructure<2> microstructure, std::span<const ParticlePhases> particles) {
+  for (std::size_t particle = 0; particle < particles.size(); ++particle) {
+    microstructure.particles[particle].diameter += 2.0 * particles[particle].coating_thickness;
+  }
+  return microstructure;
 }
 
-/// The gap cell at a cell of the grid; nothing for a plain one.
+/// The gap cell at a cell of the grid; nothing for a cell of one phase whose faces have no unknowns.
 std::optional<GapCell> make_gap_cell(const GapGeometry& geometry, const Index<2>& at) {
   const CellPlace place(geometry, at);
   GapCell cell;
@@ -46,9 +50,10 @@ std::optional<GapCell> make_gap_cell(const GapGeometry& geometry, const Index<2>
     shares = shares_of_cell(geometry, place);
     add_flow(geometry, place, cell.terms);
   }
+  const auto has_none = std::ranges::all_of(cell.face_unknowns, [](auto number) { return number == GapCell::none; });
+  if (has_none && shares.is_one_phase) return std::nullopt;
   cell.mixture = std::move(shares.mixture);
   cell.shares = std::move(shares.shares);
-  if (is_plain(cell)) return std::nullopt;
   cell.volume = volume_change(place);
   return cell;
 }
@@ -64,19 +69,26 @@ GapCells::GapCells(const Grid<2>& grid, std::vector<GapCell> cells, std::span<co
   for (std::size_t number = 0; number < places.size(); ++number) {
     numbers_[places[number]] = static_cast<std::int32_t>(number);
   }
+  std::set<PhaseIndex> phases;
+  for (const auto& cell : cells_) {
+    for (const auto& part : cell.mixture) phases.insert(part.phase);
+  }
+  phases_.assign(phases.begin(), phases.end());
 }
 
 GapCells find_gap_cells(const Microstructure<2>& microstructure, int cells, PhaseIndex matrix,
-                        std::span<const PhaseIndex> particles) {
+                        std::span<const ParticlePhases> particles) {
   if (particles.size() != microstructure.particles.size()) {
     throw InputError(fmt::format("gaps under a cell: expected a phase for each of {} particles, got {}",
                                  microstructure.particles.size(), particles.size()));
   }
-  const DiscImages discs(microstructure, cells);
+  const auto coated = with_coatings(microstructure, particles);
+  require_valid(coated);
+  const DiscImages discs(coated, cells);
   const Owners owners(discs);
   const FaceTable faces(discs, owners);
-  const GapGeometry geometry = {discs, owners, faces, matrix, particles};
   const Grid<2> grid = {{cells, cells}, microstructure.side / cells};
+  const GapGeometry geometry = {discs, owners, faces, matrix, particles, grid.cell_side};
   std::vector<GapCell> gap_cells;
   std::vector<std::size_t> places;
   grid.for_each_cell([&](const Index<2>& cell) {

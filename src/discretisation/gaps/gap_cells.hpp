@@ -28,6 +28,8 @@ class GapCells {
     return number < 0 ? nullptr : &cells_[static_cast<std::size_t>(number)];
   }
   [[nodiscard]] std::span<const GapCell> cells() const noexcept { return cells_; }
+  /// The phases in the cells, in the order of their numbers.
+  [[nodiscard]] std::span<const PhaseIndex> phases() const noexcept { return phases_; }
   /// Number of the unknowns of all faces.
   [[nodiscard]] std::int32_t unknowns() const noexcept { return first_unknowns_.back(); }
   /// The range of the numbers of the unknowns of the two faces that begin at a node.
@@ -44,12 +46,13 @@ class GapCells {
   Grid<2> grid_;
   std::vector<GapCell> cells_;
   std::vector<std::int32_t> numbers_;
+  std::vector<PhaseIndex> phases_;
   std::vector<std::int32_t> first_unknowns_;
 };
 
-/// The gap cells of discs without coatings in a periodic box, on `cells` cells along each axis. `particles` holds the
-/// phase of each disc. Throws InputError for another box.
+/// The gap cells of discs in a periodic box, on `cells` cells along each axis. `particles` holds the phases of each
+/// disc; gaps are those between coatings. Throws InputError for another box.
 [[nodiscard]] GapCells find_gap_cells(const Microstructure<2>& microstructure, int cells, PhaseIndex matrix,
-                                      std::span<const PhaseIndex> particles);
+                                      std::span<const ParticlePhases> particles);
 
 }  // namespace breccia::gaps

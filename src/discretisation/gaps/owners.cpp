@@ -6,8 +6,8 @@
 namespace breccia::gaps {
 namespace {
 
-/// Whether a gap is so narrow that its nodes belong to particles: up to 1.4 cells along an axis, somewhat more where it
-/// is oblique.
+/// Eq. 42c of the theory: whether a gap is so narrow that its nodes belong to particles: up to 1.4 cells along an axis,
+/// somewhat more where it is oblique.
 bool is_narrow(const DiscImages& discs, const NearestTwo& nearest, const Vector<2>& point) {
   constexpr double widest = 1.4, of_a_diagonal = 0.8409;  // 2^(-1/4)
   if (nearest.second == no_image || nearest.gap() >= widest / of_a_diagonal) return false;

@@ -28,6 +28,9 @@ CellKinds<dim>::CellKinds(const Discretisation<dim>& discretisation, Volumetric 
     crystals_.emplace(phase, Crystal{stiffness, softer_moduli<dim>(stiffness).shear});
   }
   require_no_crystals<dim>(discretisation.mixtures(), crystals);
+  if (!crystals.empty() && gaps.unknowns() > 0) {
+    throw InputError("quasi-static solver: cells with gaps beside crystals; expected isotropic phases");
+  }
   const auto rule_of = [&](const Mixture& mixture) {
     return materials.empty() ? MixtureRule(mixture) : MixtureRule(mixture, materials);
   };
@@ -44,6 +47,7 @@ CellKinds<dim>::CellKinds(const Discretisation<dim>& discretisation, Volumetric 
       if (cell.front() == own_cells.begin.front()) strains_before_rows_.push_back(strains);
       if (gap_cell != nullptr) {
         of_cells_.push_back(add_kind(phases, MixedCell<dim>(MixtureRule(gap_cell->mixture, gap_cell->shares))));
+        has_gaps_.back() = true;
       } else if (const auto kind = known.find(phases); kind != known.end()) {
         of_cells_.push_back(kind->second);
       } else {
@@ -54,7 +58,7 @@ CellKinds<dim>::CellKinds(const Discretisation<dim>& discretisation, Volumetric 
     }
     if (mixture != nullptr) strains += static_cast<PetscInt>(MixedCell<dim>::unknowns_of(*mixture));
   });
-  if (volumetric == Volumetric::standard && !discretisation.mixtures().empty()) {
+  if (volumetric == Volumetric::standard && (!discretisation.mixtures().empty() || gaps.unknowns() > 0)) {
     throw InputError("quasi-static solver: expected averaged volumetric strains, which mixed cells have");
   }
 }
@@ -63,6 +67,7 @@ template <int dim>
 std::uint32_t CellKinds<dim>::add_kind(const CellPhases<dim>& phases, std::optional<MixedCell<dim>> mixed) {
   phases_.push_back(phases);
   mixed_.push_back(std::move(mixed));
+  has_gaps_.push_back(false);
   return static_cast<std::uint32_t>(phases_.size() - 1);
 }
 
@@ -100,7 +105,9 @@ template <int dim>
 std::vector<typename CellShape<dim>::Stiffness> CellKinds<dim>::stiffnesses(std::span<const Moduli> moduli) const {
   std::vector<Stiffness> by_kind;
   by_kind.reserve(count());
-  for (std::size_t kind = 0; kind < count(); ++kind) by_kind.push_back(stiffness(kind, moduli));
+  for (std::size_t kind = 0; kind < count(); ++kind) {
+    by_kind.push_back(has_gaps_[kind] ? Stiffness::Zero() : stiffness(kind, moduli));
+  }
   return by_kind;
 }
 

@@ -25,9 +25,8 @@ class CellKinds {
   using Stiffness = typename Shape::Stiffness;
 
   /// The materials, by PhaseIndex, decide the rule of each mixture; without them all phases are in series. A cell with
-  /// gaps is a kind of its own: a mixed cell with the shares of its phases. Throws
-  /// InputError when a point has no phase, for mixed cells with the volumetric strains of points, and for mixed cells
-  /// with crystals.
+  /// gaps is a kind of its own: a mixed cell with the shares of its phases. Throws InputError when a point has no
+  /// phase, for mixed cells with the volumetric strains of points, and for mixed cells with crystals.
   CellKinds(const Discretisation<dim>& discretisation, Volumetric volumetric, const IndexRange<dim>& own_cells,
             const Crystals<dim>& crystals = {}, std::span<const Material> materials = {},
             const GapsOfGrid<dim>& gaps = GapsOfGrid<dim>());
@@ -51,7 +50,7 @@ class CellKinds {
   /// Stiffness of the cells of a kind [Pa], for moduli [Pa] by material. Crystals have their own stiffness where their
   /// moduli are softer_moduli(), and no stiffness where these are 0, as in the parts of an affine stiffness that vary.
   [[nodiscard]] Stiffness stiffness(std::size_t kind, std::span<const Moduli> moduli) const;
-  /// The stiffnesses of all kinds.
+  /// The stiffnesses of all kinds; zero for kinds of cells with gaps, which have further unknowns.
   [[nodiscard]] std::vector<Stiffness> stiffnesses(std::span<const Moduli> moduli) const;
   /// Moduli [Pa] of the cells of a kind, if all points have the same moduli and the stiffness is that of averaged
   /// volumetric strains.
@@ -72,6 +71,7 @@ class CellKinds {
   IndexRange<dim> own_cells_;
   std::vector<CellPhases<dim>> phases_;               ///< phases of the points of a cell, by kind
   std::vector<std::optional<MixedCell<dim>>> mixed_;  ///< mixed cells by kind
+  std::vector<bool> has_gaps_;                        ///< whether the cells of a kind have gaps
   std::vector<std::uint32_t> of_cells_;
   std::vector<PetscInt> strains_before_rows_;
   std::map<PhaseIndex, Crystal> crystals_;

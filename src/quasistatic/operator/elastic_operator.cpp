@@ -16,9 +16,22 @@
 namespace breccia::quasistatic {
 namespace {
 
-/// Gaps matter where all particles are stiffer than the binder; without materials they are taken to be.
-bool may_have_gaps(std::span<const Material> materials) {
-  return materials.empty() || are_stiffer_than_matrix(materials);
+/// The gaps of a discretisation, where they matter: the phases in cells with gaps are stiffer than the binder. Without
+/// materials they are taken to be.
+template <int dim>
+std::shared_ptr<const gaps::GapCells> gaps_of(const Discretisation<dim>& discretisation, Boundary boundary,
+                                              std::span<const Material> materials) {
+  const auto& gaps = discretisation.gaps();
+  if (gaps == nullptr) return nullptr;
+  if (boundary != Boundary::periodic) {
+    throw InputError("quasi-static solver: gaps under a cell; expected a periodic boundary");
+  }
+  if (materials.empty()) return gaps;
+  std::vector<Material> in_gaps = {materials.front()};
+  for (const auto phase : gaps->phases()) {
+    if (phase != MixtureRule::matrix) in_gaps.push_back(materials[phase]);
+  }
+  return are_stiffer_than_matrix(in_gaps) ? gaps : nullptr;
 }
 
 }  // namespace
@@ -27,7 +40,7 @@ template <int dim>
 ElasticOperator<dim>::ElasticOperator(const Discretisation<dim>& discretisation, Volumetric volumetric,
                                       Boundary boundary, int threads, const Crystals<dim>& crystals,
                                       std::span<const Material> materials)
-    : gaps_(may_have_gaps(materials) ? discretisation.gaps() : nullptr),
+    : gaps_(gaps_of(discretisation, boundary, materials)),
       nodes_({discretisation.grid().cells, 1.0}, boundary),
       kinds_(discretisation, volumetric, nodes_.cells(), crystals, materials, gaps_),
       threads_(parallel::threads_for(threads)) {
@@ -101,15 +114,36 @@ typename CellShape<dim>::Values ElasticOperator<dim>::forces_of(const Index<dim>
   return modes_.transpose() * stress;
 }
 
+/// Sets the slopes of all faces to those of a uniform shear strain. Returns the values of faces (FaceLayout).
+template <int dim>
+std::vector<double> ElasticOperator<dim>::set_slopes(double shear, Displacement& displacement) const {
+  std::vector<double> slopes(faces_.seen(), 0.0);
+  if constexpr (dim == 2) {
+    nodes_.for_cells([&](const Index<2>& cell) {
+      const auto* gap = gap_cell(cell);
+      if (gap == nullptr) return;
+      for (int face = 0; face < gaps::faces_of_cell; ++face) {
+        for (int end = 0; end < 2; ++end) {
+          const auto place = static_cast<std::size_t>(gaps::slope_at(face, end) - Shape::dofs);
+          const auto number = gap->face_unknowns[place];
+          if (number != gaps::GapCell::none) slopes[faces_.index_of(number)] = shear;
+        }
+      }
+    });
+    faces_.set(slopes, displacement.fluctuation());
+  }
+  return slopes;
+}
+
 template <int dim>
 Displacement ElasticOperator<dim>::uniform_strain(Load load) const {
   auto displacement = zero();
   const auto strain = unit_strain<dim>(load);
   const auto affine = Shape::affine_motion(strain);
   const WriteValues phase_strains(displacement.phase_strains());
-  const std::vector<double> at_rest(faces_.seen(), 0.0);
+  const auto of_faces = set_slopes(component(strain, 0, 1), displacement);
   for_mixed_cells([&](const Index<dim>& cell, const MixedCell<dim>& mixed, std::size_t index) {
-    phase_strains.range(index, mixed.unknowns()) = mixed.uniform(modes_of(cell, affine, at_rest));
+    phase_strains.range(index, mixed.unknowns()) = mixed.uniform(modes_of(cell, affine, of_faces));
   });
   if (boundary() != Boundary::traction) {
     displacement.set_macroscopic(1.0);
@@ -149,6 +183,11 @@ void ElasticOperator<dim>::condense(std::span<const Moduli> moduli, Forces& forc
     const auto& rule = mixed->rule();
     if (rule.in_series(rule.template constrained<dim>(moduli)).minCoeff() > 0.0) continue;
     throw InputError("quasi-static solver: a phase of a mixed cell has a modulus of 0; expected positive ones");
+  }
+  const auto is_softer = [&](const Moduli& of_phase) { return of_phase.shear < moduli.front().shear; };
+  if (has_gaps() && std::ranges::any_of(moduli, is_softer)) {
+    throw InputError(
+        "quasi-static solver: gaps under a cell; expected particles stiffer than the binder at all moduli");
   }
   const ReadValues on_strains(forces.phase_strains());
   std::size_t index = 0;

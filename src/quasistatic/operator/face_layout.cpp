@@ -56,6 +56,10 @@ std::vector<double> FaceLayout::values(Vec nodal) const {
   return values;
 }
 
+void FaceLayout::set(std::span<const double> values, Vec nodal) const {
+  std::copy_n(values.begin(), own_, WriteValues(nodal).data() + first_in(nodal));
+}
+
 void FaceLayout::add(std::vector<double> contributions, Vec nodal) const {
   shared_.add_to_owners(contributions);
   const WriteValues values(nodal);

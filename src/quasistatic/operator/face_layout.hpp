@@ -35,6 +35,8 @@ class FaceLayout {
 
   /// The values of all unknowns seen, from a nodal vector.
   [[nodiscard]] std::vector<double> values(Vec nodal) const;
+  /// Sets the values in a nodal vector; on every process those of its own unknowns are right.
+  void set(std::span<const double> values, Vec nodal) const;
   /// Adds the contributions of all processes to a nodal vector.
   void add(std::vector<double> contributions, Vec nodal) const;
   /// Sets the values of other processes, behind those of this one.

@@ -65,9 +65,15 @@ Matrix make_gap_matrix(const ElasticOperator<2>& elastic_operator) {
   const auto nodal = elastic_operator.nodes().zeros();
   PetscInt size = 0;
   check(VecGetLocalSize(nodal.get(), &size), what);
-  std::vector<PetscInt> in_row(static_cast<std::size_t>(size), of_node);
-  std::fill(in_row.end() - static_cast<std::ptrdiff_t>(elastic_operator.faces().own()), in_row.end(), of_face);
-  const auto elsewhere = parallel::ranks() > 1 ? in_row : std::vector<PetscInt>(in_row.size(), 0);
+  PetscInt all = 0;
+  check(VecGetSize(nodal.get(), &all), what);
+  const auto rows_of = [&](PetscInt columns) {
+    std::vector<PetscInt> in_row(static_cast<std::size_t>(size), std::min(of_node, columns));
+    std::fill(in_row.end() - static_cast<std::ptrdiff_t>(elastic_operator.faces().own()), in_row.end(),
+              std::min(of_face, columns));
+    return in_row;
+  };
+  const auto in_row = rows_of(size), elsewhere = rows_of(all - size);
   Matrix matrix;
   check(MatCreateAIJ(PETSC_COMM_WORLD, size, size, PETSC_DETERMINE, PETSC_DETERMINE, 0, in_row.data(), 0,
                      elsewhere.data(), matrix.put()),

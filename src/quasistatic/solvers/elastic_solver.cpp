@@ -89,7 +89,9 @@ std::unique_ptr<ElasticSolver<2>> make_iterative_solver(const ElasticOperator<2>
   if (BlockDivision::among(parallel::ranks(), elastic_operator.grid().cells, is_periodic)) {
     return std::make_unique<SubstructuringSolver>(elastic_operator, options);
   }
-  return std::make_unique<AssembledSolver<2>>(elastic_operator, options, Preconditioner::multigrid);
+  // Multigrid knows rigid motions of nodes alone.
+  const auto preconditioner = elastic_operator.has_gaps() ? Preconditioner::factors : Preconditioner::multigrid;
+  return std::make_unique<AssembledSolver<2>>(elastic_operator, options, preconditioner);
 }
 
 std::unique_ptr<ElasticSolver<3>> make_iterative_solver(const ElasticOperator<3>& elastic_operator,
