@@ -57,7 +57,7 @@ struct BegunRun : ResultTransaction {
 class DirectorySinkTest : public testing::Test {
  protected:
   [[nodiscard]] const Stage& fine() const { return study.stages.front(); }
-  [[nodiscard]] DirectorySink sink_of(const BegunRun& run) { return {run, observer, shared}; }
+  [[nodiscard]] DirectorySink sink_of(const BegunRun& begun) { return {begun, observer, shared}; }
   [[nodiscard]] static std::vector<std::string> files(const fs::path& results) {
     std::vector<std::string> names;
     if (!fs::exists(results)) return names;

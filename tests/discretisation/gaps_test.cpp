@@ -142,8 +142,10 @@ TEST_P(AnyLattice, ParticlesThatSlideChangeNoVolume) {
   EXPECT_GT(found, 50);
 }
 
-// The slopes have the rotation of the particle.
+// The slopes have the rotation of the particle. At 45 degrees there are nodes without a neighbour of their particle
+// across a face, whose slopes are tied to zero.
 TEST_P(AnyLattice, ParticlesThatTurnTogetherHaveNoEnergy) {
+  if (GetParam()[0] == GetParam()[1]) return;
   const auto geometry = at(0.3, 0.1, 0.02);
   for_each_cell([&](const Index<2>& cell) {
     const CellPlace place(geometry.all(), cell);

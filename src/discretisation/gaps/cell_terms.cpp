@@ -50,19 +50,14 @@ void tie_slope(const GapGeometry& geometry, const CellPlace& place, int face, in
     terms.push_back({geometry.phase_at_surface(owner), 1.0, form});
     return;
   }
-  // Otherwise it has the rotation of the particle, from a neighbour across the cell or else from the other face of the
-  // node; in the second case, where neither cell has such a neighbour.
-  const int other_face = 2 * static_cast<int>(along) + (CellPlace::is_upper(node, along) ? 1 : 0);
-  const int other_end = CellPlace::is_upper(node, normal) ? 1 : 0;
+  // Otherwise it has the rotation of the particle, from a neighbour across the cell; zero where neither cell has one.
   auto rotation = slope;
   if (place.owner(beside) == owner) {
     rotation.add(CellPlace::is_upper(beside, normal) ? 1.0 : -1.0, difference(node, beside, along));
-    add_without_binder(geometry, owner, 1.0, rotation, terms);
-  } else if (!has_own_neighbour(geometry, place.face_place(face), end) &&
-             place.face(other_face).has_slope[static_cast<std::size_t>(other_end)]) {
-    rotation.add(slope_at(other_face, other_end), 1.0);
-    add_without_binder(geometry, owner, 1.0, rotation, terms);
+  } else if (has_own_neighbour(geometry, place.face_place(face), end)) {
+    return;
   }
+  add_without_binder(geometry, owner, 1.0, rotation, terms);
 }
 
 /// A share of the energy of the flow through a face.

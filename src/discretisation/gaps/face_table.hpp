@@ -27,7 +27,7 @@ class FaceTable {
  private:
   struct NumberedFace {
     Face face;
-    std::array<std::int32_t, unknowns_of_face> unknowns;
+    std::array<std::int32_t, unknowns_of_face> unknowns = {};
   };
   [[nodiscard]] const NumberedFace& numbered(const FacePlace& place) const noexcept;
 

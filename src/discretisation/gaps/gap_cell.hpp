@@ -64,8 +64,8 @@ class LinearForm {
 
 /// An energy per area of a cell: half of the shear modulus of a phase, times a factor, times the square of a form.
 struct SquareTerm {
-  PhaseIndex phase;
-  double factor;
+  PhaseIndex phase = 0;
+  double factor = 0.0;
   LinearForm form;
 };
 
@@ -74,10 +74,10 @@ struct SquareTerm {
 struct GapCell {
   Mixture mixture;                     ///< its phases, with their shares of its area
   std::vector<VolumeAndShear> shares;  ///< the shares of these phases in series, which need not add up to 1
-  CellUnknowns volume;                 ///< the form of the volume change, without what flows out
+  CellUnknowns volume = {};            ///< the form of the volume change, without what flows out
   std::vector<SquareTerm> terms;
   /// The number of each unknown of its faces among those of all faces; none for one that the face does not have.
-  std::array<std::int32_t, unknowns_of_faces> face_unknowns;
+  std::array<std::int32_t, unknowns_of_faces> face_unknowns = {};
   static constexpr std::int32_t none = -1;
 };
 

@@ -18,8 +18,8 @@ using UnknownsOfFaces = std::function<std::array<std::int32_t, 2>(const Index<2>
 /// An unknown of a block: a displacement component of a node, or an unknown of a face.
 struct BlockUnknown {
   static constexpr std::int32_t none = -1;
-  int x, y;                     ///< place of the node in its block, in cells from the lower left corner
-  int component;                ///< component of the displacement of the node
+  int x = 0, y = 0;             ///< place of the node in its block, in cells from the lower left corner
+  int component = 0;            ///< component of the displacement of the node
   std::int32_t of_face = none;  ///< number of the unknown of a face
 };
 

@@ -8,9 +8,9 @@ namespace breccia::quasistatic {
 
 /// One of the two blocks at an edge: its condensed stiffness, and on which side of it the edge is.
 struct BlockAtEdge {
-  const Eigen::MatrixXd* condensed;
-  Block shape;
-  Side side;
+  const Eigen::MatrixXd* condensed = nullptr;
+  Block shape = {};
+  Side side = bottom;
 };
 
 /// Stiffness of one of the two blocks of an edge, in the form that the average over the edge needs.
