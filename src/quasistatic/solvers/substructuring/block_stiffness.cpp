@@ -40,7 +40,9 @@ class UnknownNumbers {
       of_nodes_[place_of(unknown.x, unknown.y)][static_cast<std::size_t>(unknown.component)] = number;
     }
   }
-  [[nodiscard]] std::size_t place_of(int x, int y) const noexcept { return static_cast<std::size_t>(y * width_ + x); }
+  [[nodiscard]] std::size_t place_of(int x, int y) const noexcept {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+  }
 
   int width_, inside_ = 0;
   std::vector<std::array<int, 2>> of_nodes_;
@@ -49,7 +51,7 @@ class UnknownNumbers {
 
 /// The unknowns of a cell of a block, and its stiffness for them.
 struct CellOfBlock {
-  std::array<int, gaps::unknowns_of_cell> unknowns;
+  std::array<int, gaps::unknowns_of_cell> unknowns = {};
   int count = CellShape<2>::dofs;
   const double* stiffness = nullptr;
 };
