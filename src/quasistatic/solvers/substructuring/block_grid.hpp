@@ -12,7 +12,7 @@ namespace breccia::quasistatic {
 
 /// A rectangle of cells.
 struct Block {
-  int first_column, first_row, columns, rows;
+  int first_column = 0, first_row = 0, columns = 0, rows = 0;
   std::array<int, 4> of_faces = {};  ///< number of the unknowns of the faces on each Side
 };
 
