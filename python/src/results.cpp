@@ -18,6 +18,7 @@
 #include "engineering.hpp"
 #include "io/display.hpp"
 #include "io/nearest_name.hpp"
+#include "materials.hpp"
 #include "solution.hpp"
 #include "solution_state.hpp"
 #include "test_fields.hpp"

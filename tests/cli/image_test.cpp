@@ -84,12 +84,12 @@ TEST_P(LabelsOf, AMicrostructureAreReadBack) {
   const auto run = original.breccia("run");
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   const auto curves = read_text(original.result("curves.csv"));
-  for (const std::string name : {"labels.npy", "labels.vti"}) {
-    const StudyDirectory image(deck_of(stage_of_labels(name, periodic, labels)));
-    image.write(name, read_text(original.result("A/" + name)));
+  for (const std::string file : {"labels.npy", "labels.vti"}) {
+    const StudyDirectory image(deck_of(stage_of_labels(file, periodic, labels)));
+    image.write(file, read_text(original.result("A/" + file)));
     const auto again = image.breccia("run");
     ASSERT_EQ(again.exit_code, 0) << again.errors;
-    EXPECT_EQ(read_text(image.result("curves.csv")), curves) << name;
+    EXPECT_EQ(read_text(image.result("curves.csv")), curves) << file;
     EXPECT_EQ(read_raster(image.result("A/labels.npy")).values, read_raster(original.result("A/labels.npy")).values);
   }
   const auto particles = read_raster(original.result("A/labels.vti"), array);
