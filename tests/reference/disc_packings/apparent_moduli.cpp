@@ -10,13 +10,12 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr int held = 2;  // the first two unknowns, a translation of the whole box, are zero
-
 /// The linear equations of a packing with given moduli.
 class Equations {
  public:
-  Equations(const std::vector<ElementMatrices>& elements, int unknowns, const Moduli& binder, const Moduli& discs)
-      : elements_(elements), unknowns_(unknowns), binder_(binder), discs_(discs) {
+  Equations(const std::vector<ElementMatrices>& elements, const Unknowns& unknowns, const Moduli& binder,
+            const Moduli& discs)
+      : elements_(elements), unknowns_(unknowns.count), held_(unknowns.held), binder_(binder), discs_(discs) {
     // Nested dissection alone: CHOLMOD would try the minimum degree first.
     factor_.cholmod().nmethods = 1;
     factor_.cholmod().method[0].ordering = CHOLMOD_METIS;
@@ -31,7 +30,7 @@ class Equations {
       forces(element.unknowns) -= shear(element) * element.shear_loads.col(load) +
                                   lame(element) * (element.dilatation.transpose() * element.dilatation_loads.col(load));
     }
-    forces.head<held>().setZero();
+    forces.head(held_).setZero();
     return forces;
   }
 
@@ -42,17 +41,26 @@ class Equations {
       product(element.unknowns) += shear(element) * (element.shear * local) +
                                    lame(element) * (element.dilatation.transpose() * (element.dilatation * local));
     }
-    product.head<held>().setZero();
+    product.head(held_).setZero();
     return product;
   }
 
   [[nodiscard]] VectorXd divide(const VectorXd& vector) const {
     VectorXd quotient = VectorXd::Zero(unknowns_);
-    quotient.tail(unknowns_ - held) = factor_.solve(vector.tail(unknowns_ - held));
+    quotient.tail(unknowns_ - held_) = factor_.solve(vector.tail(unknowns_ - held_));
     return quotient;
   }
 
-  /// Twice the energy of the box.
+  /// The forces of the tractions on the unknowns: their work is that of the stress on the strains of the binder and,
+  /// unless they are rigid, of the discs.
+  [[nodiscard]] VectorXd traction_forces(int load) const {
+    VectorXd forces = VectorXd::Zero(unknowns_);
+    for (const ElementMatrices& element : elements_) forces(element.unknowns) += element.stress_forces.col(load);
+    forces.head(held_).setZero();
+    return forces;
+  }
+
+  /// Twice the energy of the box at the strain of the load.
   [[nodiscard]] double energy(int load, const VectorXd& fluctuations) const {
     double energy = 0.0;
     for (const ElementMatrices& element : elements_) {
@@ -89,19 +97,19 @@ class Equations {
           shear(element) * element.shear + lame(element) * element.dilatation.transpose() * element.dilatation;
       for (int i = 0; i < local.rows(); ++i) {
         for (int j = 0; j < local.cols(); ++j) {
-          const int row = element.unknowns[i] - held;
-          const int column = element.unknowns[j] - held;
+          const int row = element.unknowns[i] - held_;
+          const int column = element.unknowns[j] - held_;
           if (row >= 0 && row <= column) entries.emplace_back(row, column, local(i, j));
         }
       }
     }
-    Eigen::SparseMatrix<double> matrix(unknowns_ - held, unknowns_ - held);
+    Eigen::SparseMatrix<double> matrix(unknowns_ - held_, unknowns_ - held_);
     matrix.setFromTriplets(entries.begin(), entries.end());
     return matrix;
   }
 
   const std::vector<ElementMatrices>& elements_;
-  int unknowns_;
+  int unknowns_, held_;
   Moduli binder_, discs_;
   Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Upper> factor_;
 };
@@ -132,15 +140,27 @@ VectorXd solve(const Equations& equations, const VectorXd& forces) {
   throw std::runtime_error("conjugate gradients do not converge");
 }
 
+/// Twice the energy at the strain E of the load.
+double modulus_at_strain(const Equations& equations, int load) {
+  return equations.energy(load, solve(equations, equations.forces(load)));
+}
+
+/// The stress 2 E has the work 2 E : e on the mean strain e, which is twice the energy. In a material for which E is an
+/// eigenvector of the stiffness, this is 1 / (E : C E), as E : E = 1/2; C E is the modulus times 2 E.
+double modulus_at_stress(const Equations& equations, int load) {
+  const VectorXd forces = equations.traction_forces(load);
+  const VectorXd displacements = solve(equations, forces);
+  return 1.0 / (2.0 * forces.dot(displacements) - displacements.dot(equations.multiply(displacements)));
+}
+
 }  // namespace
 
-std::array<double, 3> apparent_moduli(const std::vector<ElementMatrices>& elements, int unknowns, const Moduli& binder,
-                                      const Moduli& discs) {
+std::array<double, 3> apparent_moduli(const std::vector<ElementMatrices>& elements, const Unknowns& unknowns,
+                                      Boundary boundary, const Moduli& binder, const Moduli& discs) {
   const Equations equations(elements, unknowns, binder, discs);
+  const auto modulus = boundary == Boundary::traction ? modulus_at_stress : modulus_at_strain;
   std::array<double, 3> moduli = {};
-  for (int load = 0; load < 3; ++load) {
-    moduli[load] = equations.energy(load, solve(equations, equations.forces(load)));
-  }
+  for (int load = 0; load < 3; ++load) moduli[load] = modulus(equations, load);
   return moduli;
 }
 

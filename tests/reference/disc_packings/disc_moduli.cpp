@@ -1,9 +1,10 @@
-// Prints the apparent moduli of a periodic packing of discs, in plane strain, over the shear modulus of the binder:
+// Prints the apparent moduli of a packing of discs, in plane strain, over the shear modulus of the binder:
 //
-//   disc_moduli PACKING ORDER LENGTH LAYERS BINDER_BULK[,BINDER_BULK...] [DISC_BULK DISC_SHEAR]
+//   disc_moduli BOUNDARY PACKING ORDER LENGTH LAYERS BINDER_BULK[,BINDER_BULK...] [DISC_BULK DISC_SHEAR]
 //
-// ORDER, LENGTH and LAYERS are the size of the mesh (edge_points.hpp); all moduli are shares of the shear modulus of
-// the binder; without moduli the discs are rigid.
+// BOUNDARY is periodic, displacement or traction (boundary.hpp); the latter two are of a box with walls. ORDER, LENGTH
+// and LAYERS are the size of the mesh (edge_points.hpp); all moduli are shares of the shear modulus of the binder;
+// without moduli the discs are rigid.
 
 #include <cstdio>
 #include <exception>
@@ -13,9 +14,11 @@
 #include <vector>
 
 #include "apparent_moduli.hpp"
+#include "boundary.hpp"
 #include "element_matrices.hpp"
 #include "mesh.hpp"
 #include "packing.hpp"
+#include "unknowns.hpp"
 
 namespace disc_packings {
 namespace {
@@ -38,17 +41,18 @@ double area_error(const Packing& packing, const std::vector<ElementMatrices>& el
 }
 
 void print_moduli(const std::vector<std::string>& arguments) {
-  const Packing packing = read_packing(arguments[0]);
-  const MeshSize size = {std::stoi(arguments[1]), std::stod(arguments[2]), std::stoi(arguments[3])};
-  const Filler filler = arguments.size() == 5 ? Filler::rigid : Filler::deformable;
+  const Boundary boundary = boundary_named(arguments[0]);
+  const Packing packing = read_packing(arguments[1]);
+  const MeshSize size = {std::stoi(arguments[2]), std::stod(arguments[3]), std::stoi(arguments[4])};
+  const Filler filler = arguments.size() == 6 ? Filler::rigid : Filler::deformable;
   // There are no elements in rigid discs.
-  const Moduli discs = filler == Filler::rigid ? Moduli{} : Moduli{std::stod(arguments[5]), std::stod(arguments[6])};
-  const Mesh mesh = make_mesh(packing, filler, size);
-  const Unknowns unknowns = number_unknowns(mesh, packing, filler);
+  const Moduli discs = filler == Filler::rigid ? Moduli{} : Moduli{std::stod(arguments[6]), std::stod(arguments[7])};
+  const Mesh mesh = make_mesh(packing, box_of(boundary), filler, size);
+  const Unknowns unknowns = number_unknowns(mesh, packing, filler, boundary);
   const auto elements = element_matrices(mesh, packing, unknowns, size.order);
   std::printf("# area error %.1e\nK_over_g,load,modulus,unknowns\n", area_error(packing, elements));
-  for (const double bulk : numbers_in(arguments[4])) {
-    const auto moduli = apparent_moduli(elements, unknowns.count, {bulk, 1.0}, discs);
+  for (const double bulk : numbers_in(arguments[5])) {
+    const auto moduli = apparent_moduli(elements, unknowns, boundary, {bulk, 1.0}, discs);
     for (int load = 0; load < 3; ++load) {
       std::printf("%g,%s,%.10g,%d\n", bulk, loads()[load].name, moduli[load], unknowns.count);
     }
@@ -60,8 +64,9 @@ void print_moduli(const std::vector<std::string>& arguments) {
 
 int main(int count, char** words) {
   const std::vector<std::string> arguments(words + 1, words + count);
-  if (arguments.size() != 5 && arguments.size() != 7) {
-    std::fputs("usage: disc_moduli PACKING ORDER LENGTH LAYERS BINDER_BULK[,...] [DISC_BULK DISC_SHEAR]\n", stderr);
+  if (arguments.size() != 6 && arguments.size() != 8) {
+    std::fputs("usage: disc_moduli BOUNDARY PACKING ORDER LENGTH LAYERS BINDER_BULK[,...] [DISC_BULK DISC_SHEAR]\n",
+               stderr);
     return 2;
   }
   try {

@@ -23,6 +23,7 @@ using Eigen::VectorXd;
 struct NodalMatrices {
   double area = 0.0;
   MatrixXd shear, dilatation;
+  Eigen::MatrixX3d strains;  ///< integrals of e_xx, e_yy and 2 e_xy
 };
 
 /// The points of an element, a row for each node, from their mean.
@@ -51,7 +52,7 @@ NodalMatrices nodal_matrices(const MeshElement& element, const ReferenceElement&
   // Pressures are polynomials of the position, not of the coordinates of the square, scaled to the element.
   const Matrix2d to_square = (points.transpose() * reference.centre().gradients).inverse();
 
-  NodalMatrices result = {0.0, MatrixXd::Zero(size, size), {}};
+  NodalMatrices result = {0.0, MatrixXd::Zero(size, size), {}, Eigen::MatrixX3d::Zero(size, 3)};
   MatrixXd pressure_by_divergence = MatrixXd::Zero(pressures, size);
   MatrixXd pressure_by_pressure = MatrixXd::Zero(pressures, pressures);
   double orientation = 0.0;
@@ -75,6 +76,9 @@ NodalMatrices nodal_matrices(const MeshElement& element, const ReferenceElement&
     result.area += area;
     result.shear += area * (2.0 * strain_xx * strain_xx.transpose() + 2.0 * strain_yy * strain_yy.transpose() +
                             twice_strain_xy * twice_strain_xy.transpose());
+    result.strains.col(0) += area * strain_xx;
+    result.strains.col(1) += area * strain_yy;
+    result.strains.col(2) += area * twice_strain_xy;
     pressure_by_divergence += area * pressure * divergence.transpose();
     pressure_by_pressure += area * pressure * pressure.transpose();
   }
@@ -105,7 +109,7 @@ Motion motion_of(const MeshElement& element, const Disc& disc, const Unknowns& a
   for (int node = 0; node < nodes; ++node) {
     const int first = all.first_of_node[element.nodes[node]];
     const bool follows_disc = first < 0;
-    const int column = follows_disc ? column_of(3 * element.disc, 3) : column_of(first, 2);
+    const int column = follows_disc ? column_of(all.first_of_disc(element.disc), 3) : column_of(first, 2);
     motion.of_nodes.block<2, 2>(2 * node, column).setIdentity();
     if (!follows_disc) continue;
     const Vector2d arm = (element.points[node] - disc.centre) / disc.radius;
@@ -139,28 +143,20 @@ const std::array<Load, 3>& loads() {
   return all;
 }
 
-Unknowns number_unknowns(const Mesh& mesh, const Packing& packing, Filler filler) {
-  const bool is_rigid = filler == Filler::rigid;
-  Unknowns unknowns = {is_rigid ? 3 * static_cast<int>(packing.size()) : 0, {}};
-  for (const int disc_of_arc : mesh.disc_of_arc) {
-    const bool follows_disc = is_rigid && disc_of_arc >= 0;
-    unknowns.first_of_node.push_back(follows_disc ? -1 : unknowns.count);
-    if (!follows_disc) unknowns.count += 2;
-  }
-  return unknowns;
-}
-
 std::vector<ElementMatrices> element_matrices(const Mesh& mesh, const Packing& packing, const Unknowns& unknowns,
                                               int order) {
   const ReferenceElement reference(order);
   std::vector<ElementMatrices> all;
   for (const MeshElement& element : mesh.elements) {
     const Disc& disc = packing[element.disc];
-    const auto [area, shear, dilatation] = nodal_matrices(element, reference);
+    const auto [area, shear, dilatation, strains] = nodal_matrices(element, reference);
     const auto [numbers, of_nodes, translations] = motion_of(element, disc, unknowns);
     MatrixXd affine(2 * reference.nodes(), 3);
+    Eigen::Matrix3d stresses;
     for (int load = 0; load < 3; ++load) {
-      affine.col(load) = affine_displacements(element, disc, unknowns, loads()[load].strain);
+      const Matrix2d& strain = loads()[load].strain;
+      affine.col(load) = affine_displacements(element, disc, unknowns, strain);
+      stresses.col(load) << 2.0 * strain(0, 0), 2.0 * strain(1, 1), 2.0 * strain(0, 1);
     }
     const MatrixXd shear_by_nodes = of_nodes.transpose() * shear;
     all.push_back({.region = element.region,
@@ -171,6 +167,7 @@ std::vector<ElementMatrices> element_matrices(const Mesh& mesh, const Packing& p
                    .dilatation = dilatation * of_nodes,
                    .shear_loads = shear_by_nodes * affine,
                    .dilatation_loads = dilatation * affine,
+                   .stress_forces = of_nodes.transpose() * strains * stresses,
                    .shear_energies = (affine.transpose() * shear * affine).diagonal()});
   }
   return all;

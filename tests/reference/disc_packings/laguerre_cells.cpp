@@ -26,18 +26,19 @@ struct HalfPlane {
 };
 
 /// The half-planes that can bound the cell of a disc, the nearest first.
-std::vector<HalfPlane> half_planes(const Packing& packing, int disc) {
+std::vector<HalfPlane> half_planes(const Packing& packing, Box box, int disc) {
+  const int most_boxes = box == Box::periodic ? 2 : 0;
   const Disc& own = packing[disc];
   std::vector<HalfPlane> planes;
   for (int other = 0; other < static_cast<int>(packing.size()); ++other) {
-    for (int boxes_x = -2; boxes_x <= 2; ++boxes_x) {
-      for (int boxes_y = -2; boxes_y <= 2; ++boxes_y) {
+    for (int boxes_x = -most_boxes; boxes_x <= most_boxes; ++boxes_x) {
+      for (int boxes_y = -most_boxes; boxes_y <= most_boxes; ++boxes_y) {
         if (other == disc && boxes_x == 0 && boxes_y == 0) continue;
         const Image image = {other, boxes_x, boxes_y};
         const Disc neighbour = image.of(packing);
         const Vector2d distance = neighbour.centre - own.centre;
         // Images of its own disc keep a cell within half the diagonal of the box, sqrt(1/2), of the centre; a disc that
-        // is farther than this, and of a radius of at most 1/2, cannot cut it.
+        // is farther than this, and of a radius of at most 1/2, cannot cut it. Within walls no discs are so far apart.
         if (distance.norm() > 1.6) continue;
         if (gap(own, neighbour) <= 0.0) throw std::runtime_error("discs overlap");
         const double power = own.radius * own.radius - neighbour.radius * neighbour.radius;
@@ -74,10 +75,31 @@ void cut(LaguerreCell& cell, const HalfPlane& plane) {
   cell = rest;
 }
 
-LaguerreCell cell_of(const Packing& packing, int disc) {
+/// A square around the largest cell of a periodic box, with nothing beyond.
+LaguerreCell large_square() {
   constexpr Image nothing = {-1, 0, 0};
-  LaguerreCell cell = {{{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}, std::vector<Image>(4, nothing), {}};
-  for (const HalfPlane& plane : half_planes(packing, disc)) {
+  return {{{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}, std::vector<Image>(4, nothing), {}};
+}
+
+/// The walls as seen from a disc, its mirror images beyond.
+LaguerreCell walls_around(const Packing& packing, int disc) {
+  const Disc& own = packing[disc];
+  LaguerreCell walls = {{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}},
+                        {{disc, 0, -1, true}, {disc, 1, 0, true}, {disc, 0, 1, true}, {disc, -1, 0, true}},
+                        {}};
+  for (const Image& beyond : walls.beyond) {
+    if (gap(own, beyond.of(packing)) <= 0.0) throw std::runtime_error("a disc overlaps a wall");
+  }
+  if ((own.centre - Vector2d(0.5, 0.5)).lpNorm<Eigen::Infinity>() >= 0.5) {
+    throw std::runtime_error("a disc is outside of the walls");
+  }
+  for (Vector2d& corner : walls.corners) corner -= own.centre;
+  return walls;
+}
+
+LaguerreCell cell_of(const Packing& packing, Box box, int disc) {
+  LaguerreCell cell = box == Box::periodic ? large_square() : walls_around(packing, disc);
+  for (const HalfPlane& plane : half_planes(packing, box, disc)) {
     double reach = 0.0;
     for (const Vector2d& corner : cell.corners) reach = std::max(reach, corner.norm());
     if (plane.distance > reach) break;
@@ -90,12 +112,14 @@ LaguerreCell cell_of(const Packing& packing, int disc) {
   return cell;
 }
 
-Vector2d whole_boxes(const Vector2d& distance) {
+/// How many boxes two points are apart, if they are images of each other.
+Vector2d whole_boxes(Box box, const Vector2d& distance) {
+  if (box == Box::walled) return Vector2d::Zero();
   return {std::round(distance.x()), std::round(distance.y())};
 }
 
-Vector2d shortest_image(const Vector2d& distance) {
-  return distance - whole_boxes(distance);
+Vector2d shortest_image(Box box, const Vector2d& distance) {
+  return distance - whole_boxes(box, distance);
 }
 
 /// Sets of corners that become one vertex.
@@ -113,23 +137,36 @@ class CornerSets {
   std::vector<int> parents_;
 };
 
-/// Moves all corners of a set to images of their mean and numbers the vertices.
-void move_to_vertices(std::vector<LaguerreCell>& cells, const std::vector<Vector2d*>& corners, CornerSets& sets) {
+/// Moves the mean of some corners to the walls that one of them is on.
+void move_to_walls(Vector2d& mean, const Vector2d& corner) {
+  for (int axis = 0; axis < 2; ++axis) {
+    for (const double wall : {0.0, 1.0}) {
+      if (std::abs(corner[axis] - wall) < same_point) mean[axis] = wall;
+    }
+  }
+}
+
+/// Moves all corners of a set to images of their mean, on a wall if one of them is, and numbers the vertices.
+void move_to_vertices(Box box, std::vector<LaguerreCell>& cells, const std::vector<Vector2d*>& corners,
+                      CornerSets& sets) {
   const int count = static_cast<int>(corners.size());
   std::vector<Vector2d> sums(count, Vector2d::Zero());
   std::vector<int> sizes(count, 0);
   for (int corner = 0; corner < count; ++corner) {
     const int set = sets.set_of(corner);
-    sums[set] += shortest_image(*corners[corner] - *corners[set]);
+    sums[set] += shortest_image(box, *corners[corner] - *corners[set]);
     ++sizes[set];
   }
   std::vector<Vector2d> means(count);
   for (int set = 0; set < count; ++set) {
     if (sizes[set] > 0) means[set] = *corners[set] + sums[set] / sizes[set];
   }
+  if (box == Box::walled) {
+    for (int corner = 0; corner < count; ++corner) move_to_walls(means[sets.set_of(corner)], *corners[corner]);
+  }
   for (int corner = 0; corner < count; ++corner) {
     const Vector2d& mean = means[sets.set_of(corner)];
-    *corners[corner] = mean + whole_boxes(*corners[corner] - mean);
+    *corners[corner] = mean + whole_boxes(box, *corners[corner] - mean);
   }
   int corner = 0;
   for (LaguerreCell& cell : cells) {
@@ -138,7 +175,7 @@ void move_to_vertices(std::vector<LaguerreCell>& cells, const std::vector<Vector
 }
 
 /// Finds the vertices: corners of all cells at one point, and the ends of edges that are too short for elements.
-void join_corners(const Packing& packing, std::vector<LaguerreCell>& cells) {
+void join_corners(const Packing& packing, Box box, std::vector<LaguerreCell>& cells) {
   std::vector<Vector2d*> corners;
   for (LaguerreCell& cell : cells) {
     for (Vector2d& corner : cell.corners) corners.push_back(&corner);
@@ -146,7 +183,7 @@ void join_corners(const Packing& packing, std::vector<LaguerreCell>& cells) {
   CornerSets sets(static_cast<int>(corners.size()));
   for (int one = 0; one < static_cast<int>(corners.size()); ++one) {
     for (int other = one + 1; other < static_cast<int>(corners.size()); ++other) {
-      if (shortest_image(*corners[one] - *corners[other]).norm() < same_point) sets.join(one, other);
+      if (shortest_image(box, *corners[one] - *corners[other]).norm() < same_point) sets.join(one, other);
     }
   }
   int first = 0;
@@ -163,13 +200,16 @@ void join_corners(const Packing& packing, std::vector<LaguerreCell>& cells) {
     }
     first += cell.sides();
   }
-  move_to_vertices(cells, corners, sets);
+  move_to_vertices(box, cells, corners, sets);
 }
 
 }  // namespace
 
-Disc Image::of(const Packing& packing) const {
-  return {packing[disc].centre + shift(), packing[disc].radius};
+Vector2d Image::move(const Vector2d& point) const {
+  const Vector2d boxes(boxes_x, boxes_y);
+  if (!is_mirrored) return point + boxes;
+  const double wall = std::max(boxes.sum(), 0.0);  // boxes . x on the wall
+  return point - 2.0 * (boxes.dot(point) - wall) * boxes;
 }
 
 const Vector2d& LaguerreCell::end_of_side(int side) const {
@@ -186,10 +226,10 @@ int LaguerreCell::first_corner_at(int corner) const {
   return static_cast<int>(first - corners.begin());
 }
 
-std::vector<LaguerreCell> laguerre_cells(const Packing& packing) {
+std::vector<LaguerreCell> laguerre_cells(const Packing& packing, Box box) {
   std::vector<LaguerreCell> cells;
-  for (int disc = 0; disc < static_cast<int>(packing.size()); ++disc) cells.push_back(cell_of(packing, disc));
-  join_corners(packing, cells);
+  for (int disc = 0; disc < static_cast<int>(packing.size()); ++disc) cells.push_back(cell_of(packing, box, disc));
+  join_corners(packing, box, cells);
   return cells;
 }
 

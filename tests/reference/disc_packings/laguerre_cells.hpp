@@ -8,13 +8,16 @@
 
 namespace disc_packings {
 
-/// A disc of the packing or an image of it, so many boxes away.
+/// A disc of the packing or an image of it: shifted by so many boxes or, in a box with walls, the mirror image in the
+/// wall between the box and this neighbour of it.
 struct Image {
   int disc;
   int boxes_x, boxes_y;
+  bool is_mirrored = false;
 
-  [[nodiscard]] Eigen::Vector2d shift() const { return Eigen::Vector2d(boxes_x, boxes_y); }
-  [[nodiscard]] Disc of(const Packing& packing) const;
+  [[nodiscard]] Eigen::Vector2d move(const Eigen::Vector2d& point) const;
+  [[nodiscard]] Disc move(const Disc& moved) const { return {move(moved.centre), moved.radius}; }
+  [[nodiscard]] Disc of(const Packing& packing) const { return move(packing[disc]); }
 };
 
 /// The cell of a disc: side s is the edge from corner s to the next one, counter-clockwise.
@@ -35,7 +38,7 @@ struct LaguerreCell {
 
 /// The Laguerre (power) cells of the discs, with the radii as weights: as long as no discs overlap, each contains its
 /// disc, and every edge runs between the surfaces of two discs. Edges much shorter than their distance from the disc
-/// are collapsed to a vertex.
-[[nodiscard]] std::vector<LaguerreCell> laguerre_cells(const Packing& packing);
+/// are collapsed to a vertex. A wall is the edge between a disc and its mirror image.
+[[nodiscard]] std::vector<LaguerreCell> laguerre_cells(const Packing& packing, Box box);
 
 }  // namespace disc_packings

@@ -3,18 +3,13 @@ import glob
 import os
 import sys
 
-from disc_moduli import moduli
+from disc_moduli import discs_in, moduli
 
 COARSE = (3, 0.6, 2)
 FINE = (4, 0.5, 2)
 FINE_DEFORMABLE = (4, 0.6, 2)
 BINDER_BULK = (1e3, 1e6)
 MORE_CONTRASTS = ("square_g030", "equal_60_040_g050", "ratio3_67_040_g020", "ratio2_62_060_spread")
-
-
-def discs_in(packing):
-    with open(packing) as file:
-        return sum(1 for line in file if line[0].isdigit())
 
 
 def main(program, *names):
@@ -31,8 +26,8 @@ packing,discs,K_over_g,Gf_over_g,load,modulus,relative_error,unknowns""")
     cases += [(packing, shear) for name in MORE_CONTRASTS for shear in (100, 10000)
               for packing in packings if packing == f"packings/{name}.csv"]
     for packing, shear in cases:
-        coarse = moduli(program, packing, COARSE, BINDER_BULK, shear)
-        fine = moduli(program, packing, FINE if shear is None else FINE_DEFORMABLE, BINDER_BULK, shear)
+        coarse = moduli(program, "periodic", packing, COARSE, BINDER_BULK, shear)
+        fine = moduli(program, "periodic", packing, FINE if shear is None else FINE_DEFORMABLE, BINDER_BULK, shear)
         for (bulk, load), (modulus, unknowns) in fine.items():
             error = abs(coarse[bulk, load][0] / modulus - 1)
             print(f"{os.path.basename(packing)},{discs_in(packing)},{bulk:g},{shear or 'inf'},{load},{modulus:.9g},"

@@ -1,4 +1,4 @@
-"""Makes packings/*.csv: random packings with fixed seeds, by random_packing, and square arrays of equal discs."""
+"""Makes packings/*.csv and packings_walls/*.csv: random packings, by random_packing with fixed seeds, and arrays."""
 import math
 import subprocess
 import sys
@@ -26,6 +26,16 @@ RANDOM = {
     "ratio1.4_78_060_g030": (30, 30, 1.4, 0.78, 0.003, 0, 28),
 }
 
+# The same in a box with walls
+RANDOM_WALLED = {
+    "walls_equal_55_040_g050": (0, 40, 1, 0.55, 0.005, 0, 41),
+    "walls_equal_60_040_g100": (0, 40, 1, 0.60, 0.010, 0, 42),
+    "walls_ratio3_62_040_g030": (4, 36, 3, 0.62, 0.003, 0, 43),
+}
+
+# name: discs along a side of the box, and their gaps to each other and to the walls
+ARRAYS_WALLED = {"walls_one_g100": (1, 0.01), "walls_one_g030": (1, 0.003), "walls_four_g100": (2, 0.01)}
+
 # name: a vector of the lattice; the box has as many discs as cells of the lattice
 ARRAYS = {"square": (1.0, 0.0), "square27": (0.4, 0.2), "square45": (0.5, 0.5)}
 GAPS = {"g300": 0.03, "g100": 0.01, "g030": 0.003, "g010": 0.001}
@@ -39,10 +49,13 @@ def lattice(vector):
     return sorted(points)
 
 
-def main(program):
-    for name, request in RANDOM.items():
-        with open(f"packings/{name}.csv", "w") as file:
-            subprocess.run([program, *map(str, request)], stdout=file, check=True)
+def make_random(program, folder, box, requests):
+    for name, request in requests.items():
+        with open(f"{folder}/{name}.csv", "w") as file:
+            subprocess.run([program, box, *map(str, request)], stdout=file, check=True)
+
+
+def make_periodic_arrays():
     for name, vector in ARRAYS.items():
         for tag, gap in GAPS.items():
             pitch = math.hypot(*vector)
@@ -51,6 +64,25 @@ def main(program):
                       f"# gap {gap:g} of the diameter.\nx,y,diameter", file=file)
                 for x, y in lattice(vector):
                     print(f"{x!r},{y!r},{pitch / (1 + gap)!r}", file=file)
+
+
+def make_walled_arrays():
+    for name, (side, gap) in ARRAYS_WALLED.items():
+        diameter = 1 / (side + (side + 1) * gap)
+        places = [(i + 0.5 + (i + 1) * gap) * diameter for i in range(side)]
+        with open(f"packings_walls/{name}.csv", "w") as file:
+            print(f"# Box with walls of side 1, made by make_packings.py: {side * side} equal discs,\n"
+                  f"# gaps to each other and to the walls {gap:g} of the diameter.\nx,y,diameter", file=file)
+            for x in places:
+                for y in places:
+                    print(f"{x!r},{y!r},{diameter!r}", file=file)
+
+
+def main(program):
+    make_random(program, "packings", "periodic", RANDOM)
+    make_periodic_arrays()
+    make_random(program, "packings_walls", "walled", RANDOM_WALLED)
+    make_walled_arrays()
 
 
 main(sys.argv[1])

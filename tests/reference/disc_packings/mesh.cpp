@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// An edge of which both cells make elements.
+/// An edge of which both cells make elements or, on a wall, the only one.
 struct SharedEdge {
   int number;
   std::vector<Vector2d> points;  ///< in the order of the cell that owns the edge
@@ -20,6 +20,7 @@ struct SharedEdge {
 
 /// Of the two cells at an edge, this one owns it.
 bool owns_edge(int disc, const Image& beyond) {
+  if (beyond.is_mirrored) return true;
   if (disc != beyond.disc) return disc < beyond.disc;
   return beyond.boxes_x > 0 || (beyond.boxes_x == 0 && beyond.boxes_y > 0);
 }
@@ -39,8 +40,8 @@ EdgeKey key_of_edge(int owner, const Image& beyond) {
 /// nodes: row 0 is on the circle, the last row is the edge, negative rows are within the disc.
 class MeshMaker {
  public:
-  MeshMaker(const Packing& packing, Filler filler, const MeshSize& size)
-      : packing_(packing), size_(size), cells_(laguerre_cells(packing)), last_row_(size.order * size.layers) {
+  MeshMaker(const Packing& packing, Box box, Filler filler, const MeshSize& size)
+      : packing_(packing), size_(size), cells_(laguerre_cells(packing, box)), last_row_(size.order * size.layers) {
     divide_edges();
     if (filler == Filler::deformable) divide_radii();
   }
@@ -61,6 +62,7 @@ class MeshMaker {
     int edge;                ///< number of the edge
     int begin_ray, end_ray;  ///< the rays to both corners, by the first corner on each
     bool is_owner;           ///< does the cell own the edge?
+    bool is_at_wall;         ///< is the edge on a wall?
     std::vector<Vector2d> edge_points;
     [[nodiscard]] int last_column() const { return static_cast<int>(edge_points.size()) - 1; }
   };
@@ -74,8 +76,7 @@ class MeshMaker {
         Edge edge = {cell.corners[side], cell.end_of_side(side), packing_[disc], beyond.of(packing_), {}};
         for (const Image& near : cell.beyond) edge.near.push_back(near.of(packing_));
         for (const Image& near : cells_[beyond.disc].beyond) {
-          edge.near.push_back(near.of(packing_));
-          edge.near.back().centre += beyond.shift();
+          edge.near.push_back(beyond.move(near.of(packing_)));
         }
         least_gap_ = std::min(least_gap_, gap(edge.one, edge.other));
         const int number = static_cast<int>(edges_.size());
@@ -113,9 +114,16 @@ class MeshMaker {
     const bool is_owner = owns_edge(disc, beyond);
     const Image own = seen_from_beyond(disc, beyond);
     const auto& [number, points] = edges_.at(is_owner ? key_of_edge(disc, beyond) : key_of_edge(beyond.disc, own));
-    Sector sector = {disc, side, number, cell.first_corner_at(side), cell.first_corner_at(next), is_owner, points};
+    Sector sector = {.disc = disc,
+                     .side = side,
+                     .edge = number,
+                     .begin_ray = cell.first_corner_at(side),
+                     .end_ray = cell.first_corner_at(next),
+                     .is_owner = is_owner,
+                     .is_at_wall = beyond.is_mirrored,
+                     .edge_points = points};
     if (!is_owner) {
-      for (Vector2d& point : sector.edge_points) point += beyond.shift();
+      for (Vector2d& point : sector.edge_points) point = beyond.move(point);
       std::ranges::reverse(sector.edge_points);
     }
     if ((sector.edge_points.front() - cell.corners[side]).norm() > 1e-10 ||
@@ -173,7 +181,11 @@ class MeshMaker {
   int node(const Sector& in, int column, int row) {
     const int next = static_cast<int>(numbers_.size());
     const auto [entry, is_new] = numbers_.insert({key_of_node(in, column, row), next});
-    if (is_new) mesh_.disc_of_arc.push_back(row == 0 ? in.disc : -1);
+    if (is_new) {
+      mesh_.disc_of_arc.push_back(row == 0 ? in.disc : -1);
+      mesh_.is_on_wall.push_back(false);
+    }
+    if (in.is_at_wall && row == last_row_) mesh_.is_on_wall[entry->second] = true;
     return entry->second;
   }
 
@@ -190,8 +202,8 @@ class MeshMaker {
 
 }  // namespace
 
-Mesh make_mesh(const Packing& packing, Filler filler, const MeshSize& size) {
-  return MeshMaker(packing, filler, size).make();
+Mesh make_mesh(const Packing& packing, Box box, Filler filler, const MeshSize& size) {
+  return MeshMaker(packing, box, filler, size).make();
 }
 
 }  // namespace disc_packings

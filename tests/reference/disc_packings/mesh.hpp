@@ -24,9 +24,10 @@ struct MeshElement {
 struct Mesh {
   std::vector<MeshElement> elements;
   std::vector<int> disc_of_arc;  ///< for each node the disc on whose circle it is; -1 elsewhere
+  std::vector<bool> is_on_wall;  ///< for each node
 };
 
 /// Elements between the discs and the edges of their cells and, if the discs are deformable, within the discs.
-[[nodiscard]] Mesh make_mesh(const Packing& packing, Filler filler, const MeshSize& size);
+[[nodiscard]] Mesh make_mesh(const Packing& packing, Box box, Filler filler, const MeshSize& size);
 
 }  // namespace disc_packings

@@ -12,7 +12,9 @@ struct Disc {
   double radius;
 };
 
-/// Discs in a periodic box of side 1.
+/// The box of side 1 with the discs: periodic or [0, 1] x [0, 1] with walls, between which all discs are.
+enum class Box { periodic, walled };
+
 using Packing = std::vector<Disc>;
 
 /// Reads a table of columns x, y, diameter.

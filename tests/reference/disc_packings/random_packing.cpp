@@ -1,8 +1,9 @@
-// Prints a random packing of discs of two sizes in a periodic box of side 1:
+// Prints a random packing of discs of two sizes in a box of side 1:
 //
-//   random_packing LARGE SMALL SIZE_RATIO AREA_FRACTION GAP SPREAD SEED
+//   random_packing BOX LARGE SMALL SIZE_RATIO AREA_FRACTION GAP SPREAD SEED
 //
-// LARGE and SMALL are numbers of discs; GAP is the least distance of two surfaces as a share of the smaller diameter.
+// BOX is periodic or walled; LARGE and SMALL are numbers of discs; GAP is the least distance of two surfaces, or of one
+// and a wall, as a share of the smaller diameter.
 // SPREAD makes it differ from pair to pair: it is the mean of two random shares, one a disc, from GAP to
 // (1 + SPREAD) GAP. The discs start at random places; overlaps of the discs with their gaps are pushed apart until
 // there are none, which leaves many pairs at the least gap.
@@ -19,7 +20,10 @@
 
 namespace {
 
+enum class Box { periodic, walled };
+
 struct Request {
+  Box box;
   int large, small;
   double size_ratio, area_fraction, gap, spread;
   unsigned seed;
@@ -31,10 +35,6 @@ struct Vector {
 
 double shortest_image(double distance) {
   return distance - std::round(distance);
-}
-
-Vector between(const Vector& from, const Vector& to) {
-  return {shortest_image(to.x - from.x), shortest_image(to.y - from.y)};
 }
 
 double length(const Vector& vector) {
@@ -82,13 +82,15 @@ class RandomPacking {
   }
 
   void print() {
-    for (Vector& centre : centres_) {
-      centre.x -= std::floor(centre.x);
-      centre.y -= std::floor(centre.y);
-    }
+    if (request_.box == Box::periodic) move_into_box();
     double least = 1.0;
     int near = 0;
+    int near_walls = 0;
     for (std::size_t i = 0; i < centres_.size(); ++i) {
+      for (const double distance : to_walls(i)) {
+        least = std::min(least, distance - diameters_[i] / 2.0);
+        near_walls += distance - diameters_[i] / 2.0 < 1.01 * gap_ ? 1 : 0;
+      }
       for (std::size_t j = i + 1; j < centres_.size(); ++j) {
         const double gap = length(between(centres_[i], centres_[j])) - (diameters_[i] + diameters_[j]) / 2.0;
         least = std::min(least, gap);
@@ -96,11 +98,13 @@ class RandomPacking {
       }
     }
     std::printf(
-        "# Periodic box of side 1, made by random_packing: %d large and %d small discs, size ratio %g, fraction %g,\n"
-        "# gap %g of the small diameter, spread %g, seed %u; least gap found %.6g, pairs below 1.01 of the gap: %d.\n"
-        "x,y,diameter\n",
-        request_.large, request_.small, request_.size_ratio, request_.area_fraction, request_.gap, request_.spread,
-        request_.seed, least / small_diameter_, near);
+        "# %s of side 1, made by random_packing: %d large and %d small discs, size ratio %g, fraction %g,\n"
+        "# gap %g of the small diameter, spread %g, seed %u; least gap found %.6g, pairs below 1.01 of the gap: %d.\n",
+        request_.box == Box::periodic ? "Periodic box" : "Box with walls", request_.large, request_.small,
+        request_.size_ratio, request_.area_fraction, request_.gap, request_.spread, request_.seed,
+        least / small_diameter_, near);
+    if (request_.box == Box::walled) std::printf("# Gaps to walls below 1.01 of the gap: %d.\n", near_walls);
+    std::printf("x,y,diameter\n");
     for (std::size_t i = 0; i < centres_.size(); ++i) {
       std::printf("%.17g,%.17g,%.17g\n", centres_[i].x, centres_[i].y, diameters_[i]);
     }
@@ -108,6 +112,25 @@ class RandomPacking {
 
  private:
   static constexpr double margin = 5e-4;  // by which gaps are wider than the least gap, so that it is kept
+
+  [[nodiscard]] Vector between(const Vector& from, const Vector& to) const {
+    const Vector distance = {to.x - from.x, to.y - from.y};
+    return request_.box == Box::walled ? distance : Vector{shortest_image(distance.x), shortest_image(distance.y)};
+  }
+
+  /// The distances of the centre of a disc to the walls, at the left, right, bottom and top.
+  [[nodiscard]] std::vector<double> to_walls(std::size_t disc) const {
+    if (request_.box == Box::periodic) return {};
+    const auto& [x, y] = centres_[disc];
+    return {x, 1.0 - x, y, 1.0 - y};
+  }
+
+  void move_into_box() {
+    for (Vector& centre : centres_) {
+      centre.x -= std::floor(centre.x);
+      centre.y -= std::floor(centre.y);
+    }
+  }
 
   /// Lists for each disc those of higher number that may touch it, when the discs have moved since the last list.
   void find_neighbours() {
@@ -145,6 +168,21 @@ class RandomPacking {
         pushes[j].x += scale * (1.0 - share) * distance.x;
         pushes[j].y += scale * (1.0 - share) * distance.y;
       }
+      largest = std::max(largest, add_push_of_walls(i, pushes[i]));
+    }
+    return largest;
+  }
+
+  /// Adds half of every overlap with a wall to the push of a disc; the largest overlap.
+  double add_push_of_walls(std::size_t disc, Vector& push) const {
+    constexpr Vector inwards[] = {{1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}};
+    double largest = 0.0;
+    const std::vector<double> distances = to_walls(disc);
+    for (std::size_t wall = 0; wall < distances.size(); ++wall) {
+      const double overlap = std::max(diameters_[disc] / 2.0 + gaps_[disc] - distances[wall], 0.0);
+      largest = std::max(largest, overlap);
+      push.x += 0.5 * overlap * inwards[wall].x;
+      push.y += 0.5 * overlap * inwards[wall].y;
     }
     return largest;
   }
@@ -156,21 +194,28 @@ class RandomPacking {
   std::vector<std::vector<std::size_t>> neighbours_;
 };
 
+Box box_named(const std::string& name) {
+  if (name == "periodic") return Box::periodic;
+  if (name == "walled") return Box::walled;
+  throw std::runtime_error("no box: " + name);
+}
+
 }  // namespace
 
 int main(int count, char** words) {
-  if (count != 8) {
-    std::fputs("usage: random_packing LARGE SMALL SIZE_RATIO AREA_FRACTION GAP SPREAD SEED\n", stderr);
+  if (count != 9) {
+    std::fputs("usage: random_packing BOX LARGE SMALL SIZE_RATIO AREA_FRACTION GAP SPREAD SEED\n", stderr);
     return 2;
   }
   try {
-    RandomPacking packing({.large = std::stoi(words[1]),
-                           .small = std::stoi(words[2]),
-                           .size_ratio = std::stod(words[3]),
-                           .area_fraction = std::stod(words[4]),
-                           .gap = std::stod(words[5]),
-                           .spread = std::stod(words[6]),
-                           .seed = static_cast<unsigned>(std::stoul(words[7]))});
+    RandomPacking packing({.box = box_named(words[1]),
+                           .large = std::stoi(words[2]),
+                           .small = std::stoi(words[3]),
+                           .size_ratio = std::stod(words[4]),
+                           .area_fraction = std::stod(words[5]),
+                           .gap = std::stod(words[6]),
+                           .spread = std::stod(words[7]),
+                           .seed = static_cast<unsigned>(std::stoul(words[8]))});
     packing.push_apart();
     packing.print();
   } catch (const std::exception& error) {

@@ -20,7 +20,8 @@ fraction,contrast,boundary,load,bulk_ratio,modulus,relative_error""")
         with tempfile.NamedTemporaryFile("w", suffix=".csv") as packing:
             print(f"x,y,diameter\n0.5,0.5,{2 * math.sqrt(fraction / math.pi)!r}", file=packing, flush=True)
             for contrast in (0.5, 0.1, 0.01, 1e-4):
-                coarse, fine = (moduli(program, packing.name, mesh, BULK_RATIOS, contrast) for mesh in (COARSE, FINE))
+                coarse, fine = (moduli(program, "periodic", packing.name, mesh, BULK_RATIOS, contrast)
+                                for mesh in (COARSE, FINE))
                 for bulk_ratio in BULK_RATIOS:
                     for load in ("xy", "xx-yy", "bulk"):
                         modulus = fine[bulk_ratio, load][0]
