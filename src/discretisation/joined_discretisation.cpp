@@ -136,7 +136,9 @@ Discretisation<dim> joined_on_machine(const Discretisation<dim>& part, std::size
   const auto memory = common_memory(grid.cell_count() * sizeof(CellPhases<dim>));
   auto all = memory == nullptr ? gathered_cells<dim>(grid, cells)
                                : common_cells<dim>(memory, grid.cell_index(part.range().begin), cells);
-  return Discretisation<dim>(grid, std::move(all), numbered.mixtures(), numbered.first_mixture());
+  Discretisation<dim> whole(grid, std::move(all), numbered.mixtures(), numbered.first_mixture());
+  whole.set_particles_with_gaps(part.particles_with_gaps());
+  return whole;
 }
 
 using GiveMemory = std::function<std::shared_ptr<std::byte>(std::size_t)>;

@@ -35,13 +35,22 @@ Microstructure<2> lattice(int steps, int step, double gap, const Vector<2>& orig
   return box;
 }
 
+/// Discs without coatings, of phase 1.
+ParticlesInBox without_coatings(const Microstructure<2>& box) {
+  return {as_particles(box), 0, std::vector<ParticlePhases>(box.particles.size(), {.phase = 1})};
+}
+
 struct Geometry {
   explicit Geometry(const Microstructure<2>& box)
-      : discs(box, cells), owners(discs), faces(discs, owners), phases(box.particles.size(), {.phase = 1}) {}
+      : images(without_coatings(box), cells,
+               box.walls == Walls::periodic ? Boundary::periodic : Boundary::displacement),
+        owners(images),
+        faces(images, owners),
+        phases(box.particles.size(), {.phase = 1}) {}
 
-  [[nodiscard]] GapGeometry all() const { return {discs, owners, faces, 0, phases, 1.0}; }
+  [[nodiscard]] GapGeometry all() const { return {images, owners, faces, 0, phases}; }
 
-  DiscImages discs;
+  ParticleImages images;
   Owners owners;
   FaceTable faces;
   std::vector<ParticlePhases> phases;
@@ -53,34 +62,49 @@ void for_each_cell(const Action& action) {
   for_each_index(Index<2>{}, Index<2>{cells, cells}, action);
 }
 
-TEST(DiscImages, FindTheTwoThatAreNearestAcrossTheSidesOfTheBox) {
+TEST(ParticleImages, FindTheTwoThatAreNearestAcrossTheSidesOfTheBox) {
   const Microstructure<2> box = {2.0, Walls::periodic, {{{0.1, 1.0}, 0.6}, {{1.0, 1.0}, 0.4}}};
-  const DiscImages discs(box, cells);  // ten cells a unit of length
+  const ParticleImages discs(without_coatings(box), cells, Boundary::periodic);  // ten cells a unit of length
   const auto nearest = discs.nearest_two({19.0, 10.0});
   EXPECT_EQ(discs.particle(nearest.first), 0U);
   EXPECT_NEAR(nearest.to_first, -1.0, 1e-12);
-  EXPECT_EQ(discs.disc(nearest.first).centre, (Vector<2>{21.0, 10.0}));
+  EXPECT_EQ(discs.outline(nearest.first).centre(), (Vector<2>{21.0, 10.0}));
   const auto outside = discs.nearest_two({-3.0, 10.0});
-  EXPECT_EQ(discs.disc(outside.first).centre, (Vector<2>{1.0, 10.0}));
+  EXPECT_EQ(discs.outline(outside.first).centre(), (Vector<2>{1.0, 10.0}));
   EXPECT_NEAR(outside.to_first, 1.0, 1e-12);
 }
 
-TEST(DiscImages, LeaveBinderOnALineBetweenThem) {
+TEST(ParticleImages, LeaveBinderOnALineBetweenThem) {
   const Microstructure<2> box = {20.0, Walls::periodic, {{{9.0, 10.0}, 2.5}, {{11.5, 10.0}, 2.0}}};
-  const auto binder = DiscImages(box, cells).binder_on({{10.0, 10.0}, 0});
+  const auto binder = ParticleImages(without_coatings(box), cells, Boundary::periodic).binder_on({{10.0, 10.0}, 0});
   ASSERT_EQ(binder.size(), 1U);
   EXPECT_NEAR(binder[0].begin, 0.25, 1e-12);
   EXPECT_NEAR(binder[0].end, 0.5, 1e-12);
 }
 
-TEST(DiscImages, OfABoxWithWallsAreRefused) {
-  EXPECT_THROW(DiscImages({1.0, Walls::hard, {}}, cells), InputError);
+TEST(ParticleImages, OfABoxWithWallsUnderAPeriodicBoundaryAreRefused) {
+  EXPECT_THROW(ParticleImages(without_coatings({1.0, Walls::hard, {}}), cells, Boundary::periodic), InputError);
+}
+
+TEST(ParticleImages, KnowTheWallsOfABoxUnderADisplacementBoundary) {
+  const Microstructure<2> box = {20.0, Walls::hard, {{{5.5, 10.0}, 10.0}}};
+  const ParticleImages held(without_coatings(box), cells, Boundary::displacement),
+      drawn(without_coatings(box), cells, Boundary::traction);
+  const auto nearest = held.nearest_two({0.2, 10.0});
+  EXPECT_EQ(nearest.first, walls);
+  EXPECT_NEAR(nearest.gap(), 0.5, 1e-12);
+  EXPECT_EQ(held.normal(walls, {0.2, 10.0}), (Vector<2>{1.0, 0.0}));
+  EXPECT_EQ(held.normal(walls, {10.0, 19.5}), (Vector<2>{0.0, -1.0}));
+  EXPECT_EQ(drawn.nearest_two({0.2, 10.0}).second, no_image);
+  EXPECT_EQ(Owners(held).of({0, 10}), walls);
+  EXPECT_TRUE(Owners(drawn).is_free({0, 10}));
+  EXPECT_TRUE(Owners(held).is_free({-1, 10}));
 }
 
 TEST(Owners, OfNodesInANarrowGapAreTheNearerParticles) {
   // The gap is one cell wide, from 9.6 to 10.6; nodes at 10 lie in it.
   const Microstructure<2> box = {20.0, Walls::periodic, {{{4.6, 10.0}, 10.0}, {{15.6, 10.0}, 10.0}}};
-  const DiscImages discs(box, cells);
+  const ParticleImages discs(without_coatings(box), cells, Boundary::periodic);
   const Owners owners(discs);
   EXPECT_EQ(owners.of({10, 10}), owners.of({9, 10}));
   EXPECT_TRUE(owners.is_in_binder({10, 10}));
@@ -117,6 +141,57 @@ TEST_P(AnyLattice, ALinearDisplacementWithoutDilatationChangesNoVolume) {
   }
 }
 
+/// Two discs between the walls of a box.
+Microstructure<2> between_walls() {
+  return {20.0, Walls::hard, {{{5.33, 6.4}, 10.5}, {{14.3, 14.31}, 11.3}}};
+}
+
+// Walls follow the load, whose displacement gradient is symmetric, and so do their slopes.
+TEST(GapCells, BetweenWallsKeepTheirVolumeInALinearDisplacement) {
+  const Geometry geometry(between_walls());
+  const std::array<Vector<2>, 2> gradient = {{{0.3, 0.7}, {0.7, -0.3}}};
+  int of_walls = 0;
+  for_each_cell([&](const Index<2>& cell) {
+    const CellPlace place(geometry.all(), cell);
+    CellUnknowns unknowns = CellUnknowns::Zero();
+    for (int node = 0; node < 4; ++node) {
+      const Vector<2> x = {static_cast<double>(place.node(node)[0]), static_cast<double>(place.node(node)[1])};
+      for (std::size_t axis = 0; axis < 2; ++axis) unknowns[displacement_of(node, axis)] = dot(gradient[axis], x);
+    }
+    for (int face = 0; face < faces_of_cell; ++face) {
+      const auto normal = CellPlace::normal(face);
+      for (int end = 0; end < 2; ++end) {
+        unknowns[slope_at(face, end)] = gradient[normal][1 - normal];
+        of_walls += place.is_on_wall(face, end) ? 1 : 0;
+      }
+    }
+    ASSERT_NEAR(volume_change(place).dot(unknowns), 0.0, 1e-13) << cell[0] << ' ' << cell[1];
+  });
+  EXPECT_GT(of_walls, 20);
+}
+
+// Nothing flows through sides, and what leaves any other face enters the next cell.
+TEST(GapCells, OfABoxWithWallsExchangeVolumeWithOneAnotherAlone) {
+  for (const auto boundary : {Boundary::displacement, Boundary::traction}) {
+    const auto gap_cells = find_gap_cells(without_coatings(between_walls()), cells, boundary);
+    std::vector<double> total(static_cast<std::size_t>(gap_cells.unknowns()), 0.0);
+    std::vector<int> seen(total.size(), 0);
+    for (const auto& cell : gap_cells.cells()) {
+      for (std::size_t k = 0; k < cell.face_unknowns.size(); ++k) {
+        const auto number = cell.face_unknowns[k];
+        if (number == GapCell::none) continue;
+        total[static_cast<std::size_t>(number)] += cell.volume[CellShape<2>::dofs + static_cast<Eigen::Index>(k)];
+        ++seen[static_cast<std::size_t>(number)];
+      }
+    }
+    ASSERT_FALSE(total.empty());
+    for (std::size_t i = 0; i < total.size(); ++i) {
+      EXPECT_NEAR(total[i], 0.0, 1e-13);
+      EXPECT_EQ(seen[i], 2);
+    }
+  }
+}
+
 // The discs of one row slide past those of the next.
 TEST_P(AnyLattice, ParticlesThatSlideChangeNoVolume) {
   const auto [steps, step] = GetParam();
@@ -127,11 +202,11 @@ TEST_P(AnyLattice, ParticlesThatSlideChangeNoVolume) {
   for_each_cell([&](const Index<2>& cell) {
     const CellPlace place(geometry.all(), cell);
     if (place.has_free_node() || !(place.has_one_owner() || place.is_in_chain())) return;
-    const auto first = geometry.discs.disc(place.owner(0));
+    const auto first = geometry.images.outline(place.owner(0));
     CellUnknowns unknowns = CellUnknowns::Zero();
     for (int node = 0; node < 4; ++node) {
-      const auto apart = geometry.discs.disc(place.owner(node)).centre - first.centre;
-      const bool is_of_another_row = std::abs(cross(along, apart)) > 0.5 * first.diameter;
+      const auto apart = geometry.images.outline(place.owner(node)).centre() - first.centre();
+      const bool is_of_another_row = std::abs(cross(along, apart)) > first.reach();
       for (std::size_t axis = 0; axis < 2; ++axis) {
         unknowns[displacement_of(node, axis)] = is_of_another_row ? along[axis] : 0.0;
       }
@@ -168,8 +243,7 @@ TEST_P(AnyLattice, ParticlesThatTurnTogetherHaveNoEnergy) {
 // Neighbouring cells see the same volume pass through their face.
 TEST_P(AnyLattice, WhatLeavesACellEntersItsNeighbour) {
   const auto box = lattice(GetParam()[0], GetParam()[1], 0.02, {0.3, 0.1});
-  const auto cells_of_box =
-      find_gap_cells(box, cells, 0, std::vector<ParticlePhases>(box.particles.size(), {.phase = 1}));
+  const auto cells_of_box = find_gap_cells(without_coatings(box), cells, Boundary::periodic);
   std::vector<double> total(static_cast<std::size_t>(cells_of_box.unknowns()), 0.0);
   for (const auto& cell : cells_of_box.cells()) {
     for (std::size_t k = 0; k < cell.face_unknowns.size(); ++k) {
@@ -198,9 +272,9 @@ Microstructure<2> two_discs(double radius, double gap) {
 // channel of the normals of both particles, squared.
 TEST(Channel, OfASmallGapHasTheResistanceOfLubrication) {
   const double radius = 4.0, gap = 0.004;
-  const DiscImages discs(two_discs(radius, gap), cells);
+  const ParticleImages discs(without_coatings(two_discs(radius, gap)), cells, Boundary::periodic);
   const auto nearest = discs.nearest_two({10.0, 10.0});
-  const auto left = discs.disc(nearest.first).centre[0] < 10.0 ? nearest.first : nearest.second;
+  const auto left = discs.outline(nearest.first).centre()[0] < 10.0 ? nearest.first : nearest.second;
   const auto right = left == nearest.first ? nearest.second : nearest.first;
   const auto channel = make_channel(discs, left, right, {10.0, 9.5}, {10.0, 10.5});
   double resistance = 0.0, slenderness = 0.0, area = 0.0;  // by the midpoint rule
@@ -226,8 +300,9 @@ TEST(GapCells, OfCoatedDiscsAreThoseOfLargerOnes) {
   const std::vector<ParticlePhases> discs(box.particles.size(), {.phase = 1}),
       coated(box.particles.size(), {.phase = 1, .coating = 1, .coating_thickness = 0.25}),
       of_two(box.particles.size(), {.phase = 1, .coating = 2, .coating_thickness = 0.25});
-  const auto expected = find_gap_cells(box, cells, 0, discs), found = find_gap_cells(cores, cells, 0, coated),
-             mixed = find_gap_cells(cores, cells, 0, of_two);
+  const auto expected = find_gap_cells({as_particles(box), 0, discs}, cells, Boundary::periodic),
+             found = find_gap_cells({as_particles(cores), 0, coated}, cells, Boundary::periodic),
+             mixed = find_gap_cells({as_particles(cores), 0, of_two}, cells, Boundary::periodic);
   ASSERT_EQ(found.cells().size(), expected.cells().size());
   for (std::size_t i = 0; i < expected.cells().size(); ++i) {
     const auto &one = expected.cells()[i], &other = found.cells()[i];
@@ -248,7 +323,8 @@ TEST(GapCells, OfCoatedDiscsAreThoseOfLargerOnes) {
 
 // Which disc is the first, and where the channel begins, makes no difference.
 TEST(Channel, IsTheSameFromBothSides) {
-  const DiscImages discs({20.0, Walls::periodic, {{{5.0, 9.0}, 9.0}, {{14.0, 12.0}, 9.9}}}, cells);
+  const ParticleImages discs(without_coatings({20.0, Walls::periodic, {{{5.0, 9.0}, 9.0}, {{14.0, 12.0}, 9.9}}}), cells,
+                             Boundary::periodic);
   const Vector<2> begin = {9.2, 11.0}, end = {9.6, 10.2};
   const auto nearest = discs.nearest_two(begin);
   const auto channel = make_channel(discs, nearest.first, nearest.second, begin, end),
@@ -263,12 +339,12 @@ TEST(Channel, IsTheSameFromBothSides) {
 // A cell with binder is never taken for one of a single phase.
 TEST_P(AnyLattice, CellsThatAreNotOfOnePhaseAreGapCells) {
   const auto box = lattice(GetParam()[0], GetParam()[1], 0.02, {0.3, 0.1});
-  const auto gap_cells = find_gap_cells(box, cells, 0, std::vector<ParticlePhases>(box.particles.size(), {.phase = 1}));
+  const auto gap_cells = find_gap_cells(without_coatings(box), cells, Boundary::periodic);
   const Geometry geometry(box);
   for_each_cell([&](const Index<2>& cell) {
     const CellPlace place(geometry.all(), cell);
     double filled = 0.0;
-    for (const auto image : geometry.discs.near(place.centre())) filled += share_of(geometry.all(), place, image);
+    for (const auto image : geometry.images.near(place.centre())) filled += share_of(geometry.all(), place, image);
     const bool is_cut = filled > 1e-6 && filled < 1.0 - 1e-6;
     EXPECT_TRUE(!is_cut || gap_cells.at(cell) != nullptr) << cell[0] << ' ' << cell[1];
   });
@@ -277,7 +353,7 @@ TEST_P(AnyLattice, CellsThatAreNotOfOnePhaseAreGapCells) {
 // Both discs lie in the same direction from some cells, and a disc lies in the middle of one.
 TEST(GapCells, OfSmallDiscsHaveShares) {
   const Microstructure<2> box = {20.0, Walls::periodic, {{{3.5, 10.5}, 2.0}, {{6.5, 10.5}, 2.0}, {{15.5, 10.5}, 0.6}}};
-  const auto gap_cells = find_gap_cells(box, cells, 0, std::vector<ParticlePhases>(3, {.phase = 1}));
+  const auto gap_cells = find_gap_cells(without_coatings(box), cells, Boundary::periodic);
   for (const auto& cell : gap_cells.cells()) {
     ASSERT_FALSE(cell.mixture.empty());
     for (const auto& share : cell.shares) EXPECT_TRUE(share.allFinite());
@@ -287,11 +363,11 @@ TEST(GapCells, OfSmallDiscsHaveShares) {
 
 TEST(GapCells, OfDiscsThatOverlapAreRefused) {
   const Microstructure<2> box = {20.0, Walls::periodic, {{{5.0, 10.0}, 4.0}, {{8.0, 10.0}, 4.0}}};
-  EXPECT_THROW((void)find_gap_cells(box, cells, 0, std::vector<ParticlePhases>(2, {.phase = 1})), InputError);
+  EXPECT_THROW((void)find_gap_cells(without_coatings(box), cells, Boundary::periodic), InputError);
 }
 
 TEST(GapCells, OfParticlesWithoutPhasesAreRefused) {
-  EXPECT_THROW((void)find_gap_cells(two_discs(4.0, 0.1), cells, 0, std::array<ParticlePhases, 1>{{{.phase = 1}}}),
+  EXPECT_THROW((void)find_gap_cells({as_particles(two_discs(4.0, 0.1)), 0, {{.phase = 1}}}, cells, Boundary::periodic),
                InputError);
 }
 

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "discretisation/gaps/gap_cells.hpp"
 #include "discretisation/mixed_cells.hpp"
 #include "quasistatic/composites.hpp"
 #include "quasistatic/reduced/sampling.hpp"
@@ -15,13 +14,22 @@
 
 namespace breccia::test {
 
-/// A packing of discs in a periodic box of side 1 (tests/reference/disc_packings).
-inline Microstructure<2> disc_packing(const std::string& name) {
-  const auto table = read_csv(BRECCIA_REFERENCE_DIRECTORY "/disc_packings/packings/" + name, {});
+/// The discs of a table in a box of side 1.
+inline Microstructure<2> discs_of(const std::string& file, Walls walls) {
+  const auto table = read_csv(BRECCIA_REFERENCE_DIRECTORY "/disc_packings/" + file, {});
   const auto &x = table.numbers("x"), &y = table.numbers("y"), &diameter = table.numbers("diameter");
-  Microstructure<2> box = {1.0, Walls::periodic, {}};
+  Microstructure<2> box = {1.0, walls, {}};
   for (std::size_t disc = 0; disc < table.rows(); ++disc) box.particles.push_back({{x[disc], y[disc]}, diameter[disc]});
   return box;
+}
+
+/// A packing of discs in a periodic box (tests/reference/disc_packings).
+inline Microstructure<2> disc_packing(const std::string& name) {
+  return discs_of("packings/" + name, Walls::periodic);
+}
+/// One in a box with walls.
+inline Microstructure<2> disc_packing_between_walls(const std::string& name) {
+  return discs_of("packings_walls/" + name, Walls::hard);
 }
 
 /// The box, moved by a share of a cell along both axes.
@@ -34,7 +42,8 @@ inline Microstructure<2> moved(Microstructure<2> box, const Vector<2>& cells, in
   return box;
 }
 
-/// The periodic box on n x n cells with gaps, with a binder of shear modulus 1.
+/// A box on n x n cells with gaps, under a periodic boundary or, with walls, a displacement boundary. The binder has a
+/// shear modulus of 1.
 inline QuasistaticProblem<2> with_gaps(const Microstructure<2>& box, int n, double bulk_ratio, double contrast) {
   const std::vector<PhaseIndex> discs(box.particles.size(), 1);
   QuasistaticProblem<2> problem = {
@@ -42,9 +51,9 @@ inline QuasistaticProblem<2> with_gaps(const Microstructure<2>& box, int n, doub
       .materials = {{"binder", 1.0, PronySeries(bulk_ratio), PronySeries(1.0)},
                     {"discs", 1.0, PronySeries(contrast * 13.4 / 5.84), PronySeries(contrast)}},
       .volumetric = Volumetric::averaged,
-      .boundary = Boundary::periodic};
-  problem.discretisation.set_gaps(
-      std::make_shared<const gaps::GapCells>(gaps::find_gap_cells(box, n, 0, without_coatings(discs))));
+      .boundary = box.walls == Walls::periodic ? Boundary::periodic : Boundary::displacement};
+  problem.discretisation.set_particles_with_gaps(
+      std::make_shared<const ParticlesInBox>(ParticlesInBox{as_particles(box), 0, without_coatings(discs)}));
   return problem;
 }
 

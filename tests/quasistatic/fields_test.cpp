@@ -8,6 +8,7 @@
 
 #include "discretisation/mixed_cells.hpp"
 #include "quasistatic/composites.hpp"
+#include "quasistatic/mean_fields.hpp"
 #include "quasistatic/reduced/carson_path.hpp"
 #include "quasistatic/reduced/sampling.hpp"
 #include "quasistatic/stepping/log_time_stepping.hpp"
@@ -20,24 +21,6 @@ constexpr std::array field_times = {1e-7, 1e-5, 1e-3};
 SampledResponses<2> sampled(const QuasistaticProblem<2>& problem, Load load) {
   return sample_responses(problem, std::array{load},
                           matrix_path(0, carson_path(problem.materials.front(), test::relaxation_window)));
-}
-
-Stress<2> mean_stress(const PointFields<2>& fields) {
-  Stress<2> mean;
-  const auto count = static_cast<double>(fields.stress.size());
-  for (const auto& [xx, yy, zz, xy] : fields.stress) {
-    mean = {mean.xx + xx / count, mean.yy + yy / count, mean.xy + xy / count};
-  }
-  return mean;
-}
-
-Strain<2> mean_strain(const PointFields<2>& fields) {
-  Strain<2> mean;
-  const auto count = static_cast<double>(fields.strain.size());
-  for (const auto& [xx, yy, xy] : fields.strain) {
-    mean = {mean.xx + xx / count, mean.yy + yy / count, mean.xy + xy / count};
-  }
-  return mean;
 }
 
 /// Composites whose matrix relaxes in shear alone, and in volume too.
@@ -58,8 +41,8 @@ TEST(Fields, AverageToTheCurve) {
         const auto compliance = creep_compliance(found.responses[0], matrix);
         for (const double time : field_times) {
           const auto fields = found.fields(0, std::array{matrix}, time);
-          const double stress = modulus_of(load, mean_stress(fields)),
-                       strain = compliance_of(load, mean_strain(fields));
+          const double stress = modulus_of(load, test::mean_stress(fields)),
+                       strain = compliance_of(load, test::mean_strain(fields));
           if (boundary == Boundary::traction) {
             EXPECT_NEAR(stress, 1.0, 1e-9) << time;
             EXPECT_NEAR(strain / compliance.at(time), 1.0, 1e-9) << time;

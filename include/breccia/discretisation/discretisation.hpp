@@ -14,12 +14,23 @@
 #include "breccia/discretisation/mixture.hpp"
 #include "breccia/discretisation/phase.hpp"
 #include "breccia/microstructure/microstructure.hpp"
+#include "breccia/microstructure/particle_box.hpp"
 
 namespace breccia {
 
-namespace gaps {
-class GapCells;
-}
+/// The phases of a particle: its own and that of its coating.
+struct ParticlePhases {
+  PhaseIndex phase{};
+  PhaseIndex coating = no_phase;
+  double coating_thickness = 0.0;  ///< thickness, outside the diameter of the particle [m]; 0 without a coating
+};
+
+/// The particles of a square box with their phases and coatings.
+struct ParticlesInBox {
+  ParticleBox box;  ///< its own coatings do not count
+  PhaseIndex matrix{};
+  std::vector<ParticlePhases> phases;  ///< by particle
+};
 
 /// The phases of the points of one cell, in the order of CellShape.
 template <int dim>
@@ -98,10 +109,14 @@ class Discretisation {
     return &mixtures_[static_cast<std::size_t>(number - first_mixture_)];
   }
 
-  /// The cells with gaps between particles that are narrower than a cell; null where none are known, and after a change
-  /// of any cell.
-  [[nodiscard]] const std::shared_ptr<const gaps::GapCells>& gaps() const noexcept { return gaps_; }
-  void set_gaps(std::shared_ptr<const gaps::GapCells> gaps) requires(dim == 2) { gaps_ = std::move(gaps); }
+  /// The particles whose gaps calculations resolve though they may be narrower than a cell (theory, section 2); null
+  /// where there are none, and after a change of any cell.
+  [[nodiscard]] const std::shared_ptr<const ParticlesInBox>& particles_with_gaps() const noexcept {
+    return particles_with_gaps_;
+  }
+  void set_particles_with_gaps(std::shared_ptr<const ParticlesInBox> particles) {
+    particles_with_gaps_ = std::move(particles);
+  }
 
   /// Number of points of each of the phases 0 .. count - 1. The points of a mixed cell count for its phases by the
   /// fractions of the mixture; the sums are exact where these fractions are multiples of 1 / mixture_steps. A mixture
@@ -132,7 +147,7 @@ class Discretisation {
 
   /// The phases of the points, to be changed: in memory that belongs to this object alone.
   [[nodiscard]] CellPhases<dim>* own_cells() {
-    gaps_.reset();
+    particles_with_gaps_.reset();
     if (own_ == nullptr || cells_.use_count() > 1) take_own_cells();
     return own_;
   }
@@ -146,7 +161,7 @@ class Discretisation {
   CellPhases<dim>* own_ = nullptr;  ///< the phases in `cells_`, if their memory may be changed
   std::vector<Mixture> mixtures_;
   PhaseIndex first_mixture_ = no_phase;  ///< the number of the first mixture
-  std::shared_ptr<const gaps::GapCells> gaps_;
+  std::shared_ptr<const ParticlesInBox> particles_with_gaps_;
 };
 
 /// Throws InputError, with the name of the calculation, when a point has none of the phases 0 .. count - 1, so that it
@@ -161,13 +176,6 @@ void require_phases_in_cells(std::string_view calculation, const Discretisation<
 
 extern template class Discretisation<2>;
 extern template class Discretisation<3>;
-
-/// The phases of a particle: its own and that of its coating.
-struct ParticlePhases {
-  PhaseIndex phase{};
-  PhaseIndex coating = no_phase;
-  double coating_thickness = 0.0;  ///< thickness, outside the diameter of the particle [m]; 0 without a coating
-};
 
 /// The phases of particles that have no coatings.
 [[nodiscard]] std::vector<ParticlePhases> without_coatings(std::span<const PhaseIndex> particles);

@@ -27,6 +27,9 @@ struct ParticleBox {
 /// The box with its particles as discs, if all of them are circles; nothing otherwise.
 [[nodiscard]] std::optional<Microstructure<2>> as_discs(const ParticleBox& box);
 
+/// The box with its discs as particles.
+[[nodiscard]] ParticleBox as_particles(const Microstructure<2>& discs);
+
 /// Calls action(number, pose) for every particle and, in a periodic box, for its images in the neighbouring boxes.
 template <class Action>
 void for_each_image(const ParticleBox& box, Action&& action) {

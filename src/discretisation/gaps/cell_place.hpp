@@ -11,16 +11,15 @@ namespace breccia::gaps {
 
 /// What decides the cells of a grid.
 struct GapGeometry {
-  const DiscImages& discs;
+  const ParticleImages& images;
   const Owners& owners;
   const FaceTable& faces;
   PhaseIndex matrix;
-  std::span<const ParticlePhases> particles;  ///< by particle; discs include their coatings
-  double cell_side;                           ///< [m]
+  std::span<const ParticlePhases> particles;  ///< by particle
 
   /// The phases of a particle.
   [[nodiscard]] const ParticlePhases& phases(ImageIndex image) const noexcept {
-    return particles[discs.particle(image)];
+    return particles[images.particle(image)];
   }
   /// The phase at the surface of a particle.
   [[nodiscard]] PhaseIndex phase_at_surface(ImageIndex image) const noexcept {
@@ -35,6 +34,10 @@ class CellPlace {
 
   [[nodiscard]] const Index<2>& cell() const noexcept { return cell_; }
   [[nodiscard]] Vector<2> centre() const noexcept { return {cell_[0] + 0.5, cell_[1] + 0.5}; }
+  /// The lower left corner.
+  [[nodiscard]] Vector<2> corner() const noexcept {
+    return {static_cast<double>(cell_[0]), static_cast<double>(cell_[1])};
+  }
   [[nodiscard]] Index<2> node(int node) const noexcept;
   [[nodiscard]] ImageIndex owner(int node) const noexcept { return owners_[static_cast<std::size_t>(node)]; }
   [[nodiscard]] FacePlace face_place(int face) const noexcept;
@@ -60,6 +63,8 @@ class CellPlace {
   [[nodiscard]] bool is_in_chain() const noexcept;
   /// The particle of the other nodes than those of the particle of node 0.
   [[nodiscard]] ImageIndex second_owner() const noexcept;
+  /// Whether a node at an end of a face belongs to walls.
+  [[nodiscard]] bool is_on_wall(int face, int end) const noexcept { return owner(node_of(face, end)) == walls; }
   /// Number of the nodes that belong to a particle.
   [[nodiscard]] int nodes_of(ImageIndex image) const noexcept;
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "microstructure/disc_overlap.hpp"
 #include "microstructure/vector_algebra.hpp"
 
 namespace breccia::gaps {
@@ -19,31 +18,18 @@ struct ParticleShare {
 };
 std::vector<ParticleShare> particles_in(const GapGeometry& geometry, const CellPlace& place) {
   std::vector<ParticleShare> particles;
-  for (const auto image : geometry.discs.near(place.centre())) {
+  for (const auto image : geometry.images.near(place.centre())) {
     const double share = share_of(geometry, place, image);
     if (share > rounding) particles.push_back({image, share});
   }
   return particles;
 }
 
-/// The share of the area of a cell in a disc [-].
-double share_of(const Disc& disc, const CellPlace& place) {
-  constexpr double half_diagonal = 0.7072;
-  const double distance = norm(place.centre() - disc.centre) - 0.5 * disc.diameter;
-  if (distance > half_diagonal) return 0.0;
-  if (distance < -half_diagonal) return 1.0;
-  const Vector<2> lower = {static_cast<double>(place.cell()[0]), static_cast<double>(place.cell()[1])};
-  return overlap_area(disc, lower, lower + Vector<2>{1.0, 1.0});
-}
-
 /// The part of a particle in a cell that is its core, and not its coating [-].
 double part_of_core(const GapGeometry& geometry, const CellPlace& place, ImageIndex image) {
-  const double thickness = geometry.phases(image).coating_thickness / geometry.cell_side;
-  if (thickness == 0.0) return 1.0;
-  auto core = geometry.discs.disc(image);
-  const double all = share_of(core, place);
-  core.diameter -= 2.0 * thickness;
-  return all > rounding ? share_of(core, place) / all : 0.0;
+  if (geometry.phases(image).coating_thickness == 0.0) return 1.0;
+  const double all = share_of(geometry, place, image);
+  return all > rounding ? geometry.images.area_of_core(image, place.corner()) / all : 0.0;
 }
 
 /// Shares of a cell, phase by phase.
@@ -59,7 +45,17 @@ class PhaseShares {
       cell_.shares[static_cast<std::size_t>(known - cell_.mixture.begin())] += share;
     }
   }
-  [[nodiscard]] CellShares take() { return std::move(cell_); }
+  /// The shares. The first phase is that whose shares are largest, for both volume and deviators: its strain is that of
+  /// the cell less those of the others, over its share.
+  [[nodiscard]] CellShares take() {
+    VolumeAndShear largest = VolumeAndShear::Zero();
+    for (const auto& share : cell_.shares) largest = largest.max(share);
+    const auto size = [&](const VolumeAndShear& share) { return (share / largest).minCoeff(); };
+    const auto first = std::ranges::max_element(cell_.shares, {}, size) - cell_.shares.begin();
+    std::swap(cell_.mixture.front(), cell_.mixture[static_cast<std::size_t>(first)]);
+    std::swap(cell_.shares.front(), cell_.shares[static_cast<std::size_t>(first)]);
+    return std::move(cell_);
+  }
 
  private:
   CellShares cell_;
@@ -90,15 +86,16 @@ bool is_beside_chain(const GapGeometry& geometry, const CellPlace& place) {
   bool is_beside = false;
   for_each_index(Index<2>{-1, -1}, Index<2>{2, 2}, [&](const Index<2>& step) {
     const Index<2> other = {place.cell()[0] + step[0], place.cell()[1] + step[1]};
-    is_beside = is_beside || CellPlace(geometry, other).is_in_chain();
+    is_beside = is_beside || (geometry.images.has_cell(other) && CellPlace(geometry, other).is_in_chain());
   });
   return is_beside;
 }
 
-/// Whether a node in binder belongs to a particle.
+/// Whether a node in binder belongs to a particle, or a node to walls.
 bool has_owned_binder(const GapGeometry& geometry, const CellPlace& place) {
   for (int node = 0; node < CellShape<2>::nodes; ++node) {
-    if (place.owner(node) != no_image && geometry.owners.is_in_binder(place.node(node))) return true;
+    const auto owner = place.owner(node);
+    if (owner == walls || (owner != no_image && geometry.owners.is_in_binder(place.node(node)))) return true;
   }
   return false;
 }
@@ -112,7 +109,7 @@ double share_of_layer(const GapGeometry& geometry, const CellPlace& place, Image
   for (int node = 0; node < CellShape<2>::nodes; ++node) {
     const auto at = place.node(node);
     const Vector<2> point = {static_cast<double>(at[0]), static_cast<double>(at[1])};
-    distances[static_cast<std::size_t>(node)] = std::max(geometry.discs.distance(image, point), 0.0);
+    distances[static_cast<std::size_t>(node)] = std::max(geometry.images.distance(image, point), 0.0);
   }
   if (std::ranges::find(distances, 0.0) == distances.end()) return binder;
   double gradient = 0.0;
@@ -151,22 +148,24 @@ double at_end_of_gap(const GapGeometry& geometry, const CellPlace& place, const 
 }  // namespace
 
 double share_of(const GapGeometry& geometry, const CellPlace& place, ImageIndex image) {
-  return share_of(geometry.discs.disc(image), place);
+  return image == walls ? 0.0 : geometry.images.area(image, place.corner());
 }
 
 CellShares shares_of_channel(const GapGeometry& geometry, const CellPlace& place, const Channel& channel) {
   const auto first = place.owner(0), second = place.second_owner();
   const bool is_even = place.nodes_of(first) == place.nodes_of(second);
-  const double of_sliding = is_even ? 1.0 : 0.625, least_slenderness = 1e-6;
-  const std::array<ParticleShare, 2> particles = {
-      {{first, share_of(geometry, place, first) + rounding}, {second, share_of(geometry, place, second) + rounding}}};
+  const double of_sliding = is_even ? 1.0 : 0.625, least_slenderness = 1e-3;
+  std::vector<ParticleShare> particles;
+  for (const auto image : {first, second}) {
+    if (image != walls) particles.push_back({image, share_of(geometry, place, image) + rounding});
+  }
   return in_series(geometry, place, particles,
-                   {std::min(channel.area, 1.0), of_sliding / std::max(channel.slenderness, least_slenderness)});
+                   {channel.area, of_sliding / std::max(channel.slenderness, least_slenderness)});
 }
 
 CellShares shares_of_cell(const GapGeometry& geometry, const CellPlace& place) {
   auto particles = particles_in(geometry, place);
-  if (place.has_one_owner() && is_beside_chain(geometry, place)) {
+  if (place.has_one_owner() && place.owner(0) != walls && is_beside_chain(geometry, place)) {
     return in_series(geometry, place, std::array{ParticleShare{place.owner(0), 1.0}}, {0.0, 0.0});
   }
   double in_particles = 0.0;
@@ -181,15 +180,17 @@ CellShares shares_of_cell(const GapGeometry& geometry, const CellPlace& place) {
   if (particles.size() == 1 && !has_owned_binder(geometry, place)) {
     shares[1] = share_of_layer(geometry, place, particles.front().image, binder);
   }
-  const auto nearest = geometry.discs.nearest_two(place.centre());
+  const auto nearest = geometry.images.nearest_two(place.centre());
   if (nearest.second != no_image) {
-    const auto across = geometry.discs.across(nearest.first, nearest.second, place.centre());
+    const auto across = geometry.images.across(nearest.first, nearest.second, place.centre());
     shares += binder_outside(place, across);
     shares[1] *= place.has_free_node() ? at_end_of_gap(geometry, place, across) : 1.0;
   }
-  shares = {std::clamp(shares[0], 0.0, 1.0), std::clamp(shares[1], 0.0, 3.0)};
+  shares = shares.max(0.0).min(3.0);
   const bool is_binder = particles.empty() && (shares == 1.0).all();
-  if (particles.empty() && shares.minCoeff() < 1.0) particles.push_back({nearest.first, rounding});
+  if (particles.empty() && shares.minCoeff() < 1.0) {
+    particles.push_back({nearest.first != walls ? nearest.first : nearest.second, rounding});
+  }
   auto cell = in_series(geometry, place, particles, shares);
   cell.is_one_phase = is_binder;
   return cell;

@@ -10,16 +10,17 @@
 namespace breccia::gaps {
 namespace {
 
-/// An energy with the shear modulus of a particle less that of the binder.
-void add_without_binder(const GapGeometry& geometry, ImageIndex image, double factor, const LinearForm& form,
-                        std::vector<SquareTerm>& terms) {
-  terms.push_back({geometry.phase_at_surface(image), factor, form});
-  terms.push_back({geometry.matrix, -factor, form});
-}
-
 /// The difference of a displacement component between two nodes, along an axis.
 LinearForm difference(int from, int to, std::size_t component) {
   return LinearForm().add(displacement_of(to, component), 1.0).add(displacement_of(from, component), -1.0);
+}
+
+/// The slope at a node on walls, whose motion is linear and does not turn: that of the displacement along the face, in
+/// the direction of the wall.
+LinearForm slope_of_walls(int face, int end) {
+  const auto normal = CellPlace::normal(face);
+  const int node = CellPlace::node_of(face, end), beside = CellPlace::beside(node, normal);
+  return LinearForm().add(CellPlace::is_upper(beside, normal) ? 1.0 : -1.0, difference(node, beside, 1 - normal));
 }
 
 /// Whether a node beside the node of a face, along the normal on either side, belongs to its particle.
@@ -57,25 +58,33 @@ void tie_slope(const GapGeometry& geometry, const CellPlace& place, int face, in
   } else if (has_own_neighbour(geometry, place.face_place(face), end)) {
     return;
   }
-  add_without_binder(geometry, owner, 1.0, rotation, terms);
+  terms.push_back({geometry.phase_at_surface(owner), 1.0, rotation});
 }
 
 /// A share of the energy of the flow through a face.
 void add_flow_through(const GapGeometry& geometry, const CellPlace& place, int face, double share,
                       std::vector<SquareTerm>& terms) {
   if (!place.face(face).has_flow()) return;
-  terms.push_back({geometry.matrix, share / place.face(face).conductance, LinearForm().add(flow_through(face), 1.0)});
+  const double unit = place.face(face).unit_of_flow();
+  terms.push_back({geometry.matrix, share / place.face(face).conductance, LinearForm().add(flow_through(face), unit)});
 }
 
-/// The rotation of a particle from its slopes on the two faces at the ends of a channel; nothing without a slope.
+/// The rotation of a particle from its slopes on the two faces at the ends of a channel; nothing without a slope. Walls
+/// close a gap as a particle does that turns the other way than their slopes.
 std::optional<LinearForm> rotation_of(const CellPlace& place, const EndsOfChannel& ends, ImageIndex image) {
   LinearForm sum;
   int slopes = 0;
   for (const int face : {ends.begin, ends.end}) {
     for (int end = 0; end < 2; ++end) {
       if (place.owner(CellPlace::node_of(face, end)) != image) continue;
-      if (!place.face(face).has_slope[static_cast<std::size_t>(end)]) continue;
-      sum.add(slope_at(face, end), CellPlace::normal(face) == 0 ? -1.0 : 1.0);
+      const double turning = CellPlace::normal(face) == 0 ? -1.0 : 1.0;
+      if (image == walls) {
+        sum.add(-turning, slope_of_walls(face, end));
+      } else if (place.face(face).has_slope[static_cast<std::size_t>(end)]) {
+        sum.add(slope_at(face, end), turning);
+      } else {
+        continue;
+      }
       ++slopes;
     }
   }
@@ -98,9 +107,12 @@ CellUnknowns volume_change(const CellPlace& place) {
     for (int end = 0; end < 2; ++end) {
       const auto number = static_cast<std::size_t>(end);
       volume[displacement_of(CellPlace::node_of(face, end), CellPlace::normal(face))] += out * of_face.of_nodes[number];
-      volume[slope_at(face, end)] += out * of_face.of_slopes[number];
+      if (of_face.has_slope[number]) volume[slope_at(face, end)] += out * of_face.of_slopes[number];
+      if (place.is_on_wall(face, end)) {
+        slope_of_walls(face, end).add_to(volume, out * of_face.of_slopes[number]);
+      }
     }
-    if (of_face.has_flow()) volume[flow_through(face)] -= out;
+    if (of_face.has_flow()) volume[flow_through(face)] -= out * of_face.unit_of_flow();
   }
   return volume;
 }
@@ -143,8 +155,9 @@ void add_flow_along(const GapGeometry& geometry, const CellPlace& place, const C
   }
   if (!has_length) return;
   std::array<LinearForm, 3> forms;
-  forms[0].add(flow_through(ends.begin), is_upper_face(ends.begin) ? -1.0 : 1.0);
-  forms[1].add(flow_through(ends.end), is_upper_face(ends.end) ? 1.0 : -1.0);
+  const auto unit_of = [&](int face) { return place.face(face).unit_of_flow(); };
+  forms[0].add(flow_through(ends.begin), (is_upper_face(ends.begin) ? -1.0 : 1.0) * unit_of(ends.begin));
+  forms[1].add(flow_through(ends.end), (is_upper_face(ends.end) ? 1.0 : -1.0) * unit_of(ends.end));
   const auto first = rotation_of(place, ends, place.owner(0)), second = rotation_of(place, ends, place.second_owner());
   if (first && second) forms[2].add(1.0, *second).add(-1.0, *first);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> modes(channel.resistance);
@@ -162,15 +175,17 @@ void add_corner_of_particle(const GapGeometry& geometry, const CellPlace& place,
   for (int corner = 0; corner < CellShape<2>::nodes; ++corner) {
     const auto owner = place.owner(corner);
     const int beside = CellPlace::beside(corner, 0), above = CellPlace::beside(corner, 1);
-    if (place.nodes_of(owner) != 3 || place.owner(beside) != owner || place.owner(above) != owner) continue;
+    if (!is_particle(owner) || place.nodes_of(owner) != 3 || place.owner(beside) != owner ||
+        place.owner(above) != owner)
+      continue;
     const double factor = std::max(share_of(geometry, place, owner), least_share);
     const double to_beside = CellPlace::is_upper(beside, 0) ? 1.0 : -1.0;
     const double to_above = CellPlace::is_upper(above, 1) ? 1.0 : -1.0;
     LinearForm stretch, shear;
     stretch.add(to_beside, difference(corner, beside, 0)).add(-to_above, difference(corner, above, 1));
     shear.add(to_above, difference(corner, above, 0)).add(to_beside, difference(corner, beside, 1));
-    add_without_binder(geometry, owner, factor, stretch, terms);
-    add_without_binder(geometry, owner, factor, shear, terms);
+    terms.push_back({geometry.phase_at_surface(owner), factor, stretch});
+    terms.push_back({geometry.phase_at_surface(owner), factor, shear});
   }
 }
 

@@ -8,7 +8,7 @@
 
 namespace breccia::gaps {
 
-/// The flux out of a cell without what flows, as a form of its unknowns.
+/// The flux out of a cell, without what flows, as a form of its unknowns.
 [[nodiscard]] CellUnknowns volume_change(const CellPlace& place);
 /// Ties the slopes of the faces of a cell to their particles.
 void tie_slopes(const GapGeometry& geometry, const CellPlace& place, std::vector<SquareTerm>& terms);

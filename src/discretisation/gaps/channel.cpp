@@ -23,7 +23,7 @@ constexpr std::array<GaussPoint, 8> gauss_rule = {{{0.0950125098376374, 0.189450
 
 }  // namespace
 
-Channel make_channel(const DiscImages& discs, ImageIndex first, ImageIndex second, const Vector<2>& begin,
+Channel make_channel(const ParticleImages& images, ImageIndex first, ImageIndex second, const Vector<2>& begin,
                      const Vector<2>& end) {
   constexpr double least = 1e-9;
   const auto path = end - begin;
@@ -34,14 +34,14 @@ Channel make_channel(const DiscImages& discs, ImageIndex first, ImageIndex secon
   const auto middle = 0.5 * (begin + end);
   // A second particle on the right that turns counter-clockwise closes the channel before the middle and opens it
   // behind.
-  const bool first_is_left = cross(along, discs.across(first, second, middle)) < 0.0;
+  const bool first_is_left = cross(along, images.across(first, second, middle)) < 0.0;
   const double turning = first_is_left ? 1.0 : -1.0;
   for (const double side : {-1.0, 1.0}) {
     for (const auto& [place, weight] : gauss_rule) {
       const double z = 0.5 * (1.0 + side * place), ds = 0.5 * weight * length;
       const auto point = begin + z * path;
-      const double h = std::max(discs.distance(first, point) + discs.distance(second, point), least);
-      const auto of_first = discs.normal(first, point), of_second = discs.normal(second, point);
+      const double h = std::max(images.distance(first, point) + images.distance(second, point), least);
+      const auto of_first = images.normal(first, point), of_second = images.normal(second, point);
       const double wedge = 0.5 * (1.0 + dot(of_first, of_second)), dh = dot(of_first + of_second, along);
       const double s = z * length;
       const Eigen::Vector3d q(1.0 - z, z, turning * 0.5 * s * (length - s));

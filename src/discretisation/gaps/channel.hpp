@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "discretisation/gaps/disc_images.hpp"
+#include "discretisation/gaps/particle_images.hpp"
 
 namespace breccia::gaps {
 
@@ -18,7 +18,7 @@ struct Channel {
 
 /// The channel between two particles, by lubrication of the second order for a parabolic profile
 /// (theory, Eq. 42g). A channel without length has none.
-[[nodiscard]] Channel make_channel(const DiscImages& discs, ImageIndex first, ImageIndex second, const Vector<2>& begin,
-                                   const Vector<2>& end);
+[[nodiscard]] Channel make_channel(const ParticleImages& images, ImageIndex first, ImageIndex second,
+                                   const Vector<2>& begin, const Vector<2>& end);
 
 }  // namespace breccia::gaps

@@ -15,11 +15,11 @@ constexpr int most_steps = 3;
 /// The face itself and what it needs to find binder on its line.
 class Crossing {
  public:
-  Crossing(const DiscImages& discs, const Owners& owners, const FacePlace& place)
-      : discs_(discs), owners_(owners), place_(place), line_(place.line()), binder_(discs.binder_on(line_)) {}
+  Crossing(const ParticleImages& images, const Owners& owners, const FacePlace& place)
+      : images_(images), owners_(owners), place_(place), line_(place.line()), binder_(images.binder_on(line_)) {}
 
   [[nodiscard]] Face face() const {
-    if (binder_.empty()) return {};
+    if (binder_.empty() || is_on_side()) return {};
     Face face = {.is_cross = is_owned(0) && is_owned(1) && owner(0) != owner(1)};
     face.binder_outside = binder_outside();
     if (face.is_cross) {
@@ -27,7 +27,7 @@ class Crossing {
       const double first = face.split, second = 1.0 - face.split;
       face.of_nodes = {first, second};
       face.of_slopes = {0.5 * first * first, -0.5 * second * second};
-      face.has_slope = {true, true};
+      face.has_slope = {owner(0) != walls, owner(1) != walls};
       face.conductance = conductance_across(face.split);
     } else {
       if (owner(0) != owner(1)) follow_particles(face);
@@ -43,9 +43,14 @@ class Crossing {
   [[nodiscard]] ImageIndex owner(int steps) const noexcept { return owners_.of(place_.node(steps)); }
   [[nodiscard]] bool is_owned(int steps) const noexcept { return owner(steps) != no_image; }
   [[nodiscard]] bool is_in_binder(int steps) const noexcept { return owners_.is_in_binder(place_.node(steps)); }
+  /// Whether the face is a piece of a side of a box that is not periodic: nothing flows through it.
+  [[nodiscard]] bool is_on_side() const noexcept {
+    const int height = place_.first_node[place_.normal()];
+    return !images_.is_periodic() && (height == 0 || height == images_.cells());
+  }
   /// The pieces of binder on the face that begins at a node of the line.
   [[nodiscard]] std::vector<Interval> binder_of(int steps) const {
-    return steps == 0 ? binder_ : discs_.binder_on(FacePlace{place_.node(steps), place_.along}.line());
+    return steps == 0 ? binder_ : images_.binder_on(FacePlace{place_.node(steps), place_.along}.line());
   }
 
   /// Length of the binder from a node of the face outwards, as far as nodes belong to its particle.
@@ -78,7 +83,7 @@ class Crossing {
     for (int i = 0; i < halvings; ++i) {
       const double middle = 0.5 * (begin + end);
       const auto point = line_.at(middle);
-      (discs_.distance(owner(0), point) < discs_.distance(owner(1), point) ? begin : end) = middle;
+      (images_.distance(owner(0), point) < images_.distance(owner(1), point) ? begin : end) = middle;
     }
     return 0.5 * (begin + end);
   }
@@ -87,9 +92,9 @@ class Crossing {
   [[nodiscard]] double conductance_across(double split) const {
     constexpr double least_slope = 0.3;
     const auto point = line_.at(split);
-    const double gap = discs_.distance(owner(0), point) + discs_.distance(owner(1), point);
-    const double slope = std::max(std::abs(discs_.across(owner(0), owner(1), point)[place_.along]), least_slope);
-    const auto before = discs_.chord(owner(0), line_), behind = discs_.chord(owner(1), line_);
+    const double gap = images_.distance(owner(0), point) + images_.distance(owner(1), point);
+    const double slope = std::max(std::abs(images_.across(owner(0), owner(1), point)[place_.along]), least_slope);
+    const auto before = images_.chord(owner(0), line_), behind = images_.chord(owner(1), line_);
     double begin = before && before->end <= split ? before->end : split - 0.5 * gap / slope;
     double end = behind && behind->begin >= split ? behind->begin : split + 0.5 * gap / slope;
     for (int steps = 0; steps >= -most_steps && begin <= steps; --steps) {
@@ -104,7 +109,8 @@ class Crossing {
         break;
       }
     }
-    const double width = std::max(end - begin, 0.0);
+    const auto in_box = images_.inside(line_);
+    const double width = std::max(std::min(end, in_box.end) - std::max(begin, in_box.begin), 0.0);
     const double across = std::min(width, gap);
     return width * across * across / 12.0;
   }
@@ -118,7 +124,7 @@ class Crossing {
       double begin = piece.begin, end = piece.end;
       if (goes_on_to_cross_face(begin, 0, -1) || goes_on_to_cross_face(end, 1, 1)) continue;
       const auto point = line_.at(0.5 * (piece.begin + piece.end));
-      const auto nearest = discs_.nearest_two(point);
+      const auto nearest = images_.nearest_two(point);
       const double across = std::min(end - begin, nearest.gap());
       conductance += (is_end ? at_end_of_gap(nearest, point) : 1.0) * piece.length() * across * across / 12.0;
     }
@@ -144,7 +150,7 @@ class Crossing {
   [[nodiscard]] double at_end_of_gap(const NearestTwo& nearest, const Vector<2>& point) const {
     constexpr double most = 10.0;
     if (nearest.second == no_image) return 1.0;
-    const double across = discs_.across(nearest.first, nearest.second, point)[place_.normal()];
+    const double across = images_.across(nearest.first, nearest.second, point)[place_.normal()];
     return 1.0 + most * std::max(0.0, 2.0 * across * across - 1.0);
   }
 
@@ -159,7 +165,7 @@ class Crossing {
     face.of_slopes = {before * begin, -behind * (1.0 - end)};
   }
 
-  const DiscImages& discs_;
+  const ParticleImages& images_;
   const Owners& owners_;
   const FacePlace& place_;
   GridLine line_;
@@ -176,8 +182,8 @@ bool is_end_of_gap(const Owners& owners, const FacePlace& place) {
   return ends_at(first, second) || ends_at(second, first);
 }
 
-Face make_face(const DiscImages& discs, const Owners& owners, const FacePlace& place) {
-  return Crossing(discs, owners, place).face();
+Face make_face(const ParticleImages& images, const Owners& owners, const FacePlace& place) {
+  return Crossing(images, owners, place).face();
 }
 
 }  // namespace breccia::gaps

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "discretisation/gaps/owners.hpp"
@@ -38,9 +39,11 @@ struct Face {
   std::array<bool, 2> has_slope = {};
 
   [[nodiscard]] bool has_flow() const noexcept { return conductance > 0.0; }
+  /// The flow per unknown: the energy of an unknown of 1 is that of a shear modulus, however narrow the gap.
+  [[nodiscard]] double unit_of_flow() const noexcept { return std::sqrt(conductance); }
 };
 
-[[nodiscard]] Face make_face(const DiscImages& discs, const Owners& owners, const FacePlace& place);
+[[nodiscard]] Face make_face(const ParticleImages& images, const Owners& owners, const FacePlace& place);
 
 /// Whether one node of a face is free and the other one, in binder, belongs to a particle: the end of a narrow gap.
 [[nodiscard]] bool is_end_of_gap(const Owners& owners, const FacePlace& place);

@@ -10,10 +10,10 @@
 
 namespace breccia::gaps {
 
-/// All faces of the cells of a periodic box, and the numbers of their unknowns.
+/// All faces of the cells of a box, and the numbers of their unknowns.
 class FaceTable {
  public:
-  FaceTable(const DiscImages& discs, const Owners& owners);
+  FaceTable(const ParticleImages& images, const Owners& owners);
 
   /// A face in the box or on an image of it.
   [[nodiscard]] const Face& at(const FacePlace& place) const noexcept { return numbered(place).face; }
@@ -21,6 +21,8 @@ class FaceTable {
   [[nodiscard]] const std::array<std::int32_t, unknowns_of_face>& unknowns(const FacePlace& place) const noexcept {
     return numbered(place).unknowns;
   }
+  /// The nodes at which faces begin.
+  [[nodiscard]] const IndexRange<2>& nodes() const noexcept { return nodes_; }
   /// By node and axis, where the numbers of the unknowns of a face begin, and last the number of all unknowns.
   [[nodiscard]] const std::vector<std::int32_t>& first_unknowns() const noexcept { return first_unknowns_; }
 
@@ -31,7 +33,7 @@ class FaceTable {
   };
   [[nodiscard]] const NumberedFace& numbered(const FacePlace& place) const noexcept;
 
-  int cells_;
+  IndexRange<2> nodes_;
   std::vector<NumberedFace> faces_;  ///< node by node, the face along the first axis and that along the second
   std::vector<std::int32_t> first_unknowns_;
 };

@@ -21,8 +21,9 @@ inline constexpr int faces_of_cell = 4, unknowns_of_face = 3, unknowns_of_faces 
 inline constexpr int unknowns_of_cell = CellShape<2>::dofs + unknowns_of_faces;
 using CellUnknowns = Eigen::Matrix<double, unknowns_of_cell, 1>;
 
-/// Number of an unknown in its cell: the displacement of a node along an axis, the flow through a face along its
-/// normal, and the slope of the displacement along the normal in the particle of the first or second node of a face.
+/// Number of an unknown in its cell: the displacement of a node along an axis, the flow through a face along its normal
+/// (in units of Face::unit_of_flow), and the slope of the displacement along the normal in the particle of the first or
+/// second node of a face.
 [[nodiscard]] constexpr int displacement_of(int node, std::size_t axis) noexcept {
   return 2 * node + static_cast<int>(axis);
 }

@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/microstructure/validity.hpp"
 
 #include "discretisation/gaps/cell_shares.hpp"
 #include "discretisation/gaps/cell_terms.hpp"
+#include "microstructure/shapes/particle_validity.hpp"
 
 namespace breccia::gaps {
 namespace {
@@ -21,12 +20,16 @@ Vector<2> middle_of(const CellPlace& place, int face) {
   return place.face_place(face).line().at(place.face(face).split);
 }
 
-/// The microstructure of the particles with their coatings.
-Microstructure<2> with_coatings(Microstructure<2> microstructure, std::span<const ParticlePhases> particles) {
-  for (std::size_t particle = 0; particle < particles.size(); ++particle) {
-    microstructure.particles[particle].diameter += 2.0 * particles[particle].coating_thickness;
+/// Throws InputError unless each particle has phases, and none overlaps another one with its coating.
+void require_valid(const ParticlesInBox& particles) {
+  if (particles.phases.size() != particles.box.particles.size()) {
+    throw InputError(fmt::format("gaps under a cell: expected a phase for each of {} particles, got {}",
+                                 particles.box.particles.size(), particles.phases.size()));
   }
-  return microstructure;
+  auto box = particles.box;
+  box.coatings.clear();
+  for (const auto& phases : particles.phases) box.coatings.push_back(phases.coating_thickness);
+  breccia::require_valid(box);
 }
 
 /// The gap cell at a cell of the grid; nothing for a cell of one phase whose faces have no unknowns.
@@ -41,7 +44,7 @@ std::optional<GapCell> make_gap_cell(const GapGeometry& geometry, const Index<2>
   tie_slopes(geometry, place, cell.terms);
   if (place.is_in_chain()) {
     const auto ends = ends_of_channel(place);
-    const auto channel = make_channel(geometry.discs, place.owner(0), place.second_owner(),
+    const auto channel = make_channel(geometry.images, place.owner(0), place.second_owner(),
                                       middle_of(place, ends.begin), middle_of(place, ends.end));
     shares = shares_of_channel(geometry, place, channel);
     add_flow_along(geometry, place, channel, cell.terms);
@@ -61,34 +64,24 @@ std::optional<GapCell> make_gap_cell(const GapGeometry& geometry, const Index<2>
 }  // namespace
 
 GapCells::GapCells(const Grid<2>& grid, std::vector<GapCell> cells, std::span<const std::size_t> places,
-                   std::vector<std::int32_t> first_unknowns)
+                   const IndexRange<2>& nodes, std::vector<std::int32_t> first_unknowns)
     : grid_(grid),
       cells_(std::move(cells)),
       numbers_(grid.cell_count(), GapCell::none),
+      nodes_(nodes),
       first_unknowns_(std::move(first_unknowns)) {
   for (std::size_t number = 0; number < places.size(); ++number) {
     numbers_[places[number]] = static_cast<std::int32_t>(number);
   }
-  std::set<PhaseIndex> phases;
-  for (const auto& cell : cells_) {
-    for (const auto& part : cell.mixture) phases.insert(part.phase);
-  }
-  phases_.assign(phases.begin(), phases.end());
 }
 
-GapCells find_gap_cells(const Microstructure<2>& microstructure, int cells, PhaseIndex matrix,
-                        std::span<const ParticlePhases> particles) {
-  if (particles.size() != microstructure.particles.size()) {
-    throw InputError(fmt::format("gaps under a cell: expected a phase for each of {} particles, got {}",
-                                 microstructure.particles.size(), particles.size()));
-  }
-  const auto coated = with_coatings(microstructure, particles);
-  require_valid(coated);
-  const DiscImages discs(coated, cells);
-  const Owners owners(discs);
-  const FaceTable faces(discs, owners);
-  const Grid<2> grid = {{cells, cells}, microstructure.side / cells};
-  const GapGeometry geometry = {discs, owners, faces, matrix, particles, grid.cell_side};
+GapCells find_gap_cells(const ParticlesInBox& particles, int cells, Boundary boundary) {
+  require_valid(particles);
+  const ParticleImages images(particles, cells, boundary);
+  const Owners owners(images);
+  const FaceTable faces(images, owners);
+  const Grid<2> grid = {{cells, cells}, particles.box.side / cells};
+  const GapGeometry geometry = {images, owners, faces, particles.matrix, particles.phases};
   std::vector<GapCell> gap_cells;
   std::vector<std::size_t> places;
   grid.for_each_cell([&](const Index<2>& cell) {
@@ -97,7 +90,7 @@ GapCells find_gap_cells(const Microstructure<2>& microstructure, int cells, Phas
     gap_cells.push_back(std::move(*gap_cell));
     places.push_back(grid.cell_index(cell));
   });
-  return {grid, std::move(gap_cells), places, faces.first_unknowns()};
+  return {grid, std::move(gap_cells), places, faces.nodes(), faces.first_unknowns()};
 }
 
 }  // namespace breccia::gaps

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "breccia/discretisation/boundary.hpp"
 #include "breccia/discretisation/discretisation.hpp"
 #include "breccia/discretisation/grid.hpp"
 #include "breccia/microstructure/microstructure.hpp"
@@ -17,10 +18,10 @@ namespace breccia::gaps {
 /// The cells of a grid that have gaps, and the unknowns of their faces.
 class GapCells {
  public:
-  /// `places` are the places of the cells in the grid; `first_unknowns` say where the unknowns of the faces begin, by
-  /// node and axis, and last how many there are.
+  /// `places` are the places of the cells in the grid, `nodes` the nodes at which faces begin; `first_unknowns` say
+  /// where the unknowns of the faces begin, by node and axis, and last how many there are.
   GapCells(const Grid<2>& grid, std::vector<GapCell> cells, std::span<const std::size_t> places,
-           std::vector<std::int32_t> first_unknowns);
+           const IndexRange<2>& nodes, std::vector<std::int32_t> first_unknowns);
 
   /// The gap cell at a cell of the grid; null for other cells.
   [[nodiscard]] const GapCell* at(const Index<2>& cell) const noexcept {
@@ -28,17 +29,17 @@ class GapCells {
     return number < 0 ? nullptr : &cells_[static_cast<std::size_t>(number)];
   }
   [[nodiscard]] std::span<const GapCell> cells() const noexcept { return cells_; }
-  /// The phases in the cells, in the order of their numbers.
-  [[nodiscard]] std::span<const PhaseIndex> phases() const noexcept { return phases_; }
   /// Number of the unknowns of all faces.
   [[nodiscard]] std::int32_t unknowns() const noexcept { return first_unknowns_.back(); }
-  /// The range of the numbers of the unknowns of the two faces that begin at a node.
+  /// The range of the numbers of the unknowns of the two faces that begin at a node. A node at the end of a periodic
+  /// box is that at its beginning.
   [[nodiscard]] std::array<std::int32_t, 2> unknowns_at(const Index<2>& node) const noexcept {
     return {unknowns_at(node, 0)[0], unknowns_at(node, 1)[1]};
   }
   /// The range of those of the face that begins at a node and goes along an axis.
   [[nodiscard]] std::array<std::int32_t, 2> unknowns_at(const Index<2>& node, std::size_t axis) const noexcept {
-    const auto face = 2 * grid_.cell_index(node) + axis;
+    const auto [columns, rows] = nodes_.end;
+    const auto face = 2 * nodes_.place_of({node[0] % columns, node[1] % rows}) + axis;
     return {first_unknowns_[face], first_unknowns_[face + 1]};
   }
 
@@ -46,13 +47,13 @@ class GapCells {
   Grid<2> grid_;
   std::vector<GapCell> cells_;
   std::vector<std::int32_t> numbers_;
-  std::vector<PhaseIndex> phases_;
+  IndexRange<2> nodes_;
   std::vector<std::int32_t> first_unknowns_;
 };
 
-/// The gap cells of discs in a periodic box, on `cells` cells along each axis. `particles` holds the phases of each
-/// disc; gaps are those between coatings. Throws InputError for another box.
-[[nodiscard]] GapCells find_gap_cells(const Microstructure<2>& microstructure, int cells, PhaseIndex matrix,
-                                      std::span<const ParticlePhases> particles);
+/// The gap cells of particles in a box, on `cells` cells along each axis, under a boundary; gaps are those between
+/// coatings, and between coatings and sides under a displacement boundary. Throws InputError for particles that
+/// overlap, and unless the boundary is periodic for a periodic box and for no other.
+[[nodiscard]] GapCells find_gap_cells(const ParticlesInBox& particles, int cells, Boundary boundary);
 
 }  // namespace breccia::gaps

@@ -8,24 +8,24 @@ namespace {
 
 /// Eq. 42c of the theory: whether a gap is so narrow that its nodes belong to particles: up to 1.4 cells along an axis,
 /// somewhat more where it is oblique.
-bool is_narrow(const DiscImages& discs, const NearestTwo& nearest, const Vector<2>& point) {
+bool is_narrow(const ParticleImages& images, const NearestTwo& nearest, const Vector<2>& point) {
   constexpr double widest = 1.4, of_a_diagonal = 0.8409;  // 2^(-1/4)
   if (nearest.second == no_image || nearest.gap() >= widest / of_a_diagonal) return false;
-  const auto across = discs.across(nearest.first, nearest.second, point);
+  const auto across = images.across(nearest.first, nearest.second, point);
   return nearest.gap() < widest / std::sqrt(std::max(std::abs(across[0]), std::abs(across[1])));
 }
 
 }  // namespace
 
-Owners::Owners(const DiscImages& discs) {
-  constexpr int margin = DiscImages::margin;
-  range_ = {{-margin, -margin}, {discs.cells() + margin + 1, discs.cells() + margin + 1}};
+Owners::Owners(const ParticleImages& images) {
+  const int margin = images.margin();
+  range_ = {{-margin, -margin}, {images.cells() + margin + 1, images.cells() + margin + 1}};
   nodes_.reserve(static_cast<std::size_t>(range_.size()[0]) * static_cast<std::size_t>(range_.size()[1]));
   for_each_index(range_.begin, range_.end, [&](const Index<2>& node) {
     const Vector<2> point = {static_cast<double>(node[0]), static_cast<double>(node[1])};
-    const auto nearest = discs.nearest_two(point);
+    const auto nearest = images.nearest_two(point);
     const bool is_in_binder = nearest.to_first > 0.0;
-    const bool is_owned = !is_in_binder || is_narrow(discs, nearest, point);
+    const bool is_owned = !is_in_binder || is_narrow(images, nearest, point);
     nodes_.push_back({is_owned ? nearest.first : no_image, is_in_binder});
   });
 }

@@ -36,6 +36,14 @@ std::optional<Microstructure<2>> as_discs(const ParticleBox& box) {
   return discs;
 }
 
+ParticleBox as_particles(const Microstructure<2>& discs) {
+  ParticleBox box = {discs.side, discs.walls, {}, discs.fillers};
+  for (const auto& [centre, diameter] : discs.particles) {
+    box.particles.push_back({Ellipse{{diameter, diameter}}, Pose(centre, 0.0)});
+  }
+  return box;
+}
+
 double volume_fraction(const ParticleBox& box) {
   double sum = 0.0;
   for (const auto& particle : box.particles) sum += area(particle.shape);

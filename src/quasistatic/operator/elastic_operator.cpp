@@ -8,6 +8,7 @@
 #include "breccia/error.hpp"
 
 #include "discretisation/contrast.hpp"
+#include "discretisation/gaps/cell_place.hpp"
 #include "parallel/threads.hpp"
 #include "quasistatic/operator/gap_matrix.hpp"
 #include "quasistatic/operator/sum_over_cells.hpp"
@@ -16,22 +17,29 @@
 namespace breccia::quasistatic {
 namespace {
 
-/// The gaps of a discretisation, where they matter: the phases in cells with gaps are stiffer than the binder. Without
-/// materials they are taken to be.
+/// Whether all particles are stiffer than the binder between them at all times. Without materials they are taken to be.
+bool are_stiffer(const ParticlesInBox& particles, std::span<const Material> materials) {
+  if (materials.empty()) return true;
+  std::vector<Material> in_gaps = {materials[particles.matrix]};
+  for (const auto& [phase, coating, thickness] : particles.phases) {
+    in_gaps.push_back(materials[phase]);
+    if (thickness > 0.0) in_gaps.push_back(materials[coating]);
+  }
+  return are_stiffer_than_matrix(in_gaps);
+}
+
+/// The gaps of a discretisation, where they matter: the particles are stiffer than the binder.
 template <int dim>
 std::shared_ptr<const gaps::GapCells> gaps_of(const Discretisation<dim>& discretisation, Boundary boundary,
                                               std::span<const Material> materials) {
-  const auto& gaps = discretisation.gaps();
-  if (gaps == nullptr) return nullptr;
-  if (boundary != Boundary::periodic) {
-    throw InputError("quasi-static solver: gaps under a cell; expected a periodic boundary");
+  if constexpr (dim == 2) {
+    const auto& particles = discretisation.particles_with_gaps();
+    if (particles != nullptr && are_stiffer(*particles, materials)) {
+      return std::make_shared<const gaps::GapCells>(
+          gaps::find_gap_cells(*particles, discretisation.grid().cells.front(), boundary));
+    }
   }
-  if (materials.empty()) return gaps;
-  std::vector<Material> in_gaps = {materials.front()};
-  for (const auto phase : gaps->phases()) {
-    if (phase != MixtureRule::matrix) in_gaps.push_back(materials[phase]);
-  }
-  return are_stiffer_than_matrix(in_gaps) ? gaps : nullptr;
+  return nullptr;
 }
 
 }  // namespace
@@ -47,7 +55,7 @@ ElasticOperator<dim>::ElasticOperator(const Discretisation<dim>& discretisation,
   find_first_strains();
   if constexpr (dim == 2) {
     if (!has_gaps()) return;
-    faces_ = FaceLayout(*discretisation.gaps(), nodes_.own_nodes(), nodes_.cells());
+    faces_ = FaceLayout(gaps_.cells(), nodes_.own_nodes(), nodes_.cells());
     const auto own = faces_.numbers().first(faces_.own());
     nodes_.append({own.begin(), own.end()});
   }
@@ -114,9 +122,9 @@ typename CellShape<dim>::Values ElasticOperator<dim>::forces_of(const Index<dim>
   return modes_.transpose() * stress;
 }
 
-/// Sets the slopes of all faces to those of a uniform shear strain. Returns the values of faces (FaceLayout).
+/// The values of faces (FaceLayout) whose slopes are equal for all faces with a normal along the same axis.
 template <int dim>
-std::vector<double> ElasticOperator<dim>::set_slopes(double shear, Displacement& displacement) const {
+std::vector<double> ElasticOperator<dim>::equal_slopes([[maybe_unused]] const std::array<double, 2>& of_normals) const {
   std::vector<double> slopes(faces_.seen(), 0.0);
   if constexpr (dim == 2) {
     nodes_.for_cells([&](const Index<2>& cell) {
@@ -126,11 +134,11 @@ std::vector<double> ElasticOperator<dim>::set_slopes(double shear, Displacement&
         for (int end = 0; end < 2; ++end) {
           const auto place = static_cast<std::size_t>(gaps::slope_at(face, end) - Shape::dofs);
           const auto number = gap->face_unknowns[place];
-          if (number != gaps::GapCell::none) slopes[faces_.index_of(number)] = shear;
+          if (number != gaps::GapCell::none)
+            slopes[faces_.index_of(number)] = of_normals[gaps::CellPlace::normal(face)];
         }
       }
     });
-    faces_.set(slopes, displacement.fluctuation());
   }
   return slopes;
 }
@@ -141,15 +149,18 @@ Displacement ElasticOperator<dim>::uniform_strain(Load load) const {
   const auto strain = unit_strain<dim>(load);
   const auto affine = Shape::affine_motion(strain);
   const WriteValues phase_strains(displacement.phase_strains());
-  const auto of_faces = set_slopes(component(strain, 0, 1), displacement);
+  const double shear = component(strain, 0, 1);
+  const auto of_faces = equal_slopes({shear, shear});
   for_mixed_cells([&](const Index<dim>& cell, const MixedCell<dim>& mixed, std::size_t index) {
     phase_strains.range(index, mixed.unknowns()) = mixed.uniform(modes_of(cell, affine, of_faces));
   });
   if (boundary() != Boundary::traction) {
+    faces_.set(of_faces, displacement.fluctuation());
     displacement.set_macroscopic(1.0);
     return displacement;
   }
   // The strain is rotated so that the held components are zero: u_i depends on x_j with j >= i alone.
+  faces_.set(equal_slopes({2.0 * shear, 0.0}), displacement.fluctuation());
   nodes_.for_nodes(displacement.fluctuation(), [&](const Index<dim>& node, double* u) {
     for (int i = 0; i < dim; ++i) {
       u[i] = component(strain, i) * node[static_cast<std::size_t>(i)];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -36,7 +37,7 @@ class ElasticOperator {
   /// `threads` is the number of threads that find forces in 3 dimensions, 0 for all cores of the process; the forces do
   /// not depend on it. The materials, by PhaseIndex, decide the rules of mixed cells, whose phases are in series
   /// without them. Throws InputError when a point has no phase, for mixed cells with the volumetric strains of points,
-  /// for mixed cells with crystals, and for gaps without a periodic boundary.
+  /// for mixed cells with crystals, and for gaps in a box whose walls are not those of the boundary.
   ElasticOperator(const Discretisation<dim>& discretisation, Volumetric volumetric, Boundary boundary, int threads = 1,
                   const Crystals<dim>& crystals = {}, std::span<const Material> materials = {});
 
@@ -103,7 +104,7 @@ class ElasticOperator {
   template <class Action>
   void for_mixed_cells(Action&& action) const;
 
-  std::vector<double> set_slopes(double shear, Displacement& displacement) const;
+  std::vector<double> equal_slopes(const std::array<double, 2>& of_normals) const;
   /// The forces on the nodes of a mixed cell that has these stresses; adds those on its faces.
   [[nodiscard]] CellValues forces_of(const Index<dim>& cell, const typename Shape::ModeValues& stress,
                                      std::span<double> on_faces) const;

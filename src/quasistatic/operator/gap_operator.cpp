@@ -2,6 +2,8 @@
 
 #include <cstddef>
 
+#include "discretisation/gaps/cell_place.hpp"
+
 namespace breccia::quasistatic {
 
 GapOperator::Unknowns GapOperator::unknowns(const Shape::Values& of_nodes, const FaceLayout& faces,
@@ -18,8 +20,21 @@ GapOperator::Unknowns GapOperator::unknowns(const Shape::Values& of_nodes, const
 
 GapOperator::Modes GapOperator::strain(const Unknowns& unknowns) const noexcept {
   Modes strain = *modes_ * unknowns.head<Shape::dofs>();
-  strain[Shape::modes - 1] = cell_->volume.dot(unknowns);
+  strain[Shape::modes - 1] = volume(unknowns);
   return strain;
+}
+
+GapOperator::Unknowns GapOperator::linear_motion(const Eigen::Matrix2d& gradient) noexcept {
+  Unknowns motion = Unknowns::Zero();
+  for (int node = 0; node < Shape::nodes; ++node) {
+    const auto corner = Shape::corner(node);
+    motion.segment<2>(2 * node) = gradient * Eigen::Vector2d(corner[0], corner[1]);
+  }
+  for (int face = 0; face < gaps::faces_of_cell; ++face) {
+    const auto normal = static_cast<Eigen::Index>(gaps::CellPlace::normal(face));
+    for (int end = 0; end < 2; ++end) motion[gaps::slope_at(face, end)] = gradient(normal, 1 - normal);
+  }
+  return motion;
 }
 
 void GapOperator::add_forces_of(const Modes& stress, Unknowns& forces) const noexcept {

@@ -48,6 +48,10 @@ class GapOperator {
   [[nodiscard]] Unknowns unknowns(const Shape::Values& of_nodes, const FaceLayout& faces,
                                   std::span<const double> of_faces) const noexcept;
   [[nodiscard]] Modes strain(const Unknowns& unknowns) const noexcept;
+  /// The volume change [-].
+  [[nodiscard]] double volume(const Unknowns& unknowns) const noexcept { return cell_->volume.dot(unknowns); }
+  /// The unknowns of a displacement with this gradient everywhere, without flow.
+  [[nodiscard]] static Unknowns linear_motion(const Eigen::Matrix2d& gradient) noexcept;
   /// Adds the forces on the unknowns of stresses conjugate to the modes.
   void add_forces_of(const Modes& stress, Unknowns& forces) const noexcept;
   /// Adds the forces of the flow and of the ties of the slopes, for the moduli [Pa] of the phases.

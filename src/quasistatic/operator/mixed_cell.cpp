@@ -13,10 +13,15 @@ typename MixedCell<dim>::Modes MixedCell<dim>::of_modes(const VolumeAndShear& va
 }
 
 template <int dim>
-Eigen::VectorXd MixedCell<dim>::uniform(const Modes& strain) const {
+typename MixedCell<dim>::Modes MixedCell<dim>::of_all_shares() const {
   VolumeAndShear all = VolumeAndShear::Zero();
   for (const auto& share : rule_.shares()) all += share;
-  return strain.cwiseQuotient(of_modes(all)).replicate(static_cast<Eigen::Index>(mixture().size()) - 1, 1);
+  return of_modes(all);
+}
+
+template <int dim>
+Eigen::VectorXd MixedCell<dim>::uniform(const Modes& strain) const {
+  return strain.cwiseQuotient(of_all_shares()).replicate(static_cast<Eigen::Index>(mixture().size()) - 1, 1);
 }
 
 template <int dim>

@@ -42,6 +42,9 @@ class MixedCell {
 
   /// The strains of all phases if all of them have the same.
   [[nodiscard]] Eigen::VectorXd uniform(const Modes& strain) const;
+  /// The mean stress of the cell, which is conjugate to a uniform strain of all phases, from the stresses of the
+  /// phases: their weights.
+  [[nodiscard]] Modes weight_of_stress(std::size_t part) const { return of_share(part).cwiseQuotient(of_all_shares()); }
   /// The strain of the phase at an index in the mixture, from the strain of the cell and the unknown strains.
   [[nodiscard]] Modes strain_of(std::size_t part, const Modes& strain, const Strains& unknown) const;
   /// The stress conjugate to the strain of the cell, and the forces conjugate to the unknown strains, for the moduli
@@ -60,6 +63,7 @@ class MixedCell {
  private:
   [[nodiscard]] static Modes of_modes(const VolumeAndShear& values);
   [[nodiscard]] Modes of_share(std::size_t part) const { return of_modes(rule_.shares()[part]); }
+  [[nodiscard]] Modes of_all_shares() const;
   /// The values of a part, not the first one, among those of all parts except the first.
   template <class Values>
   [[nodiscard]] static auto segment(std::size_t part, Values& values) {

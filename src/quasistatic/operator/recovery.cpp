@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "quasistatic/operator/gap_operator.hpp"
 #include "quasistatic/operator/vector_values.hpp"
 
 namespace breccia::quasistatic {
@@ -42,6 +43,12 @@ class NodalDisplacement {
       }
     }
     return u;
+  }
+
+  /// The unknowns of a cell with gaps.
+  [[nodiscard]] GapOperator::Unknowns of_cell_with_gaps(const Index<2>& cell, const GapOperator& gap) const
+      requires(dim == 2) {
+    return gap.unknowns(of_cell(cell), elastic_operator_->faces(), of_faces_);
   }
 
   /// The strain of a phase of a mixed cell whose first unknown strain is at an index.
@@ -89,9 +96,10 @@ auto mixed_stress(const Index<dim>& cell, const MixedCell<dim>& mixed, std::size
   typename Shape::ModeValues shear = Shape::ModeValues::Zero();
   double bulk = 0.0;
   for (std::size_t part = 0; part < mixed.mixture().size(); ++part) {
-    const auto& [phase, fraction] = mixed.mixture()[part];
-    shear += fraction * by_material[phase].shear.of_part(cell, mixed, index, part);
-    bulk += fraction * by_material[phase].bulk.of_part(cell, mixed, index, part)[Shape::modes - 1];
+    const auto& [bulk_of_phase, shear_of_phase] = by_material[mixed.mixture()[part].phase];
+    const auto weight = mixed.weight_of_stress(part);
+    shear += weight.cwiseProduct(shear_of_phase.of_part(cell, mixed, index, part));
+    bulk += (weight.cwiseProduct(bulk_of_phase.of_part(cell, mixed, index, part)))[Shape::modes - 1];
   }
   const double dilatational = dilatational_modulus<dim>({.bulk = bulk, .shear = shear[Shape::modes - 1]});
   const Eigen::Matrix<double, Shape::points * Shape::deviators, 1> deviators =
@@ -109,6 +117,39 @@ auto mixed_stress(const Index<dim>& cell, const MixedCell<dim>& mixed, std::size
     for (std::size_t i = 3; i < stress.size(); ++i) stress[i] = components[static_cast<Eigen::Index>(i + dim - 3)];
   }
   return stresses;
+}
+
+template <std::size_t components>
+void add_to(std::array<double, components>& values, const std::array<double, components>& more) {
+  for (std::size_t i = 0; i < components; ++i) values[i] += more[i];
+}
+
+/// Adds what gaps contribute to the fields of the points of a cell: the volume change is that of the faces, and the
+/// ties of the slopes have a stress.
+void add_gaps(const ElasticOperator<2>& elastic_operator, const Index<2>& cell, const gaps::GapCell& gap_cell,
+              const NodalDisplacement<2>& moved, const std::vector<AppliedToNodes<2>>& by_material,
+              LatticeFields<2>& fields) {
+  using Shape = CellShape<2>;
+  const GapOperator gap(gap_cell, elastic_operator.modes());
+  const double of_nodes = (elastic_operator.modes() * moved.of_cell(cell))[Shape::modes - 1];
+  const double volume = gap.volume(moved.of_cell_with_gaps(cell, gap)) - of_nodes;
+  GapOperator::Unknowns forces = GapOperator::Unknowns::Zero();
+  for (const auto& [phase, factor, form] : gap_cell.terms) {
+    form.add_to(forces, factor * form.of(by_material[phase].shear.of_cell_with_gaps(cell, gap)));
+  }
+  const auto conjugate_to = [&](const Eigen::Matrix2d& gradient) {
+    return forces.dot(GapOperator::linear_motion(gradient));
+  };
+  // A shear strain has the rotation of ElasticOperator::uniform_strain().
+  const double below = elastic_operator.boundary() == Boundary::traction ? 0.0 : 0.5;
+  const double xx = conjugate_to(Eigen::Matrix2d{{1.0, 0.0}, {0.0, 0.0}}),
+               yy = conjugate_to(Eigen::Matrix2d{{0.0, 0.0}, {0.0, 1.0}}),
+               xy = conjugate_to(Eigen::Matrix2d{{0.0, 1.0 - below}, {below, 0.0}});
+  for (int p = 0; p < Shape::points; ++p) {
+    const auto index = place_in_timed_fields(elastic_operator.nodes().cells(), cell, p);
+    add_to(fields.strain[index], {0.5 * volume, 0.5 * volume, 0.0});
+    add_to(fields.stress[index], {xx, yy, 0.0, xy});
+  }
 }
 
 }  // namespace
@@ -161,6 +202,10 @@ LatticeFields<dim> recover_fields(const ElasticOperator<dim>& elastic_operator,
         for (int p = 0; p < Shape::points; ++p) {
           put_in_timed_fields<dim>(stresses[static_cast<std::size_t>(p)],
                                    fields.stress[place_in_timed_fields(cells, cell, p)]);
+        }
+        if constexpr (dim == 2) {
+          const auto* gap = elastic_operator.gap_cell(cell);
+          if (gap != nullptr) add_gaps(elastic_operator, cell, *gap, moved, by_material, fields);
         }
       });
   return fields;

@@ -17,7 +17,9 @@ struct AppliedModuli {
 
 /// Displacement, strain and stress at the material points of a square (PointFields), or their means over the cells of a
 /// cube (CellFields), from the displacement of the nodes and from the moduli applied to its history, by material
-/// (theory, Eq. 35). The fields are those of the cells of this process. Instantiated for 2 and 3 dimensions.
+/// (theory, Eq. 35). In a cell with gaps the volume change is that of its faces, and the stress has the mean that is
+/// conjugate to a uniform strain of nodes and slopes. The fields are those of the cells of this process. Instantiated
+/// for 2 and 3 dimensions.
 template <int dim>
 [[nodiscard]] LatticeFields<dim> recover_fields(const ElasticOperator<dim>& elastic_operator,
                                                 const Discretisation<dim>& discretisation, Volumetric volumetric,

@@ -70,9 +70,6 @@ template <int dim>
 LatticeFields<dim> fields_of(const CellComposite<dim>& composite, const QuasistaticProblem<dim>& problem, Load load,
                              const CompositeState<Displacement>& state) {
   if (!problem.crystals.empty()) throw InputError("quasi-static solver: no fields of composites with crystals");
-  if (composite.elastic_operator().has_gaps()) {
-    throw InputError("quasi-static solver: no fields of composites with gaps under a cell");
-  }
   const auto& stiffness = composite.stiffness();
   std::vector<AppliedModuli> applied;
   for (const auto& [bulk, shear] : stiffness.constant) {

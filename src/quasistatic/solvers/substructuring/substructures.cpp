@@ -19,9 +19,8 @@ void append(std::string& signature, Number number) {
 /// The unknowns of the faces of a box.
 UnknownsOfFaces unknowns_of_faces(const ElasticOperator<2>& elastic_operator) {
   if (!elastic_operator.has_gaps()) return {};
-  return [&cells = elastic_operator.gap_cells(), along = elastic_operator.grid().cells](const Index<2>& node,
-                                                                                        std::size_t axis) {
-    return cells.unknowns_at({node[0] % along[0], node[1] % along[1]}, axis);
+  return [&cells = elastic_operator.gap_cells()](const Index<2>& node, std::size_t axis) {
+    return cells.unknowns_at(node, axis);
   };
 }
 

@@ -1,0 +1,113 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "breccia/discretisation/boundary.hpp"
+#include "breccia/discretisation/discretisation.hpp"
+#include "breccia/microstructure/index.hpp"
+#include "breccia/microstructure/vector.hpp"
+
+#include "discretisation/gaps/line.hpp"
+#include "discretisation/gaps/outline.hpp"
+
+namespace breccia::gaps {
+
+// Places and lengths are in units of the cell side.
+
+/// A number of a particle among those of a box and their images.
+using ImageIndex = std::int32_t;
+inline constexpr ImageIndex no_image = -1;
+/// The sides of a box whose nodes follow the load are as the surface of a particle around it.
+inline constexpr ImageIndex walls = -2;
+[[nodiscard]] constexpr bool is_particle(ImageIndex image) noexcept {
+  return image >= 0;
+}
+
+/// The particles that are nearest to a point, and their distances, negative inside.
+struct NearestTwo {
+  ImageIndex first = no_image, second = no_image;
+  double to_first = std::numeric_limits<double>::infinity(), to_second = std::numeric_limits<double>::infinity();
+
+  /// Width of the gap between both at the point.
+  [[nodiscard]] double gap() const noexcept { return to_first + to_second; }
+};
+
+/// The particles of a box, in units of the cell side, and their images if it is periodic, in an order that is the same
+/// around every image of a point. Coatings belong to particles. It knows all particles that are near to a point in the
+/// box or up to margin() cells outside. Under a displacement boundary it has walls, too.
+class ParticleImages {
+ public:
+  /// Throws InputError unless the boundary is periodic for a periodic box, and for no other.
+  ParticleImages(const ParticlesInBox& particles, int cells, Boundary boundary);
+
+  [[nodiscard]] int cells() const noexcept { return cells_; }
+  [[nodiscard]] bool is_periodic() const noexcept { return boundary_ == Boundary::periodic; }
+  [[nodiscard]] bool has_walls() const noexcept { return boundary_ == Boundary::displacement; }
+  /// Number of cells around the box whose particles are known; none but in a periodic box.
+  [[nodiscard]] int margin() const noexcept { return is_periodic() ? 5 : 0; }
+  /// The nodes of the box; of a periodic one without those that are images of others.
+  [[nodiscard]] IndexRange<2> nodes() const noexcept {
+    const int along = cells_ + (is_periodic() ? 0 : 1);
+    return {{0, 0}, {along, along}};
+  }
+  /// Whether a cell, or an image of it, is in the box.
+  [[nodiscard]] bool has_cell(const Index<2>& cell) const noexcept {
+    return is_periodic() || IndexRange<2>{{0, 0}, {cells_, cells_}}.contains(cell);
+  }
+  /// The piece of a line in the box, without end in a periodic one.
+  [[nodiscard]] Interval inside(const GridLine& line) const noexcept;
+  /// The particle of the microstructure of which this is an image.
+  [[nodiscard]] std::size_t particle(ImageIndex image) const noexcept { return of(image).particle; }
+  [[nodiscard]] const Outline& outline(ImageIndex image) const noexcept { return of(image).outline; }
+  /// Area of a particle, and of it without its coating, in the square of side 1 with this lower left corner.
+  [[nodiscard]] double area(ImageIndex image, const Vector<2>& corner) const {
+    return of(image).outline.area_in_square(corner);
+  }
+  [[nodiscard]] double area_of_core(ImageIndex image, const Vector<2>& corner) const;
+  /// Distance of a point from a particle or from the walls, negative inside the particle.
+  [[nodiscard]] double distance(ImageIndex image, const Vector<2>& point) const noexcept;
+  /// The gradient of that distance; zero at the centre.
+  [[nodiscard]] Vector<2> normal(ImageIndex image, const Vector<2>& point) const noexcept;
+  /// The particles, and the walls, that may be at a point or within a few cells around it.
+  [[nodiscard]] std::span<const ImageIndex> near(const Vector<2>& point) const noexcept;
+  /// The two of these particles that are nearest. Of two particles as near the first one in the order is taken.
+  [[nodiscard]] NearestTwo nearest_two(const Vector<2>& point) const noexcept;
+  /// The unit vector across the gap between two particles, towards the second one; zero where there is no gap because
+  /// both lie in the same direction.
+  [[nodiscard]] Vector<2> across(ImageIndex one, ImageIndex other, const Vector<2>& point) const noexcept;
+  /// The piece of a line in a particle.
+  [[nodiscard]] std::optional<Interval> chord(ImageIndex image, const GridLine& line) const noexcept;
+  /// The pieces of a line from its origin to the place 1 that lie in the box and in no particle.
+  [[nodiscard]] std::vector<Interval> binder_on(const GridLine& line) const;
+
+ private:
+  struct Image {
+    Outline outline;
+    std::optional<Outline> core;  ///< the particle without its coating, if it has one
+    std::size_t particle;
+  };
+  [[nodiscard]] const Image& of(ImageIndex image) const noexcept { return images_[static_cast<std::size_t>(image)]; }
+  [[nodiscard]] std::vector<Vector<2>> shifts_of_images(const Outline& outline) const;
+  void sort_into_bins();
+  [[nodiscard]] std::size_t bin_of(const Vector<2>& point) const noexcept;
+
+  /// A side of the box and the distance of a point from it.
+  struct Side {
+    std::size_t axis;
+    double inwards, distance;  ///< inwards: the component of its normal along the axis
+  };
+  [[nodiscard]] Side nearest_side(const Vector<2>& point) const noexcept;
+
+  int cells_;
+  Boundary boundary_;
+  std::vector<Image> images_;
+  std::vector<std::size_t> first_of_bin_;  ///< where the images near a cell begin, by cell in rows, margins included
+  std::vector<ImageIndex> in_bins_;
+};
+
+}  // namespace breccia::gaps
