@@ -43,8 +43,8 @@ DynamicProblem<dim> model_problem(int cells, int terms, Mixing mixing) {
   static const Phases phases({"matrix", "filler"});
   const auto matrix = phases.index_of("matrix"), filler = phases.index_of("filler");
   const std::vector<PhaseIndex> fillers(box.particles.size(), filler);
-  auto discretisation = mixing == Mixing::series ? discretise_mixed(box, cells, matrix, fillers, phases.size())
-                                                 : discretise<dim>(box, cells, matrix, fillers);
+  auto discretisation = has_mixed_cells(mixing) ? discretise_mixed(box, cells, matrix, fillers, phases.size())
+                                                : discretise<dim>(box, cells, matrix, fillers);
   auto materials = with_mixtures(
       discretisation, phases.materials({{"matrix", {"binder", 1480.0, PronySeries(3.6e9), PronySeries(1e7, spectrum)}},
                                         {"filler", {"filler", 1850.0, PronySeries(13.4e9), PronySeries(5.84e9)}}}));

@@ -206,8 +206,18 @@ std::string describe(const QuasistaticOptions& options, const std::vector<Varied
 }
 
 std::string describe(Mixing mixing) {
-  return fmt::format("    cells    {} where an interface crosses them\n",
-                     mixing == Mixing::series ? "mixed in series" : "each point of the phase at its place");
+  const auto how = [mixing]() -> std::string_view {
+    switch (mixing) {
+      case Mixing::series:
+        return "mixed in series";
+      case Mixing::flow:
+        return "mixed in series, with flow through narrow gaps,";
+      case Mixing::points:
+        return "each point of the phase at its place";
+    }
+    return {};
+  };
+  return fmt::format("    cells    {} where an interface crosses them\n", how());
 }
 
 std::string describe(const Study& study) {

@@ -9,9 +9,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "discretisation/contrast.hpp"
 #include "homogenisation/material_warnings.hpp"
 #include "homogenisation/plan/grid_error.hpp"
 #include "homogenisation/quality.hpp"
+#include "homogenisation/run/test_requests.hpp"
 #include "homogenisation/separation.hpp"
 #include "io/display.hpp"
 #include "io/units.hpp"
@@ -70,6 +72,21 @@ NarrowGap film_of(const StageMicrostructure& packed, Mixing mixing) {
   const bool is_at_wall = packed.wall_gap < packed.gap;
   return {is_at_wall ? "the half film along the walls" : "the film between grains",
           std::min(packed.gap, packed.wall_gap), film_rule(mixing)};
+}
+
+/// Whether the cells of a stage have flow through narrow gaps: all its fillers are expected to be stiffer than its
+/// matrix.
+bool has_flow(const Study& study, const Stage& stage) {
+  return study.tests.mixing == Mixing::flow &&
+         are_stiffer_than_matrix(materials_of(stage, expected_matrix(study, stage)));
+}
+
+/// A warning about fillers for which there are no cells with flow.
+std::optional<std::string> warning_of_missing_flow(const Study& study, const Stage& stage) {
+  if (study.tests.mixing != Mixing::flow || stage.fillers.empty() || has_flow(study, stage)) return std::nullopt;
+  return fmt::format(
+      "mixing \"{}\" takes fillers and coatings that are stiffer than the matrix at all times; here it is as \"{}\"",
+      name_of(Mixing::flow), name_of(Mixing::series));
 }
 
 /// The narrowest gap between particles or to a wall: a visitor of the content of a box. Nothing where no gap has to be
@@ -292,10 +309,12 @@ std::vector<std::string> warnings_on(const Study& study, const Stage& stage,
   std::ranges::move(warnings_of_soft_fillers(study, stage), std::back_inserter(of_stage));
   const auto warning_of_gaps = model_of(study.tests, stage) == Model::films
                                    ? warning_of_short_films(microstructure, study.tests.films)
-                                   : warning_of_narrow_gaps(stage, microstructure, study.tests);
+                               : has_flow(study, stage) ? std::nullopt
+                                                        : warning_of_narrow_gaps(stage, microstructure, study.tests);
   for (const auto& warning :
        {warning_of_separation(study, stage, microstructure), warning_of_thin_coatings(stage, study.tests.mixing),
-        warning_of_gaps, warning_of_small_spheres(stage, microstructure, study.tests.mixing),
+        warning_of_missing_flow(study, stage), warning_of_gaps,
+        warning_of_small_spheres(stage, microstructure, study.tests.mixing),
         warning_of_lost_grains(stage, microstructure),
         warning_of_cut_particles(stage, study.tests.boundaries, microstructure),
         warning_of_unknown_times(stage, study.tests)}) {

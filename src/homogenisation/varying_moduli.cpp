@@ -29,7 +29,7 @@ ResponsesOnGrids responses_on_grids(const Stage& stage, const StageResult& resul
                                     Boundary boundary) {
   ResponsesOnGrids found;
   // With mixed cells the finest grid gives the results (theory, section 11).
-  const auto grids = mixing == Mixing::series ? std::vector{stage.cells} : stage.grids();
+  const auto grids = has_mixed_cells(mixing) ? std::vector{stage.cells} : stage.grids();
   for (const int cells : grids) {
     for (const auto& test : result.tests) {
       const auto* record = std::get_if<QuasistaticRecord>(&test.record);

@@ -258,7 +258,7 @@ StageResponses read_stage(const Group& root) {
   root.require(range.has_value(), "a range that was sampled, matrix or times");
   stored.range = *range;
   const auto mixing = value_named<Mixing>(text("mixing"));
-  root.require(mixing.has_value(), "a mixing, series or points");
+  root.require(mixing.has_value(), "a mixing, series, flow or points");
   stored.mixing = *mixing;
   stored.fit_tolerance = number("fit_tolerance");
   const auto times = root.file.attribute<std::vector<double>>("/", "times_s");

@@ -75,6 +75,10 @@ bool Stage::is_periodic() const {
   return visit_nested(WallsOf(), packing) == Walls::periodic;
 }
 
+bool Stage::has_cut_grains() const {
+  return has_grains() && !fillers.empty() && !is_periodic() && !has_films_along_walls();
+}
+
 bool Stage::has_films_along_walls() const {
   const auto runs_along_walls = [](const auto& method) {
     if constexpr (requires { method.wall_film; }) return method.wall_film == WallFilm::half;

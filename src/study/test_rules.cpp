@@ -105,9 +105,25 @@ std::optional<std::string> vary_without_samples(const Tests& tests) {
 
 /// A mistake where mixed cells do not have averaged volumetric strains.
 std::optional<std::string> mixing_of_points(const Tests& tests) {
-  if (tests.mixing == Mixing::points || tests.volumetric == Volumetric::averaged) return std::nullopt;
+  if (!has_mixed_cells(tests.mixing) || tests.volumetric == Volumetric::averaged) return std::nullopt;
   return fmt::format(R"(mixing "{}" takes the volumetric strains "{}": expected these, or mixing "{}")",
-                     name_of(Mixing::series), name_of(Volumetric::averaged), name_of(Mixing::points));
+                     name_of(tests.mixing), name_of(Volumetric::averaged), name_of(Mixing::points));
+}
+
+/// The requests that cells with flow through gaps do not support, a line each.
+std::vector<std::string> lacking_in_flow(const Study& study) {
+  const auto& tests = study.tests;
+  if (tests.mixing != Mixing::flow) return {};
+  std::vector<std::string> mistakes;
+  const auto lacks = [&](const std::string& what) { mistakes.push_back(R"(mixing "flow": )" + what); };
+  for (const auto& stage : study.stages) {
+    if (stage.dimensions() == 3) lacks(fmt::format("stage {}: expected a box of two dimensions", stage.name));
+    if (stage.has_image()) lacks(fmt::format("stage {}: expected particles or grains, not an image", stage.name));
+    if (stage.has_cut_grains()) lacks(fmt::format("stage {}: expected packing.walls other than \"cut\"", stage.name));
+  }
+  if (uses(tests, Method::dynamic)) lacks(R"(expected method "quasistatic", since the flow has no inertia)");
+  if (!tests.varied.empty()) lacks("cannot vary other moduli than those of the matrix");
+  return mistakes;
 }
 
 /// Whether series are fits, for which there may be too few times. All series are fits, except those of the reduced
@@ -188,6 +204,7 @@ std::vector<std::string> contradictions(const Study& study) {
     std::ranges::move(mistakes_of_loads(study.tests.loads, study.stages.front().dimensions()),
                       std::back_inserter(mistakes));
   }
+  std::ranges::move(lacking_in_flow(study), std::back_inserter(mistakes));
   if (auto mistake = mixing_of_points(study.tests)) mistakes.push_back(*std::move(mistake));
   if (auto mistake = vary_without_samples(study.tests)) mistakes.push_back(*std::move(mistake));
   if (auto mistake = too_few_times(study)) mistakes.push_back(*std::move(mistake));

@@ -163,6 +163,40 @@ TEST(Mixing, BothMethodsAgreeWithAStageAsMatrix) {
   }
 }
 
+// Gaps between discs and walls of a twelfth of a cell. Cells in series are too stiff by a large factor at late times.
+TEST(Mixing, WithFlowNeedsFewCellsInNarrowGaps) {
+  const auto moduli_with = [](const std::string& mixing, int cells) {
+    const StudyDirectory study(model_deck);
+    const auto run =
+        study.breccia("run", {"--set", "tests.method=quasistatic", "--set", "tests.volumetric=averaged", "--set",
+                              "tests.mixing=" + mixing, "--set", "stages.A.filler.sizes.diameter=2.96 mm", "--set",
+                              "materials.binder.bulk=20 MPa", "--set", "stages.A.cells=" + std::to_string(cells)});
+    EXPECT_EQ(run.exit_code, 0) << run.errors;
+    EXPECT_EQ(run.errors.find("cannot be squeezed out") == std::string::npos, mixing == "flow") << run.errors;
+    return moduli(study, "quasistatic");
+  };
+  const auto coarse = moduli_with("flow", 24), fine = moduli_with("flow", 66), in_series = moduli_with("series", 24);
+  ASSERT_EQ(coarse.size(), fine.size());
+  for (std::size_t i = 0; i < coarse.size(); ++i) EXPECT_NEAR(coarse[i] / fine[i], 1.0, 0.03) << i;
+  EXPECT_GT(in_series.back() / fine.back(), 1.2);
+}
+
+TEST(Mixing, WithFlowIsRefusedWhereItDoesNotServe) {
+  const StudyDirectory study(model_deck);
+  const auto refused = study.breccia("check", {"--set", "tests.mixing=flow", "--set", "tests.volumetric=averaged"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.errors, HasSubstr(R"(mixing "flow": expected method "quasistatic")"));
+}
+
+TEST(Mixing, WithFlowSaysWhereFillersAreTooSoftForIt) {
+  const StudyDirectory study(model_deck);
+  const auto check =
+      study.breccia("check", {"--set", "tests.mixing=flow", "--set", "tests.volumetric=averaged", "--set",
+                              "tests.method=quasistatic", "--set", "materials.particle.shear=0.1 MPa"});
+  EXPECT_EQ(check.exit_code, 0) << check.errors;
+  EXPECT_THAT(check.output + check.errors, HasSubstr(R"(here it is as "series")"));
+}
+
 TEST(Mixing, InSeriesIsRefusedWithStrainsOfPoints) {
   const StudyDirectory study(model_deck);
   const auto refused = study.breccia("check", {"--set", "tests.mixing=series"});

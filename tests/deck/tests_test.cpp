@@ -195,6 +195,7 @@ TEST_F(DeckTests, CellsAreMixedUnlessPointsAreStandard) {
   EXPECT_EQ(mixing(""), Mixing::series);
   EXPECT_EQ(mixing("volumetric = \"standard\""), Mixing::points);
   EXPECT_EQ(mixing("mixing = \"points\""), Mixing::points);
+  EXPECT_EQ(mixing("mixing = \"flow\""), Mixing::flow);
 }
 
 TEST_F(DeckTests, Mistakes) {

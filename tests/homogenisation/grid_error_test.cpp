@@ -44,6 +44,31 @@ TEST(GridError, TellsTheCellsForAnError) {
   EXPECT_EQ(error_rule_of_gaps(Mixing::series).cells_for(0.5), 1.5) << "below that the error may be of any size";
 }
 
+/// Largest errors of packings of rigid discs, by cells across the smallest one; from docs/gaps-under-a-cell.md.
+TEST(GridError, OfFlowIsNoLessThanMeasuredErrors) {
+  const auto rule = error_rule_of_flow();
+  for (const auto& [cells, measured] : {std::array{8.0, 0.039}, {12.0, 0.020}, {16.0, 0.014}, {24.0, 0.016}}) {
+    EXPECT_GE(rule.error_with(cells).value(), 0.9 * measured) << cells;
+    EXPECT_LE(rule.error_with(cells).value(), 1.6 * measured) << cells;
+  }
+  EXPECT_FALSE(rule.error_with(7.9));
+}
+
+// Flow through gaps makes their width immaterial.
+TEST(GridError, OfFlowIsThatOfTheSmallestDisc) {
+  Stage stage;
+  stage.side = 1e-3;
+  stage.cells = 100;
+  StageMicrostructure packed;
+  packed.box = Box<2>(Microstructure<2>{1e-3, Walls::hard, {{{3e-4, 3e-4}, 4e-4}, {{7e-4, 7e-4}, 2e-4}}});
+  packed.gap = 1e-6;
+  const auto plan = plan_of_grid(stage, packed, Mixing::flow).value();
+  EXPECT_NEAR(plan.cells(), 20.0, 1e-9);
+  EXPECT_NEAR(plan.error().value(), 0.0175, 1e-6);
+  packed.box = Box<2>(ParticleBox{1e-3, Walls::hard, {{Ellipse{{2e-4, 1e-4}}, Pose({5e-4, 5e-4}, 0.0)}}});
+  EXPECT_FALSE(plan_of_grid(stage, packed, Mixing::flow).value().error()) << "nothing was measured";
+}
+
 // The largest errors at any stiffness of the binder, from docs/verification.md, "Thin films".
 TEST(GridError, OfFilmsIsOfTheSizeOfMeasuredErrors) {
   EXPECT_NEAR(error_rule_of_films().error_with(2.4).value(), 0.051, 0.005);

@@ -51,6 +51,16 @@ TEST(StageWarnings, OfGapsBelowThreeCells) {
   EXPECT_THAT(warnings(two_discs(0.0)), ElementsAre(Not(HasSubstr("would resolve it")))) << "no number of cells does";
 }
 
+// The matrix flows through them.
+TEST(StageWarnings, OfNarrowGapsAreLackingWithFlow) {
+  const auto study = within(1.0, 2.0, Mixing::flow);
+  EXPECT_THAT(warnings(two_discs(0.05e-3), study), IsEmpty());
+  auto soft = two_discs(0.05e-3);
+  soft.fillers[0].material.shear = PronySeries(1e-3);
+  EXPECT_THAT(warnings(soft, study), Contains(HasSubstr(R"(here it is as "series")")));
+  EXPECT_THAT(warnings(soft, study), Contains(HasSubstr("squeezed out of the gap")));
+}
+
 TEST(StageWarnings, OfGapsBelowOneAndAHalfMixedCells) {
   const auto study = within(1.0, 2.0, Mixing::series);
   EXPECT_THAT(warnings(two_discs(0.075e-3), study), IsEmpty());

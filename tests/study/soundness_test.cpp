@@ -362,6 +362,22 @@ TEST(RequireSound, NamesWhatMixedCellsDoNotServe) {
   EXPECT_THAT(mistakes_of(study), HasSubstr(R"(takes the volumetric strains "averaged")"));
 }
 
+TEST(RequireSound, NamesWhatFlowThroughGapsDoesNotServe) {
+  auto study = test::two_stages();
+  study.tests.mixing = Mixing::flow;
+  EXPECT_NO_THROW(require_sound(study));
+  study.tests.methods = {Method::quasistatic, Method::dynamic};
+  EXPECT_THAT(mistakes_of(study), HasSubstr(R"(mixing "flow": expected method "quasistatic")"));
+  study.tests.methods = {Method::quasistatic};
+  study.tests.volumetric = Volumetric::standard;
+  EXPECT_THAT(mistakes_of(study), HasSubstr(R"(mixing "flow" takes the volumetric strains "averaged")"));
+  study.tests.volumetric = Volumetric::averaged;
+  study.stages.back().packing = PackingMethod<2>(LaguerrePacking<2>{.walls = Walls::hard, .wall_film = WallFilm::none});
+  EXPECT_THAT(mistakes_of(study), HasSubstr(R"(expected packing.walls other than "cut")"));
+  study.stages.back().packing = PackingMethod<3>();
+  EXPECT_THAT(mistakes_of(study), HasSubstr("expected a box of two dimensions"));
+}
+
 TEST(RequireSound, NamesEachMistakeOfMeasurements) {
   const auto with_curve = [](const Curve& curve) {
     return [curve](Study& study) { study.measurements[0].shear = curve; };

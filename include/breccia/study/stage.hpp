@@ -58,6 +58,8 @@ struct Stage {
   [[nodiscard]] bool has_grains() const { return packing_name() == PackingName::laguerre; }
   /// Whether an image fills the box.
   [[nodiscard]] bool has_image() const { return packing_name() == PackingName::image; }
+  /// Whether hard walls cut the grains that fill the box.
+  [[nodiscard]] bool has_cut_grains() const;
   /// Whether grains fill the box and half a film runs along its hard walls.
   [[nodiscard]] bool has_films_along_walls() const;
   /// Whether the particles are packed at random, so that they keep gaps.

@@ -129,9 +129,10 @@ double bytes_of_square(const Study& study, const Stage& stage, double strains) {
 
 }  // namespace
 
-double quasistatic_unknowns(const Stage& stage, int cells) {
+double quasistatic_unknowns(const Study& study, const Stage& stage, int cells) {
   // Displacements of a node; there are about as many nodes as cells.
-  return stage.dimensions() * std::pow(static_cast<double>(cells), stage.dimensions());
+  const double of_nodes = stage.dimensions() * std::pow(static_cast<double>(cells), stage.dimensions());
+  return study.tests.mixing == Mixing::flow ? measured_costs::unknowns_with_flow * of_nodes : of_nodes;
 }
 
 double share_of_mixed_cells(const Study& study, const Stage& stage, int cells) {
@@ -140,7 +141,7 @@ double share_of_mixed_cells(const Study& study, const Stage& stage, int cells) {
 }
 
 double quasistatic_memory(const Study& study, const Stage& stage, int cells) {
-  const double unknowns = quasistatic_unknowns(stage, cells);
+  const double unknowns = quasistatic_unknowns(study, stage, cells);
   // Strains of the second phase of mixed cells, in each nodal vector, relative to the displacements of a cell.
   const int modes = stage.dimensions() == 3 ? CellShape<3>::modes : CellShape<2>::modes;
   constexpr double vector = sizeof(double);

@@ -5,7 +5,7 @@
 namespace breccia {
 
 /// Approximate number of unknown displacements of a quasi-static test on a grid with `cells` cells per side.
-double quasistatic_unknowns(const Stage& stage, int cells);
+double quasistatic_unknowns(const Study& study, const Stage& stage, int cells);
 
 /// Upper limit of the share of mixed cells, which interfaces cross, in a grid with `cells` cells per side [-].
 double share_of_mixed_cells(const Study& study, const Stage& stage, int cells);

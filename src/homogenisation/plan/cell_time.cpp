@@ -87,7 +87,7 @@ double time_of_cube(const Study& study, const Stage& stage, Boundary boundary, d
 }  // namespace
 
 double quasistatic_time(const Study& study, const Stage& stage, Boundary boundary, int cells) {
-  const double unknowns = quasistatic_unknowns(stage, cells);
+  const double unknowns = quasistatic_unknowns(study, stage, cells);
   const bool is_direct =
       study.tests.quasistatic.linear.is_direct(static_cast<std::int64_t>(unknowns), stage.dimensions());
   if (stage.dimensions() == 3 && !is_direct) return time_of_cube(study, stage, boundary, unknowns);

@@ -74,7 +74,7 @@ TestPlan plan_of_dynamic_test(const Stage& stage, const DynamicTest<dim>& test, 
 TestPlan plan_of_quasistatic_test(const Study& study, const Stage& stage, Boundary boundary, int cells) {
   return {.boundary = boundary,
           .size = cells_in_words(stage, cells) + " cells",
-          .unknowns = quasistatic_unknowns(stage, cells),
+          .unknowns = quasistatic_unknowns(study, stage, cells),
           .seconds = quasistatic_time(study, stage, boundary, cells),
           .bytes = quasistatic_memory(study, stage, cells)};
 }

@@ -113,7 +113,7 @@ std::vector<TestResult> extrapolate_tests(const std::string& stage, double side,
     const auto name =
         fmt::format("{} {} {} {}", stage, name_of(test.id.load), bound_of(test.id.boundary), name_of(test.id.method));
     extrapolated.push_back(name_errors(
-        name, [&] { return mixing == Mixing::series ? finest_with_band(grids) : extrapolate_test(side, grids); }));
+        name, [&] { return has_mixed_cells(mixing) ? finest_with_band(grids) : extrapolate_test(side, grids); }));
   }
   return extrapolated;
 }
@@ -121,7 +121,7 @@ std::vector<TestResult> extrapolate_tests(const std::string& stage, double side,
 Curve curve_at(const TestResult& test, double side, const std::vector<TestResult>& tests, Mixing mixing,
                const std::vector<double>& times) {
   auto grids = test.id.grid.is_extrapolated() ? same_on_all_grids(test, tests) : std::vector{&test};
-  if (mixing == Mixing::series) grids.erase(grids.begin(), std::prev(grids.end()));
+  if (has_mixed_cells(mixing)) grids.erase(grids.begin(), std::prev(grids.end()));
   if (!std::ranges::all_of(grids, [](const TestResult* grid) { return has_exact_series(*grid); })) return test.modulus;
   Curve curve;
   for (const double time : times) {
