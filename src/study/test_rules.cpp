@@ -40,6 +40,15 @@ std::vector<std::string> films_along_walls(const Study& study) {
   return mistakes;
 }
 
+/// The boundaries that a box expects where it may not be cut; nothing where the tests have no others.
+std::optional<std::string> expected_boundaries(const Tests& tests, const Stage& stage) {
+  const bool is_periodic = stage.is_periodic();
+  const auto fits = [is_periodic](Boundary boundary) { return (boundary == Boundary::periodic) == is_periodic; };
+  if (std::ranges::all_of(tests.boundaries, fits)) return std::nullopt;
+  return is_periodic ? R"(expected the boundary "periodic")"
+                     : R"(expected the boundaries "displacement" and "traction")";
+}
+
 /// The requests of the tests that the model of films does not support in one stage of grains, a line each.
 std::vector<std::string> lacking_in_films(const Tests& tests, const Stage& stage) {
   std::vector<std::string> mistakes;
@@ -51,11 +60,8 @@ std::vector<std::string> lacking_in_films(const Tests& tests, const Stage& stage
   if (stage.has_films_along_walls()) {
     lacks(R"(expected packing.walls = "cut" or false; no film of this model runs along a wall)");
   }
-  const bool is_periodic = stage.is_periodic();
-  const auto fits = [is_periodic](Boundary boundary) { return (boundary == Boundary::periodic) == is_periodic; };
-  if (!std::ranges::all_of(tests.boundaries, fits)) {
-    lacks(is_periodic ? R"(expected the boundary "periodic", or packing.walls = "cut")"
-                      : R"(expected the boundaries "displacement" and "traction", or packing.walls = false)");
+  if (const auto expected = expected_boundaries(tests, stage)) {
+    lacks(*expected + (stage.is_periodic() ? R"(, or packing.walls = "cut")" : ", or packing.walls = false"));
   }
   if (!stage.coarser_cells.empty()) lacks("expected one number of cells, that of the labels, or none");
   return mistakes;
@@ -119,6 +125,9 @@ std::vector<std::string> lacking_in_flow(const Study& study) {
   for (const auto& stage : study.stages) {
     if (stage.dimensions() == 3) lacks(fmt::format("stage {}: expected a box of two dimensions", stage.name));
     if (stage.has_image()) lacks(fmt::format("stage {}: expected particles or grains, not an image", stage.name));
+    if (const auto expected = expected_boundaries(tests, stage); expected && !stage.fillers.empty()) {
+      lacks(fmt::format("stage {}: {}", stage.name, *expected));
+    }
     if (stage.has_cut_grains()) lacks(fmt::format("stage {}: expected packing.walls other than \"cut\"", stage.name));
   }
   if (uses(tests, Method::dynamic)) lacks(R"(expected method "quasistatic", since the flow has no inertia)");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -179,6 +180,63 @@ TEST(Mixing, WithFlowNeedsFewCellsInNarrowGaps) {
   ASSERT_EQ(coarse.size(), fine.size());
   for (std::size_t i = 0; i < coarse.size(); ++i) EXPECT_NEAR(coarse[i] / fine[i], 1.0, 0.03) << i;
   EXPECT_GT(in_series.back() / fine.back(), 1.2);
+}
+
+// Ellipses, coated polygons and grains. Wide films between grains are in series.
+TEST(Mixing, WithFlowServesOtherShapesAndGrains) {
+  constexpr std::string_view shapes = R"(
+[materials.rubber]
+density = "1 g/cm^3"
+bulk    = "3 GPa"
+shear   = { equilibrium = "0.5 MPa", terms = [{ time = "1 ms", modulus = "200 MPa" }] }
+
+[materials.crystal]
+density = "1.8 g/cm^3"
+bulk    = "13 GPa"
+shear   = "6 GPa"
+
+[materials.interphase]
+density = "1.1 g/cm^3"
+bulk    = "3 GPa"
+shear   = "0.4 GPa"
+
+[[stages]]
+name    = "A"
+matrix  = "rubber"
+box     = "1 mm"
+cells   = 60
+packing = { method = "random-sequential", walls = true, seed = 1 }
+
+[[stages.filler]]
+material = "crystal"
+fraction = 0.3
+sizes    = { diameter = "250 um" }
+shape    = { aspect = 1.5 }
+gap      = "5 um"
+coating  = { material = "interphase", thickness = "15 um" }
+
+[tests]
+times  = ["1 us", "100 ms"]
+mixing = "flow"
+)";
+  const StudyDirectory study(shapes);
+  const auto run = study.breccia("run", {});
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  const auto values = moduli(study, "quasistatic");
+  EXPECT_GT(values.front(), values.back());
+
+  const std::vector<std::string> grains = {"--set", "stages.A.packing={ method = \"laguerre\", seed = 2 }", "--set",
+                                           "stages.A.filler=[{ material = \"crystal\", fraction = 0.9, sizes = { "
+                                           "diameter = \"250 um\" } }]"};
+  const StudyDirectory narrow(shapes), wide(shapes), in_series(shapes);
+  ASSERT_EQ(narrow.breccia("run", with(grains, {"--set", "stages.A.cells=60"})).exit_code, 0);
+  const auto wider = with(grains, {"--set", "stages.A.cells=160"});
+  const auto run_wide = wide.breccia("run", wider);
+  ASSERT_EQ(run_wide.exit_code, 0) << run_wide.errors;
+  EXPECT_THAT(run_wide.errors, HasSubstr(R"(here it is as "series")"));
+  ASSERT_EQ(in_series.breccia("run", with(wider, {"--set", "tests.mixing=series"})).exit_code, 0);
+  EXPECT_EQ(moduli(wide, "quasistatic"), moduli(in_series, "quasistatic"));
+  EXPECT_NEAR(moduli(narrow, "quasistatic").back() / moduli(wide, "quasistatic").back(), 1.0, 0.15);
 }
 
 TEST(Mixing, WithFlowIsRefusedWhereItDoesNotServe) {

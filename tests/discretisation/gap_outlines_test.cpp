@@ -123,6 +123,20 @@ TEST_P(AnyOutline, HasItsAreaInSquares) {
   EXPECT_NEAR(sum / exact, 1.0, 0.1 * tolerance());
 }
 
+// A side on the line counts, on either side of the polygon.
+TEST(PolygonOutline, HasChordsAlongItsSides) {
+  const PolygonOutline square = {{{2.0, 2.0}, {6.0, 2.0}, {6.0, 6.0}, {2.0, 6.0}}};
+  for (const double at : {2.0, 3.0, 6.0}) {
+    for (const GridLine& line : {GridLine{{1.0, at}, 0}, GridLine{{at, 1.0}, 1}}) {
+      const auto inside = chord(square, line);
+      ASSERT_TRUE(inside) << at;
+      EXPECT_EQ(inside->begin, 1.0);
+      EXPECT_EQ(inside->end, 5.0);
+    }
+  }
+  EXPECT_FALSE(chord(square, GridLine{{1.0, 6.5}, 0}));
+}
+
 INSTANTIATE_TEST_SUITE_P(Of, AnyOutline, testing::Range(std::size_t{0}, cases().size()),
                          [](const auto& info) { return cases()[info.param].name; });
 

@@ -113,6 +113,14 @@ TEST(Owners, OfNodesInANarrowGapAreTheNearerParticles) {
   EXPECT_TRUE(owners.is_free({10, 16}));
 }
 
+// A disc touches the wall; behind it there is no gap, though both are near.
+TEST(Owners, OfNodesBehindASmallParticleAreNone) {
+  const Microstructure<2> box = {20.0, Walls::hard, {{{0.3, 10.0}, 0.6 - 1e-9}}};
+  const ParticleImages images(without_coatings(box), cells, Boundary::displacement);
+  EXPECT_TRUE(Owners(images).is_free({1, 10}));
+  EXPECT_EQ(Owners(images).of({0, 3}), walls);
+}
+
 class AnyLattice : public testing::TestWithParam<std::array<int, 2>> {
  protected:
   [[nodiscard]] Geometry at(double x, double y, double gap) const {

@@ -372,6 +372,12 @@ TEST(RequireSound, NamesWhatFlowThroughGapsDoesNotServe) {
   study.tests.volumetric = Volumetric::standard;
   EXPECT_THAT(mistakes_of(study), HasSubstr(R"(mixing "flow" takes the volumetric strains "averaged")"));
   study.tests.volumetric = Volumetric::averaged;
+  study.tests.boundaries = {Boundary::periodic};
+  EXPECT_THAT(mistakes_of(study), HasSubstr(R"(mixing "flow": stage A: expected the boundaries "displacement")"));
+  study.tests.boundaries = {Boundary::displacement};
+  study.tests.varied = {VariedMaterial{}};
+  EXPECT_THAT(mistakes_of(study), HasSubstr(R"(mixing "flow": cannot vary)"));
+  study.tests.varied.clear();
   study.stages.back().packing = PackingMethod<2>(LaguerrePacking<2>{.walls = Walls::hard, .wall_film = WallFilm::none});
   EXPECT_THAT(mistakes_of(study), HasSubstr(R"(expected packing.walls other than "cut")"));
   study.stages.back().packing = PackingMethod<3>();

@@ -19,8 +19,12 @@ class Crossing {
       : images_(images), owners_(owners), place_(place), line_(place.line()), binder_(images.binder_on(line_)) {}
 
   [[nodiscard]] Face face() const {
-    if (binder_.empty() || is_on_side()) return {};
+    if (binder_.empty()) return {};
     Face face = {.is_cross = is_owned(0) && is_owned(1) && owner(0) != owner(1)};
+    if (is_on_side()) {
+      if (face.is_cross) face.split = split();
+      return face;
+    }
     face.binder_outside = binder_outside();
     if (face.is_cross) {
       face.split = split();
@@ -43,7 +47,8 @@ class Crossing {
   [[nodiscard]] ImageIndex owner(int steps) const noexcept { return owners_.of(place_.node(steps)); }
   [[nodiscard]] bool is_owned(int steps) const noexcept { return owner(steps) != no_image; }
   [[nodiscard]] bool is_in_binder(int steps) const noexcept { return owners_.is_in_binder(place_.node(steps)); }
-  /// Whether the face is a piece of a side of a box that is not periodic: nothing flows through it.
+  /// Whether the face is a piece of a side of a box that is not periodic. Its flux is the mean of its nodes, and
+  /// nothing flows through it.
   [[nodiscard]] bool is_on_side() const noexcept {
     const int height = place_.first_node[place_.normal()];
     return !images_.is_periodic() && (height == 0 || height == images_.cells());

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "microstructure/vector_algebra.hpp"
+
 namespace breccia::gaps {
 namespace {
 
@@ -11,6 +13,8 @@ namespace {
 bool is_narrow(const ParticleImages& images, const NearestTwo& nearest, const Vector<2>& point) {
   constexpr double widest = 1.4, of_a_diagonal = 0.8409;  // 2^(-1/4)
   if (nearest.second == no_image || nearest.gap() >= widest / of_a_diagonal) return false;
+  // Behind a particle that lies before another one there is no gap.
+  if (dot(images.normal(nearest.first, point), images.normal(nearest.second, point)) > 0.0) return false;
   const auto across = images.across(nearest.first, nearest.second, point);
   return nearest.gap() < widest / std::sqrt(std::max(std::abs(across[0]), std::abs(across[1])));
 }
@@ -24,7 +28,8 @@ Owners::Owners(const ParticleImages& images) {
   for_each_index(range_.begin, range_.end, [&](const Index<2>& node) {
     const Vector<2> point = {static_cast<double>(node[0]), static_cast<double>(node[1])};
     const auto nearest = images.nearest_two(point);
-    const bool is_in_binder = nearest.to_first > 0.0;
+    constexpr double least = 1e-9;
+    const bool is_in_binder = nearest.to_first > least;
     const bool is_owned = !is_in_binder || is_narrow(images, nearest, point);
     nodes_.push_back({is_owned ? nearest.first : no_image, is_in_binder});
   });

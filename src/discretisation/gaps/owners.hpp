@@ -9,8 +9,8 @@ namespace breccia::gaps {
 
 /// The owners of the nodes of a grid. A node in a particle belongs to it. A node in a narrow gap belongs to the nearer
 /// of both particles, though it lies in binder, so that cells do not see the motion of the binder in the gap as a
-/// motion of their nodes. Nodes on walls along a narrow gap belong to the walls. All other nodes are free, and those
-/// outside a box that is not periodic.
+/// motion of their nodes. Nodes on walls belong to the walls. All other nodes are free, and those outside a box that is
+/// not periodic.
 class Owners {
  public:
   /// Nodes lie up to ParticleImages::margin() cells outside the box.

@@ -68,7 +68,7 @@ void ParticleImages::sort_into_bins() {
   if (has_walls()) {
     for_each_index(Index<2>{}, Index<2>{cells_, cells_}, [&](const Index<2>& cell) {
       const Vector<2> middle = {cell[0] + 0.5, cell[1] + 0.5};
-      if (nearest_side(middle).distance < reach) bins[bin_of(middle)].push_back(walls);
+      if (nearest_side(middle).distance < from_middle) bins[bin_of(middle)].push_back(walls);
     });
   }
   first_of_bin_.push_back(0);

@@ -61,15 +61,18 @@ FromOutline from_outline(const PolygonOutline& polygon, const Vector<2>& point) 
 }
 
 std::optional<Interval> chord(const PolygonOutline& polygon, const GridLine& line) noexcept {
+  constexpr double on_line = 1e-9;
   double least = std::numeric_limits<double>::infinity(), most = -least;
+  const auto add = [&](const Vector<2>& point) {
+    least = std::min(least, point[line.axis] - line.origin[line.axis]);
+    most = std::max(most, point[line.axis] - line.origin[line.axis]);
+  };
   const auto off = [&](const Vector<2>& point) { return point[1 - line.axis] - line.origin[1 - line.axis]; };
   for_sides(polygon.corners, [&](const Vector<2>& begin, const Vector<2>& end) {
     const double at_begin = off(begin), at_end = off(end);
-    if ((at_begin > 0.0) == (at_end > 0.0)) return;
-    const double share = at_begin / (at_begin - at_end);
-    const double place = begin[line.axis] + share * (end[line.axis] - begin[line.axis]) - line.origin[line.axis];
-    least = std::min(least, place);
-    most = std::max(most, place);
+    // A side on the line is a chord.
+    if (std::abs(at_begin) < on_line) add(begin);
+    if ((at_begin > 0.0) != (at_end > 0.0)) add(begin + at_begin / (at_begin - at_end) * (end - begin));
   });
   if (!(most > least)) return std::nullopt;
   return Interval{least, most};

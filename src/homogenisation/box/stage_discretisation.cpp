@@ -19,6 +19,7 @@
 #include "discretisation/labels.hpp"
 #include "discretisation/mixed_cells.hpp"
 #include "homogenisation/box/stage_labelling.hpp"
+#include "homogenisation/narrow_gaps.hpp"
 #include "microstructure/vector_algebra.hpp"
 #include "parallel/common_failure.hpp"
 #include "parallel/machine.hpp"
@@ -56,14 +57,16 @@ std::vector<ParticlePhases> phases_of_particles(const Stage& stage, const Box& b
   return of_particles;
 }
 
-/// The corners of a cell, counter-clockwise.
-std::vector<Vector<2>> corners_of(const ConvexCell<2>& cell) {
+/// The corners of a cell, counter-clockwise, without those that are nearer to the one before than `least` [m].
+std::vector<Vector<2>> corners_of(const ConvexCell<2>& cell, double least) {
   std::vector<Vector<2>> corners;
   std::size_t corner = 0;
   do {
-    corners.push_back(cell.corners()[corner].position);
+    const auto& position = cell.corners()[corner].position;
+    if (corners.empty() || norm(position - corners.back()) > least) corners.push_back(position);
     corner = cell.corner_across(corner, 0);
   } while (corner != 0);
+  if (norm(corners.front() - corners.back()) <= least) corners.pop_back();
   return corners;
 }
 
@@ -74,7 +77,9 @@ ParticleBox as_particles(const Grains<2>& grains) {
   for (std::size_t site = 0; site < tessellation.size(); ++site) {
     const auto grain = tessellation.grain(site, grains.statistics.film);
     if (grain.is_empty()) continue;
-    const auto corners = corners_of(grain);
+    constexpr double least = 1e-9;  // of the side of the box
+    const auto corners = corners_of(grain, least * box.side);
+    if (corners.size() < 3) continue;
     auto middle = tessellation.sites().sites[site].position + centroid(corners);
     for (double& x : middle) x -= box.walls == Walls::periodic ? box.side * std::floor(x / box.side) : 0.0;
     box.particles.push_back({ConvexPolygon(corners), Pose(middle, 0.0)});
@@ -101,7 +106,7 @@ Discretisation<dim> discretise(const Stage& stage, const Microstructure<dim>& mi
   if (mixing == Mixing::points) return discretise(microstructure, cells, matrix, particles, layers);
   auto discretisation = discretise_mixed(microstructure, cells, matrix, particles, phases.size(), layers);
   if constexpr (dim == 2) {
-    if (mixing == Mixing::flow) {
+    if (mixing == Mixing::flow && !microstructure.particles.empty()) {
       discretisation.set_particles_with_gaps(particles_with_gaps(stage, as_particles(microstructure)));
     }
   }
@@ -138,11 +143,8 @@ struct Discretise {
   }
   Discretisation<3> operator()(const EllipsoidBox& ellipsoids) const { return on<3>(labelling_of(stage, ellipsoids)); }
   Discretisation<2> operator()(const Grains<2>& grains) const {
-    // Wider films have errors of 8 to 11 % with flow, of 4 % without (docs/gaps-under-a-cell.md).
-    constexpr double widest_in_cells = 1.4;
-    const bool is_narrow = grains.statistics.film < widest_in_cells * stage.side / cells;
     auto discretisation = on<2>(labelling_of(stage, grains));
-    if (mixing == Mixing::flow && is_narrow) {
+    if (mixing == Mixing::flow && has_narrow_films(stage, grains)) {
       discretisation.set_particles_with_gaps(particles_with_gaps(stage, as_particles(grains)));
     }
     return discretisation;

@@ -14,6 +14,7 @@
 #include "breccia/homogenisation/stage_microstructure.hpp"
 #include "breccia/study/soundness.hpp"
 
+#include "homogenisation/narrow_gaps.hpp"
 #include "homogenisation/plan/cell_memory.hpp"
 #include "homogenisation/plan/cell_time.hpp"
 #include "homogenisation/plan/film_costs.hpp"
@@ -87,7 +88,7 @@ class Planner {
         std::ranges::move(plans_of_tests(study, stage, packed, method, cells), std::back_inserter(plan.tests));
       }
     }
-    plan.grid = plan_of_grid(stage, packed, study.tests.mixing);
+    plan.grid = plan_of_grid(stage, packed, mixing_of(study, stage, packed));
     return plan;
   }
 

@@ -195,11 +195,6 @@ void ElasticOperator<dim>::condense(std::span<const Moduli> moduli, Forces& forc
     if (rule.in_series(rule.template constrained<dim>(moduli)).minCoeff() > 0.0) continue;
     throw InputError("quasi-static solver: a phase of a mixed cell has a modulus of 0; expected positive ones");
   }
-  const auto is_softer = [&](const Moduli& of_phase) { return of_phase.shear < moduli.front().shear; };
-  if (has_gaps() && std::ranges::any_of(moduli, is_softer)) {
-    throw InputError(
-        "quasi-static solver: gaps under a cell; expected particles stiffer than the binder at all moduli");
-  }
   const ReadValues on_strains(forces.phase_strains());
   std::size_t index = 0;
   std::vector<double> on_faces(faces_.seen(), 0.0);
