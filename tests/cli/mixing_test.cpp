@@ -164,7 +164,8 @@ TEST(Mixing, BothMethodsAgreeWithAStageAsMatrix) {
   }
 }
 
-// Gaps between discs and walls of a twelfth of a cell. Cells in series are too stiff by a large factor at late times.
+// Gaps between discs and walls of a twelfth of a cell. Discs that deform come out some per cent too soft; cells in
+// series are too stiff at late times.
 TEST(Mixing, WithFlowNeedsFewCellsInNarrowGaps) {
   const auto moduli_with = [](const std::string& mixing, int cells) {
     const StudyDirectory study(model_deck);
@@ -173,12 +174,12 @@ TEST(Mixing, WithFlowNeedsFewCellsInNarrowGaps) {
                               "tests.mixing=" + mixing, "--set", "stages.A.filler.sizes.diameter=2.96 mm", "--set",
                               "materials.binder.bulk=20 MPa", "--set", "stages.A.cells=" + std::to_string(cells)});
     EXPECT_EQ(run.exit_code, 0) << run.errors;
-    EXPECT_EQ(run.errors.find("cannot be squeezed out") == std::string::npos, mixing == "flow") << run.errors;
+    EXPECT_EQ((run.output + run.errors).find("cannot be squeezed out") == std::string::npos, mixing == "flow");
     return moduli(study, "quasistatic");
   };
   const auto coarse = moduli_with("flow", 24), fine = moduli_with("flow", 66), in_series = moduli_with("series", 24);
   ASSERT_EQ(coarse.size(), fine.size());
-  for (std::size_t i = 0; i < coarse.size(); ++i) EXPECT_NEAR(coarse[i] / fine[i], 1.0, 0.03) << i;
+  for (std::size_t i = 0; i < coarse.size(); ++i) EXPECT_NEAR(coarse[i] / fine[i], 1.0, 0.06) << i;
   EXPECT_GT(in_series.back() / fine.back(), 1.2);
 }
 
@@ -233,7 +234,7 @@ mixing = "flow"
   const auto wider = with(grains, {"--set", "stages.A.cells=160"});
   const auto run_wide = wide.breccia("run", wider);
   ASSERT_EQ(run_wide.exit_code, 0) << run_wide.errors;
-  EXPECT_THAT(run_wide.errors, HasSubstr(R"(here it is as "series")"));
+  EXPECT_THAT(run_wide.output + run_wide.errors, HasSubstr(R"(here it is as "series")"));
   ASSERT_EQ(in_series.breccia("run", with(wider, {"--set", "tests.mixing=series"})).exit_code, 0);
   EXPECT_EQ(moduli(wide, "quasistatic"), moduli(in_series, "quasistatic"));
   EXPECT_NEAR(moduli(narrow, "quasistatic").back() / moduli(wide, "quasistatic").back(), 1.0, 0.15);

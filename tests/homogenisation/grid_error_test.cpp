@@ -1,5 +1,6 @@
 #include "homogenisation/plan/grid_error.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -44,12 +45,12 @@ TEST(GridError, TellsTheCellsForAnError) {
   EXPECT_EQ(error_rule_of_gaps(Mixing::series).cells_for(0.5), 1.5) << "below that the error may be of any size";
 }
 
-/// Largest errors of packings of rigid discs, by cells across the smallest one; from docs/gaps-under-a-cell.md.
+/// Largest errors of random packings, by cells across the smallest disc; from docs/gaps-under-a-cell.md.
 TEST(GridError, OfFlowIsNoLessThanMeasuredErrors) {
   const auto rule = error_rule_of_flow();
-  for (const auto& [cells, measured] : {std::array{8.0, 0.039}, {12.0, 0.020}, {16.0, 0.014}, {24.0, 0.016}}) {
-    EXPECT_GE(rule.error_with(cells).value(), 0.9 * measured) << cells;
-    EXPECT_LE(rule.error_with(cells).value(), 1.6 * measured) << cells;
+  for (const auto& [cells, of_rigid, of_deformable] : {std::array{8.0, 0.039, 0.050}, {16.0, 0.014, 0.020}}) {
+    EXPECT_GE(rule.error_with(cells).value(), std::max(of_rigid, of_deformable)) << cells;
+    EXPECT_LE(rule.error_with(cells).value(), 1.6 * of_deformable) << cells;
   }
   EXPECT_FALSE(rule.error_with(7.9));
 }
@@ -64,7 +65,7 @@ TEST(GridError, OfFlowIsThatOfTheSmallestDisc) {
   packed.gap = 1e-6;
   const auto plan = plan_of_grid(stage, packed, Mixing::flow).value();
   EXPECT_NEAR(plan.cells(), 20.0, 1e-9);
-  EXPECT_NEAR(plan.error().value(), 0.0175, 1e-6);
+  EXPECT_NEAR(plan.error().value(), 0.025, 1e-6);
   packed.box = Box<2>(ParticleBox{1e-3, Walls::hard, {{Ellipse{{2e-4, 1e-4}}, Pose({5e-4, 5e-4}, 0.0)}}});
   EXPECT_FALSE(plan_of_grid(stage, packed, Mixing::flow).value().error()) << "nothing was measured";
 }

@@ -373,7 +373,7 @@ TEST(RequireSound, NamesWhatFlowThroughGapsDoesNotServe) {
   EXPECT_THAT(mistakes_of(study), HasSubstr(R"(mixing "flow" takes the volumetric strains "averaged")"));
   study.tests.volumetric = Volumetric::averaged;
   study.tests.boundaries = {Boundary::periodic};
-  EXPECT_THAT(mistakes_of(study), HasSubstr(R"(mixing "flow": stage A: expected the boundaries "displacement")"));
+  EXPECT_THAT(mistakes_of(study), HasSubstr(R"(mixing "flow": stage fine: expected the boundaries "displacement")"));
   study.tests.boundaries = {Boundary::displacement};
   study.tests.varied = {VariedMaterial{}};
   EXPECT_THAT(mistakes_of(study), HasSubstr(R"(mixing "flow": cannot vary)"));

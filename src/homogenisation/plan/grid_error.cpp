@@ -71,7 +71,7 @@ ErrorRule error_rule_of_gaps(Mixing mixing) {
 }
 
 ErrorRule error_rule_of_flow() {
-  return {0.35, 1.0, 8.0};
+  return {0.5, 1.0, 8.0};
 }
 
 ErrorRule error_rule_of_flow_in_films() {
