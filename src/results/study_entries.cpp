@@ -13,6 +13,7 @@
 
 #include "breccia/homogenisation/stage_discretisation.hpp"
 
+#include "homogenisation/narrow_gaps.hpp"
 #include "homogenisation/quality.hpp"
 #include "homogenisation/whole_filler.hpp"
 #include "study/filler_shapes.hpp"
@@ -58,6 +59,7 @@ DomainEntry entry_of(const TimeDomain& domain, std::size_t points) {
 /// The settings and the accuracy of a test: a visitor of its record.
 struct RecordEntry {
   const Tests& options;
+  Mixing mixing;  ///< the one that the stage has
   const TestResult& test;
   std::size_t points;  ///< number of material points of the grid
   TestEntry& entry;
@@ -76,7 +78,7 @@ struct RecordEntry {
       found.layers = options.films.layers;
     } else {
       found.volumetric = options.volumetric;
-      found.mixing = options.mixing;
+      found.mixing = mixing;
     }
     if (record.reduced) {
       found.tolerance = options.quasistatic.sampling.tolerance;
@@ -95,7 +97,7 @@ struct RecordEntry {
     DynamicEntry found{.formulation = options.dynamic.formulation,
                        .start = options.dynamic.start,
                        .volumetric = options.volumetric,
-                       .mixing = options.mixing,
+                       .mixing = mixing,
                        .courant = options.dynamic.courant,
                        .overlaps = record.overlaps,
                        .fit_error = record.fit_error};
@@ -104,10 +106,11 @@ struct RecordEntry {
   }
 };
 
-TestEntry entry_of(const TestResult& test, const Study& study, const Stage& stage, const StageRecord& record) {
+TestEntry entry_of(const TestResult& test, const Study& study, const Stage& stage, Mixing mixing,
+                   const StageRecord& record) {
   const auto cells = test.id.grid.cells();
   TestEntry entry{.id = test.id, .fields = record.fields_of(test.id)};
-  std::visit(RecordEntry{study.tests, test, cells ? point_count(stage, *cells) : 0, entry}, test.record);
+  std::visit(RecordEntry{study.tests, mixing, test, cells ? point_count(stage, *cells) : 0, entry}, test.record);
   return entry;
 }
 
@@ -245,7 +248,8 @@ StageEntry entry_of(const Stage& stage, const StageResult& result, const Study& 
                    .microstructure = entry_of(stage, result.microstructure),
                    .quality = entry_of(quality_of(stage, result)),
                    .warnings = result.warnings};
-  for (const auto& test : result.tests) entry.tests.push_back(entry_of(test, study, stage, record));
+  const auto mixing = mixing_of(study, stage, result.microstructure);
+  for (const auto& test : result.tests) entry.tests.push_back(entry_of(test, study, stage, mixing, record));
   for (const auto& [boundary, method, fit] : result.materials) {
     entry.materials.push_back({boundary, method, fit.fitted, fit.shear_error, fit.bulk_error, entry_of(fit.material)});
   }

@@ -121,8 +121,12 @@ std::vector<std::string> lacking_in_flow(const Study& study) {
   const auto& tests = study.tests;
   if (tests.mixing != Mixing::flow) return {};
   std::vector<std::string> mistakes;
-  const auto lacks = [&](const std::string& what) { mistakes.push_back(R"(mixing "flow": )" + what); };
+  const auto lacks = [&](const std::string& what) {
+    mistakes.push_back(
+        fmt::format(R"(mixing "{}": {}, or mixing "{}")", name_of(Mixing::flow), what, name_of(Mixing::series)));
+  };
   for (const auto& stage : study.stages) {
+    if (model_of(tests, stage) == Model::films) continue;
     if (stage.dimensions() == 3) lacks(fmt::format("stage {}: expected a box of two dimensions", stage.name));
     if (stage.has_image()) lacks(fmt::format("stage {}: expected particles or grains, not an image", stage.name));
     if (const auto expected = expected_boundaries(tests, stage); expected && !stage.fillers.empty()) {
@@ -131,7 +135,7 @@ std::vector<std::string> lacking_in_flow(const Study& study) {
     if (stage.has_cut_grains()) lacks(fmt::format("stage {}: expected packing.walls other than \"cut\"", stage.name));
   }
   if (uses(tests, Method::dynamic)) lacks(R"(expected method "quasistatic", since the flow has no inertia)");
-  if (!tests.varied.empty()) lacks("cannot vary other moduli than those of the matrix");
+  if (!tests.varied.empty()) lacks("expected no quasistatic.vary of other moduli than those of the matrix");
   return mistakes;
 }
 

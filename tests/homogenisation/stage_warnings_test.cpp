@@ -57,7 +57,7 @@ TEST(StageWarnings, OfNarrowGapsAreLackingWithFlow) {
   EXPECT_THAT(warnings(two_discs(0.05e-3), study), IsEmpty());
   auto soft = two_discs(0.05e-3);
   soft.fillers[0].material.shear = PronySeries(1e-3);
-  EXPECT_THAT(warnings(soft, study), Contains(HasSubstr(R"(here it is as "series")")));
+  EXPECT_THAT(warnings(soft, study), Contains(HasSubstr(R"(mixing "flow" is here as "series")")));
   EXPECT_THAT(warnings(soft, study), Contains(HasSubstr("squeezed out of the gap")));
 }
 

@@ -1,9 +1,10 @@
-// A test under mpirun: several processes find the moduli of a packing with gaps narrower than a cell, by factors and by
-// substructuring. Known moduli: tests/reference/disc_packings/moduli.csv.
+// A test under mpirun: several processes find the moduli of packings with gaps narrower than a cell, by factors and by
+// substructuring. Known moduli: tests/reference/disc_packings/moduli.csv and moduli_walls.csv.
 
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <span>
 
 #include "parallel/session.hpp"
 #include "quasistatic/disc_packings.hpp"
@@ -21,23 +22,33 @@ bool expect_near(double found, double expected, double share, const char* what) 
   return false;
 }
 
-bool moduli_are_those_of_conforming_elements() {
-  struct Known {
-    Load load;
-    double modulus;
-  };
-  constexpr std::array<Known, 2> known = {{{Load::diagonal_shear, 23.6836035}, {Load::shear, 19.0474465}}};
-  constexpr int cells = 61;
-  auto problem = test::with_gaps(test::disc_packing("equal_57_040_g040.csv"), cells, 1e3, 1e7);
+struct Known {
+  Load load;
+  double modulus;
+};
+
+bool moduli_are(std::span<const Known> known, breccia::QuasistaticProblem<2> problem, double share) {
   bool holds = true;
   for (const auto& [load, modulus] : known) {
     problem.linear.method = LinearMethod::direct;
     const double direct = test::modulus_of(problem, load);
     problem.linear.method = LinearMethod::iterative;
-    holds = expect_near(direct, modulus, 0.015, "factors") && holds;
+    holds = expect_near(direct, modulus, share, "factors") && holds;
     holds = expect_near(test::modulus_of(problem, load), direct, 1e-6, "substructuring") && holds;
   }
   return holds;
+}
+
+bool moduli_are_those_of_conforming_elements() {
+  constexpr std::array<Known, 2> of_periodic = {{{Load::diagonal_shear, 23.6836035}, {Load::shear, 19.0474465}}};
+  constexpr std::array<Known, 1> of_walls = {{{Load::shear, 109.149474}}},
+                                 under_tractions = {{{Load::shear, 6.85995709}}};
+  const auto periodic = test::with_gaps(test::disc_packing("equal_57_040_g040.csv"), 61, 1e3, 1e7);
+  auto walls = test::with_gaps(test::disc_packing_between_walls("walls_four_g100.csv"), 33, 1e3, 1e7);
+  bool holds = moduli_are(of_periodic, periodic, 0.015);
+  holds = moduli_are(of_walls, walls, 0.015) && holds;
+  walls.boundary = breccia::Boundary::traction;
+  return moduli_are(under_tractions, walls, 0.015) && holds;
 }
 
 }  // namespace

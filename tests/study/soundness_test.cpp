@@ -376,7 +376,7 @@ TEST(RequireSound, NamesWhatFlowThroughGapsDoesNotServe) {
   EXPECT_THAT(mistakes_of(study), HasSubstr(R"(mixing "flow": stage fine: expected the boundaries "displacement")"));
   study.tests.boundaries = {Boundary::displacement};
   study.tests.varied = {VariedMaterial{}};
-  EXPECT_THAT(mistakes_of(study), HasSubstr(R"(mixing "flow": cannot vary)"));
+  EXPECT_THAT(mistakes_of(study), HasSubstr(R"(mixing "flow": expected no quasistatic.vary)"));
   study.tests.varied.clear();
   study.stages.back().packing = PackingMethod<2>(LaguerrePacking<2>{.walls = Walls::hard, .wall_film = WallFilm::none});
   EXPECT_THAT(mistakes_of(study), HasSubstr(R"(expected packing.walls other than "cut")"));

@@ -52,7 +52,8 @@ struct LengthOfFlow {
 ResolvedLength resolved_length(const Stage& stage, const StageMicrostructure& packed, Mixing mixing) {
   const double gap = std::min(packed.gap, packed.wall_gap);
   if (packed.grains() != nullptr) {
-    return {gap, "across a film", mixing == Mixing::flow ? error_rule_of_flow_in_films() : error_rule_of_films()};
+    if (mixing == Mixing::flow) return {gap, "across a film", {}, "films narrower than 1.4 cells"};
+    return {gap, "across a film", error_rule_of_films()};
   }
   if (mixing == Mixing::flow) {
     if (const auto length = visit_nested(LengthOfFlow(), packed.box)) return *length;
@@ -72,10 +73,6 @@ ErrorRule error_rule_of_gaps(Mixing mixing) {
 
 ErrorRule error_rule_of_flow() {
   return {0.5, 1.0, 8.0};
-}
-
-ErrorRule error_rule_of_flow_in_films() {
-  return {0.055, 1.6, 0.6};
 }
 
 ErrorRule error_rule_of_films() {

@@ -15,10 +15,6 @@ ErrorRule error_rule_of_gaps(Mixing mixing);
 /// Eq. 43d).
 ErrorRule error_rule_of_flow();
 
-/// The rule for films between grains that are narrower than 1.4 cells, with flow through them, by their width in cells
-/// (theory, Eq. 43e).
-ErrorRule error_rule_of_flow_in_films();
-
 /// The rule for mixed cells across the films between grains, which carry the load of the whole stage (theory, Eq. 43b).
 ErrorRule error_rule_of_films();
 

@@ -45,12 +45,16 @@ function distanceText(distance) {
   return distance < 1 ? percent(distance) : `a factor of ${shortNumber(1 + distance, 2)}`;
 }
 
-function onGaps({microstructure: made, quality}) {
+function onGaps({microstructure: made, quality, tests = []}) {
   const cells = quality?.narrowest_gap_cells;
   if (!Number.isFinite(cells)) return "";
   const width = made.smallest_gap_m === null ? "" : `${display(made.smallest_gap_m, "m")}, `;
-  return `The gaps between particles decide the modulus at long times. The narrowest one is ${width}` +
-    `${cellsText(cells)} wide; below two or three cells the modulus comes out wrong, most of all at long times.`;
+  const narrowest = `The gaps between particles decide the modulus at long times. The narrowest one is ${width}` +
+    `${cellsText(cells)} wide`;
+  const hasFlow = tests.some(({mixing}) => mixing === "flow");
+  return hasFlow ? `${narrowest}; the matrix flows through gaps narrower than a cell, and the number of cells across ` +
+    "the smallest particle counts: 12 or more."
+    : `${narrowest}; below two or three cells the modulus comes out wrong, most of all at long times.`;
 }
 
 function cellsText(cells) {

@@ -127,6 +127,8 @@ test("the reliability of a stage, from the error estimates of the run", () => {
     "one, so its error is not known", "40 particles, placed at random once", "B is 4 times as large"]) {
     assert.ok(text.includes(words), `${words} in ${text}`);
   }
+  const withFlow = {...stage, tests: [{boundary: "displacement", mixing: "flow"}]};
+  assert.ok(sentencesOnReliability(study, withFlow).join("\n").includes("flows through gaps narrower than a cell"));
   const image = {...stage, fillers: [{}], microstructure: {...stage.microstructure, pixels: [10, 10]}};
   assert.ok(sentencesOnReliability(study, image).join("\n").includes("the grains of an image bonded"));
   const periodic = {...stage, matrix: "b", dimensions: 3, cells: [32, 64], tests: [{boundary: "periodic"}],
