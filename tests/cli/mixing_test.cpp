@@ -164,23 +164,25 @@ TEST(Mixing, BothMethodsAgreeWithAStageAsMatrix) {
   }
 }
 
-// Gaps between discs and walls of a twelfth of a cell. Discs that deform come out some per cent too soft; cells in
-// series are too stiff at late times.
+// Gaps between discs and walls of a twelfth of a cell. Where discs deform and the binder is somewhat compressible, some
+// per cent are missing; cells in series are too stiff by a factor at late times.
 TEST(Mixing, WithFlowNeedsFewCellsInNarrowGaps) {
   const auto moduli_with = [](const std::string& mixing, int cells) {
     const StudyDirectory study(model_deck);
     const auto run =
         study.breccia("run", {"--set", "tests.method=quasistatic", "--set", "tests.volumetric=averaged", "--set",
-                              "tests.mixing=" + mixing, "--set", "stages.A.filler.sizes.diameter=2.96 mm", "--set",
-                              "materials.binder.bulk=20 MPa", "--set", "stages.A.cells=" + std::to_string(cells)});
+                              "tests.mixing=" + mixing, "--set", R"(tests.loads=["shear-xx-yy"])", "--set",
+                              "stages.A.filler.sizes.diameter=2.96 mm", "--set", "materials.binder.bulk=1 GPa", "--set",
+                              "materials.particle.bulk=5 GPa", "--set", "materials.particle.shear=2 GPa", "--set",
+                              "stages.A.cells=" + std::to_string(cells)});
     EXPECT_EQ(run.exit_code, 0) << run.errors;
     EXPECT_EQ((run.output + run.errors).find("cannot be squeezed out") == std::string::npos, mixing == "flow");
     return moduli(study, "quasistatic");
   };
   const auto coarse = moduli_with("flow", 24), fine = moduli_with("flow", 66), in_series = moduli_with("series", 24);
   ASSERT_EQ(coarse.size(), fine.size());
-  for (std::size_t i = 0; i < coarse.size(); ++i) EXPECT_NEAR(coarse[i] / fine[i], 1.0, 0.06) << i;
-  EXPECT_GT(in_series.back() / fine.back(), 1.2);
+  for (std::size_t i = 0; i < coarse.size(); ++i) EXPECT_NEAR(coarse[i] / fine[i], 1.0, 0.1) << i;
+  EXPECT_GT(in_series.back() / fine.back(), 1.8);
 }
 
 // Ellipses, coated polygons and grains. Wide films between grains are in series.
