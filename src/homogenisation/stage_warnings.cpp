@@ -86,7 +86,7 @@ std::optional<std::string> warning_of_missing_flow(const Study& study, const Sta
           ? fmt::format("films between grains are {} cells wide on the finest grid, and flow serves up to 1.4 cells",
                         display(grains->statistics.film / stage.cell_size(), "", 2))
           : "a filler or a coating is not stiffer in shear than the matrix at all times";
-  return fmt::format("{}; mixing \"{}\" is here as \"{}\"", reason, name_of(Mixing::flow), name_of(Mixing::series));
+  return fmt::format(R"({}; mixing "{}" is here as "{}")", reason, name_of(Mixing::flow), name_of(Mixing::series));
 }
 
 /// A warning about discs of so few cells that no rule gives the error of the grid.

@@ -91,11 +91,11 @@ Outline Outline::moved(const Vector<2>& by) const {
   return outline;
 }
 
-FromOutline Outline::from(const Vector<2>& point) const noexcept {
+FromOutline Outline::from(const Vector<2>& point) const {
   return std::visit([&](const auto& particle) { return from_outline(particle, point); }, particle_);
 }
 
-std::optional<Interval> Outline::chord(const GridLine& line) const noexcept {
+std::optional<Interval> Outline::chord(const GridLine& line) const {
   if (layer_ > 0.0) return gaps::chord(with_layer_, line);
   return std::visit([&](const auto& particle) { return gaps::chord(particle, line); }, particle_);
 }

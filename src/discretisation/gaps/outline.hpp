@@ -30,17 +30,17 @@ class Outline {
   [[nodiscard]] Outline moved(const Vector<2>& by) const;
 
   /// Distance of a point, negative inside.
-  [[nodiscard]] double distance(const Vector<2>& point) const noexcept { return from(point).distance - layer_; }
+  [[nodiscard]] double distance(const Vector<2>& point) const { return from(point).distance - layer_; }
   /// The gradient of the distance; zero where there is none, as in the centre of a disc.
-  [[nodiscard]] Vector<2> normal(const Vector<2>& point) const noexcept { return from(point).normal; }
+  [[nodiscard]] Vector<2> normal(const Vector<2>& point) const { return from(point).normal; }
   /// The piece of a line inside.
-  [[nodiscard]] std::optional<Interval> chord(const GridLine& line) const noexcept;
+  [[nodiscard]] std::optional<Interval> chord(const GridLine& line) const;
   /// Area inside of the square of side 1 with this lower left corner: exact to rounding for particles and discs with
   /// layers, to some 1e-5 of the area for other layers.
   [[nodiscard]] double area_in_square(const Vector<2>& corner) const;
 
  private:
-  [[nodiscard]] FromOutline from(const Vector<2>& point) const noexcept;
+  [[nodiscard]] FromOutline from(const Vector<2>& point) const;
 
   Vector<2> centre_;
   double reach_;

@@ -80,10 +80,11 @@ void ParticleImages::sort_into_bins() {
 
 std::size_t ParticleImages::bin_of(const Vector<2>& point) const noexcept {
   const auto place = [&](double x) {
-    const int cell = std::clamp(static_cast<int>(std::floor(x)), -margin(), cells_ + margin() - 1);
-    return static_cast<std::size_t>(cell + margin());
+    const int cell = std::clamp(static_cast<int>(std::floor(x)), -margin(), cells_ + margin() - 1) + margin();
+    return static_cast<std::size_t>(cell);
   };
-  return place(point[1]) * static_cast<std::size_t>(cells_ + 2 * margin()) + place(point[0]);
+  const int along = cells_ + 2 * margin();
+  return place(point[1]) * static_cast<std::size_t>(along) + place(point[0]);
 }
 
 std::span<const ImageIndex> ParticleImages::near(const Vector<2>& point) const noexcept {
@@ -112,12 +113,12 @@ double ParticleImages::area_of_core(ImageIndex image, const Vector<2>& corner) c
   return (core ? *core : outline).area_in_square(corner);
 }
 
-double ParticleImages::distance(ImageIndex image, const Vector<2>& point) const noexcept {
+double ParticleImages::distance(ImageIndex image, const Vector<2>& point) const {
   if (image == walls) return nearest_side(point).distance;
   return of(image).outline.distance(point);
 }
 
-Vector<2> ParticleImages::normal(ImageIndex image, const Vector<2>& point) const noexcept {
+Vector<2> ParticleImages::normal(ImageIndex image, const Vector<2>& point) const {
   if (image == walls) {
     const auto side = nearest_side(point);
     Vector<2> normal{};
@@ -127,14 +128,14 @@ Vector<2> ParticleImages::normal(ImageIndex image, const Vector<2>& point) const
   return of(image).outline.normal(point);
 }
 
-NearestTwo ParticleImages::nearest_two(const Vector<2>& point) const noexcept {
-  constexpr double rounding = 1e-9;
+NearestTwo ParticleImages::nearest_two(const Vector<2>& point) const {
+  constexpr double nearer = 1e-9;
   NearestTwo nearest;
   for (const auto image : near(point)) {
     const double to_image = distance(image, point);
-    if (to_image < nearest.to_first - rounding) {
+    if (to_image < nearest.to_first - nearer) {
       nearest = {image, nearest.first, to_image, nearest.to_first};
-    } else if (to_image < nearest.to_second - rounding) {
+    } else if (to_image < nearest.to_second - nearer) {
       nearest.second = image;
       nearest.to_second = to_image;
     }
@@ -142,11 +143,11 @@ NearestTwo ParticleImages::nearest_two(const Vector<2>& point) const noexcept {
   return nearest;
 }
 
-Vector<2> ParticleImages::across(ImageIndex one, ImageIndex other, const Vector<2>& point) const noexcept {
+Vector<2> ParticleImages::across(ImageIndex one, ImageIndex other, const Vector<2>& point) const {
   return direction(normal(one, point) - normal(other, point));
 }
 
-std::optional<Interval> ParticleImages::chord(ImageIndex image, const GridLine& line) const noexcept {
+std::optional<Interval> ParticleImages::chord(ImageIndex image, const GridLine& line) const {
   if (image == walls) {
     constexpr double without_end = std::numeric_limits<double>::infinity();
     const auto [begin, end] = inside(line);
@@ -157,7 +158,7 @@ std::optional<Interval> ParticleImages::chord(ImageIndex image, const GridLine& 
 }
 
 std::vector<Interval> ParticleImages::binder_on(const GridLine& line) const {
-  constexpr double rounding = 1e-12;
+  constexpr double least = 1e-12;
   std::vector<Interval> chords;
   for (const auto image : near(line.at(0.5))) {
     const auto in_particle = chord(image, line);
@@ -169,10 +170,10 @@ std::vector<Interval> ParticleImages::binder_on(const GridLine& line) const {
   const double last = std::min(1.0, in_box.end);
   double covered = std::max(0.0, in_box.begin);
   for (const auto& in_particle : chords) {
-    if (in_particle.begin > covered + rounding) binder.push_back({covered, in_particle.begin});
+    if (in_particle.begin > covered + least) binder.push_back({covered, in_particle.begin});
     covered = std::max(covered, in_particle.end);
   }
-  if (covered < last - rounding) binder.push_back({covered, last});
+  if (covered < last - least) binder.push_back({covered, last});
   return binder;
 }
 

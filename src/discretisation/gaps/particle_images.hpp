@@ -70,18 +70,18 @@ class ParticleImages {
   }
   [[nodiscard]] double area_of_core(ImageIndex image, const Vector<2>& corner) const;
   /// Distance of a point from a particle or from the walls, negative inside the particle.
-  [[nodiscard]] double distance(ImageIndex image, const Vector<2>& point) const noexcept;
+  [[nodiscard]] double distance(ImageIndex image, const Vector<2>& point) const;
   /// The gradient of that distance; zero at the centre.
-  [[nodiscard]] Vector<2> normal(ImageIndex image, const Vector<2>& point) const noexcept;
+  [[nodiscard]] Vector<2> normal(ImageIndex image, const Vector<2>& point) const;
   /// The particles, and the walls, that may be at a point or within a few cells around it.
   [[nodiscard]] std::span<const ImageIndex> near(const Vector<2>& point) const noexcept;
   /// The two of these particles that are nearest. Of two particles as near the first one in the order is taken.
-  [[nodiscard]] NearestTwo nearest_two(const Vector<2>& point) const noexcept;
+  [[nodiscard]] NearestTwo nearest_two(const Vector<2>& point) const;
   /// The unit vector across the gap between two particles, towards the second one; zero where there is no gap because
   /// both lie in the same direction.
-  [[nodiscard]] Vector<2> across(ImageIndex one, ImageIndex other, const Vector<2>& point) const noexcept;
+  [[nodiscard]] Vector<2> across(ImageIndex one, ImageIndex other, const Vector<2>& point) const;
   /// The piece of a line in a particle.
-  [[nodiscard]] std::optional<Interval> chord(ImageIndex image, const GridLine& line) const noexcept;
+  [[nodiscard]] std::optional<Interval> chord(ImageIndex image, const GridLine& line) const;
   /// The pieces of a line from its origin to the place 1 that lie in the box and in no particle.
   [[nodiscard]] std::vector<Interval> binder_on(const GridLine& line) const;
 
@@ -89,7 +89,7 @@ class ParticleImages {
   struct Image {
     Outline outline;
     std::optional<Outline> core;  ///< the particle without its coating, if it has one
-    std::size_t particle;
+    std::size_t particle = 0;
   };
   [[nodiscard]] const Image& of(ImageIndex image) const noexcept { return images_[static_cast<std::size_t>(image)]; }
   [[nodiscard]] std::vector<Vector<2>> shifts_of_images(const Outline& outline) const;

@@ -104,7 +104,7 @@ class ElasticOperator {
   template <class Action>
   void for_mixed_cells(Action&& action) const;
 
-  std::vector<double> equal_slopes(const std::array<double, 2>& of_normals) const;
+  [[nodiscard]] std::vector<double> equal_slopes(const std::array<double, 2>& of_normals) const;
   /// The forces on the nodes of a mixed cell that has these stresses; adds those on its faces.
   [[nodiscard]] CellValues forces_of(const Index<dim>& cell, const typename Shape::ModeValues& stress,
                                      std::span<double> on_faces) const;
