@@ -100,27 +100,23 @@ bool has_owned_binder(const GapGeometry& geometry, const CellPlace& place) {
   return false;
 }
 
-/// The share of binder, for the deviators, of a cell that the surface of one particle crosses: nearer to the mean
-/// square gradient of the motion of its free nodes, as the distance from the particle, than to the area. The corner
-/// that a cell has in binder deforms more than the mean of the cell.
+/// The share of binder, for the deviators, of a cell that the surface of one particle crosses: the geometric mean of
+/// its area and the share for which the cell has the work of a constant stress under the motion of its free nodes in a
+/// layer that is sheared, the distance from the particle (theory, section 2).
 double share_of_layer(const GapGeometry& geometry, const CellPlace& place, ImageIndex image, double binder) {
-  constexpr double of_gradient = 0.2;
-  std::array<double, CellShape<2>::nodes> distances{};
+  Eigen::Vector4d distances;
   for (int node = 0; node < CellShape<2>::nodes; ++node) {
     const auto at = place.node(node);
     const Vector<2> point = {static_cast<double>(at[0]), static_cast<double>(at[1])};
-    distances[static_cast<std::size_t>(node)] = std::max(geometry.images.distance(image, point), 0.0);
+    distances[node] = std::max(geometry.images.distance(image, point), 0.0);
   }
-  if (std::ranges::find(distances, 0.0) == distances.end()) return binder;
-  double gradient = 0.0;
-  for (const double x : {0.25, 0.75}) {
-    for (const double y : {0.25, 0.75}) {
-      const double along_x = (1.0 - y) * (distances[1] - distances[0]) + y * (distances[3] - distances[2]);
-      const double along_y = (1.0 - x) * (distances[2] - distances[0]) + x * (distances[3] - distances[1]);
-      gradient += 0.25 * (along_x * along_x + along_y * along_y);
-    }
-  }
-  return std::pow(binder, 1.0 - of_gradient) * std::pow(gradient / binder, of_gradient);
+  if (distances.minCoeff() > 0.0 || distances.maxCoeff() <= rounding) return binder;
+  const double lower = distances[1] - distances[0], upper = distances[3] - distances[2];
+  const double left = distances[2] - distances[0], right = distances[3] - distances[1];
+  // Of a gradient that is linear across the cell, from one value to the other, over points at a quarter and three.
+  const auto mean_square = [](double from, double to) { return 0.3125 * (from * from + to * to) + 0.375 * from * to; };
+  const double mean = std::hypot(0.5 * (lower + upper), 0.5 * (left + right));
+  return mean > rounding ? std::sqrt(binder * (mean_square(lower, upper) + mean_square(left, right)) / mean) : binder;
 }
 
 /// Binder of channels that lies in cells beside them counts for the channels.

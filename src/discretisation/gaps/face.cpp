@@ -130,7 +130,7 @@ class Crossing {
       if (goes_on_to_cross_face(begin, 0, -1) || goes_on_to_cross_face(end, 1, 1)) continue;
       const auto point = line_.at(0.5 * (piece.begin + piece.end));
       const auto nearest = images_.nearest_two(point);
-      const double across = std::min(end - begin, nearest.gap());
+      const double across = std::min(is_end ? end - begin : (end - begin) * along_gap(nearest, point), nearest.gap());
       conductance += (is_end ? at_end_of_gap(nearest, point) : 1.0) * piece.length() * across * across / 12.0;
     }
     return conductance;
@@ -149,6 +149,12 @@ class Crossing {
       end_of_piece = direction < 0 ? steps - 1 + piece.begin : steps + piece.end;
     }
     return false;
+  }
+
+  /// The component along the face of the direction across the gap; in a wide space that of no direction, in the mean.
+  [[nodiscard]] double along_gap(const NearestTwo& nearest, const Vector<2>& point) const {
+    if (nearest.second == no_image) return std::sqrt(0.5);
+    return std::abs(images_.across(nearest.first, nearest.second, point)[place_.along]);
   }
 
   /// The whole flow of a gap turns at its end, across the gap, and takes the flow there with it.
