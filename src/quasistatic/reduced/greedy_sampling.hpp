@@ -69,8 +69,8 @@ class GreedySampling {
   }
 
   /// The moduli of the training set with the largest error estimate of all loads. Estimates are scaled by the ratios of
-  /// error to residual measured so far. An estimate that rounding alone may have caused counts as no error, since no
-  /// further snapshot would reduce it.
+  /// error to residual measured so far. An estimate that rounding alone may have caused, or with a residual as small as
+  /// that of a snapshot itself, counts as no error, since no further snapshot would reduce it.
   [[nodiscard]] Candidate greedy_choice(std::span<const std::vector<Moduli>> training_set) const {
     Candidate choice, within_rounding;
     for (std::size_t l = 0; l < bases_.size(); ++l) add_candidates(l, training_set, choice, within_rounding);
@@ -134,9 +134,15 @@ class GreedySampling {
                       Candidate& within_rounding) const {
     auto response = bases_[load].response();
     response.residual_scale = scales_[load] > 0.0 ? scales_[load] : 1.0;
+    // At a snapshot the reduced response is exact; the residual there is that of the solver.
+    double of_solver = 0.0;
+    for (const auto& snapshot : response.snapshots) {
+      of_solver = std::max(of_solver, squared_residual(response, snapshot.moduli));
+    }
     for (const auto& moduli : training_set) {
       const double estimate = response.error_estimate(moduli);
-      const bool is_rounding = estimate <= rounding_of_error_estimate(response, moduli);
+      const bool is_rounding =
+          squared_residual(response, moduli) <= of_solver || estimate <= rounding_of_error_estimate(response, moduli);
       auto& largest = is_rounding ? within_rounding : choice;
       if (estimate > largest.estimate) largest = {moduli, estimate};
     }

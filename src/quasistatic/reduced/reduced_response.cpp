@@ -208,6 +208,12 @@ double quasistatic::rounding_of_error_estimate(const ReducedResponse& response, 
   return response.residual_scale * squared / (softest_shear(response, parameters) * response.load_forces.dot(solution));
 }
 
+double quasistatic::squared_residual(const ReducedResponse& response, std::span<const Moduli> of_phases) {
+  const auto parameters = response.parameters(of_phases);
+  const auto residual = residual_weights(reduced_solution(response, parameters), parameters);
+  return std::max(0.0, residual.dot(response.residual_products * residual));
+}
+
 CreepCompliance creep_compliance(const ReducedResponse& response, std::span<const Material> of_phases) {
   const auto series = quasistatic::series_of_parts(response, of_phases);
   const auto relaxing = only_relaxing_shear(response, series);

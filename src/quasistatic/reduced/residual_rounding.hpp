@@ -10,4 +10,7 @@ namespace breccia::quasistatic {
 /// sum of large products of opposite signs. A smaller estimate is meaningless, and no further snapshot would reduce it.
 double rounding_of_error_estimate(const ReducedResponse& response, std::span<const Moduli> of_phases);
 
+/// The square of the residual's norm, from which ReducedResponse::error_estimate follows.
+double squared_residual(const ReducedResponse& response, std::span<const Moduli> of_phases);
+
 }  // namespace breccia::quasistatic
