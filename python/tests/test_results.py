@@ -257,7 +257,7 @@ def test_temperature_shifts_the_curve(binder, composite):
 def test_a_response_warns_as_the_study_and_of_its_temperature(binder, composite):
     """The warnings of the study are carried over, also through a pickle, and those on the materials are made anew."""
     composite.cells = 8
-    tests = breccia.Tests(times=(1e-3, 1e-1), boundaries="displacement", fields="none")
+    tests = breccia.Tests(times=(1e-3, 1e-1), boundaries="displacement", fields="none", mixing="series")
     elastic = breccia.Material("binder", density=binder.density, bulk="1 GPa", shear="1 MPa")
     composite.matrix = elastic
     result = breccia.solve(breccia.Study(composite, tests))

@@ -97,7 +97,7 @@ std::string table_of(const std::string& measurement, const StageResult& stage) {
 std::string words_on_quality(const Study& study, const StudyResult& result) {
   std::string text;
   for (std::size_t i = 0; i < result.stages.size(); ++i) {
-    const auto quality = quality_of(study.stages[i], result.stages[i]);
+    const auto quality = quality_of(study, study.stages[i], result.stages[i]);
     const auto summary = summary_of(quality);
     if (summary.empty()) continue;
     // The summary ends with the packing.

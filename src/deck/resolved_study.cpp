@@ -30,6 +30,8 @@ Study resolve(const Deck& document) {
   const auto model = read_model(root);
   study.stages = read_stages(root, study.materials, model);
   study.tests = read_tests(root, study.stages, model);
+  const auto mixing = read_mixing(root);
+  study.tests.mixing = mixing ? *mixing : default_mixing(study);
   study.measurements = read_measurements(root, study.stages, study.tests);
   for (const auto& mistake : contradictions(study)) root.report("tests", mistake);
   study.provenance.inputs = document.files();

@@ -179,9 +179,12 @@ Tests read_tests(const Section& deck, const std::vector<Stage>& stages, Model mo
   if (section.has("volumetric")) {
     tests.volumetric = section.choice<Volumetric>("volumetric").value_or(tests.volumetric);
   }
-  tests.mixing = tests.volumetric == Volumetric::standard ? Mixing::points : Mixing::series;
-  if (section.has("mixing")) tests.mixing = section.choice<Mixing>("mixing").value_or(tests.mixing);
   return tests;
+}
+
+std::optional<Mixing> read_mixing(const Section& deck) {
+  const auto section = deck.optional_section("tests");
+  return section && section->has("mixing") ? section->choice<Mixing>("mixing") : std::nullopt;
 }
 
 }  // namespace breccia

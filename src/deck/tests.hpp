@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "breccia/study/stage.hpp"
@@ -11,6 +12,9 @@ namespace breccia {
 
 /// Reads tests.model.
 Model read_model(const Section& deck);
+
+/// Reads tests.mixing, whose default depends on the whole study: nothing where the deck does not have it.
+std::optional<Mixing> read_mixing(const Section& deck);
 
 /// Reads the rest of [tests]; the stages have been read before.
 Tests read_tests(const Section& deck, const std::vector<Stage>& stages, Model model);

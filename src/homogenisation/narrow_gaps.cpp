@@ -1,5 +1,7 @@
 #include "homogenisation/narrow_gaps.hpp"
 
+#include <algorithm>
+
 #include "breccia/homogenisation/stage_discretisation.hpp"
 
 #include "discretisation/contrast.hpp"
@@ -7,17 +9,16 @@
 
 namespace breccia {
 
-bool has_narrow_films(const Stage& stage, const Grains<2>& grains) {
-  constexpr double widest = 1.4;
-  return grains.statistics.film < widest * stage.cell_size();
+bool has_narrow_gaps(const Stage& stage, const StageMicrostructure& packed) {
+  constexpr double rounding = 1e-9, widest = 1.5 * (1.0 - rounding), widest_film = 1.4;
+  const double cells = std::min(packed.gap, packed.wall_gap) / stage.cell_size();
+  return cells < (packed.grains() != nullptr ? widest_film : widest);
 }
 
 Mixing mixing_of(const Study& study, const Stage& stage, const StageMicrostructure& packed) {
   if (study.tests.mixing != Mixing::flow) return study.tests.mixing;
-  const auto* grains = packed.content<Grains<2>>();
-  const bool serves = grains == nullptr || has_narrow_films(stage, *grains);
   const bool are_stiffer = are_stiffer_than_matrix(materials_of(stage, expected_matrix(study, stage)));
-  return serves && are_stiffer ? Mixing::flow : Mixing::series;
+  return has_narrow_gaps(stage, packed) && are_stiffer ? Mixing::flow : Mixing::series;
 }
 
 }  // namespace breccia

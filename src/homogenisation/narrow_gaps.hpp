@@ -5,12 +5,12 @@
 
 namespace breccia {
 
-/// Whether the films between grains are so narrow on the finest grid that flow through them serves: up to 1.4 cells.
-/// Wider ones have errors of 8 to 11 % with flow, of 4 % in series (docs/gaps-under-a-cell.md).
-[[nodiscard]] bool has_narrow_films(const Stage& stage, const Grains<2>& grains);
+/// Whether the gaps of a stage are so narrow on its finest grid that flow through them serves better than cells in
+/// series: below one and a half cells between particles, below 1.4 cells between grains (docs/gaps-under-a-cell.md).
+[[nodiscard]] bool has_narrow_gaps(const Stage& stage, const StageMicrostructure& packed);
 
-/// The mixing that the cells of a stage are expected to have: Mixing::flow is Mixing::series where a filler or a
-/// coating is not stiffer than the matrix at all times, and between grains with wide films.
+/// The mixing that the cells of a stage are expected to have: Mixing::flow is Mixing::series where gaps are wide, and
+/// where a filler or a coating is not stiffer than the matrix at all times.
 [[nodiscard]] Mixing mixing_of(const Study& study, const Stage& stage, const StageMicrostructure& packed);
 
 }  // namespace breccia

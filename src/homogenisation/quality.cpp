@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "homogenisation/narrow_gaps.hpp"
 #include "io/display.hpp"
 #include "study/coatings.hpp"
 #include "study/filler_sizes.hpp"
@@ -149,7 +150,8 @@ std::string words_on_gap(const StageQuality& quality) {
   const auto last = cells.back();
   cells.pop_back();
   const auto before = cells.empty() ? "" : fmt::format("{} and ", fmt::join(cells, ", "));
-  return fmt::format("narrowest gap: {}{} {}", before, last, before.empty() && last == "1" ? "cell" : "cells");
+  return fmt::format("narrowest gap: {}{} {}{}", before, last, before.empty() && last == "1" ? "cell" : "cells",
+                     quality.has_flow ? ", the matrix flows through it" : "");
 }
 
 }  // namespace
@@ -179,13 +181,14 @@ std::vector<LoadQuality> bounds_of_tests(const StageResult& result) {
   return all;
 }
 
-StageQuality quality_of(const Stage& stage, const StageResult& result) {
+StageQuality quality_of(const Study& study, const Stage& stage, const StageResult& result) {
   const auto& packed = result.microstructure;
   StageQuality quality{.matrix_stage = {},
                        .particles = packed.particles(),
                        .fraction = packed.fraction,
                        .fraction_asked = {},
                        .gap_cells = std::min(packed.gap, packed.wall_gap) / stage.cell_size(),
+                       .has_flow = mixing_of(study, stage, packed) == Mixing::flow,
                        .grids = stage.grids(),
                        .is_random = false,
                        .has_films_along_walls = false,

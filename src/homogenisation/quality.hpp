@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "breccia/homogenisation/study_result.hpp"
-#include "breccia/study/stage.hpp"
+#include "breccia/study/study.hpp"
 
 namespace breccia {
 
@@ -38,6 +38,7 @@ struct StageQuality {
   std::optional<double> fraction_asked;  ///< area fraction in the deck [-]; only for a packing that draws its particles
   /// The narrowest gap in cells of the finest grid; infinite without a gap.
   double gap_cells = std::numeric_limits<double>::infinity();
+  bool has_flow = false;                     ///< whether the matrix flows through gaps narrower than a cell
   std::optional<double> coating_cells = {};  ///< the thinnest coating in cells of the finest grid; nothing without one
   std::vector<int> grids;                    ///< cells per side, rising; empty where films are computed without cells
   bool is_random = false;                    ///< whether the packing depends on a seed
@@ -54,7 +55,7 @@ struct StageQuality {
 std::vector<LoadQuality> bounds_of_tests(const StageResult& result);
 
 /// The quality of a stage's results, from the tests that are finished so far.
-StageQuality quality_of(const Stage& stage, const StageResult& result);
+StageQuality quality_of(const Study& study, const Stage& stage, const StageResult& result);
 
 /// The quality in words: "bounds 18 % apart at 1 ms, 34 % at 100 s; grid: one grid, error unknown (give cells = [150,
 /// 300]); narrowest gap: 3 cells; packing: one seed, scatter unknown". For several loads or methods it reports the

@@ -246,7 +246,7 @@ StageEntry entry_of(const Stage& stage, const StageResult& result, const Study& 
                    .points = result.points,
                    .point_fraction = result.point_fraction,
                    .microstructure = entry_of(stage, result.microstructure),
-                   .quality = entry_of(quality_of(stage, result)),
+                   .quality = entry_of(quality_of(study, stage, result)),
                    .warnings = result.warnings};
   const auto mixing = mixing_of(study, stage, result.microstructure);
   for (const auto& test : result.tests) entry.tests.push_back(entry_of(test, study, stage, mixing, record));

@@ -119,7 +119,6 @@ std::optional<std::string> mixing_of_points(const Tests& tests) {
 /// The requests that cells with flow through gaps do not support, a line each.
 std::vector<std::string> lacking_in_flow(const Study& study) {
   const auto& tests = study.tests;
-  if (tests.mixing != Mixing::flow) return {};
   std::vector<std::string> mistakes;
   const auto lacks = [&](const std::string& what) {
     mistakes.push_back(
@@ -209,6 +208,13 @@ bool has_fields(const Tests& tests, const Stage& stage) {
   return model_of(tests, stage) != Model::films || !tests.films.layers;
 }
 
+Mixing default_mixing(const Study& study) {
+  if (study.tests.volumetric == Volumetric::standard) return Mixing::points;
+  const auto is_of_cells = [&study](const Stage& stage) { return model_of(study.tests, stage) == Model::cells; };
+  const bool has_cells = std::ranges::any_of(study.stages, is_of_cells);
+  return has_cells && lacking_in_flow(study).empty() ? Mixing::flow : Mixing::series;
+}
+
 std::vector<std::string> contradictions(const Study& study) {
   auto mistakes = films_along_walls(study);
   std::ranges::move(lacking_in_films(study), std::back_inserter(mistakes));
@@ -217,7 +223,9 @@ std::vector<std::string> contradictions(const Study& study) {
     std::ranges::move(mistakes_of_loads(study.tests.loads, study.stages.front().dimensions()),
                       std::back_inserter(mistakes));
   }
-  std::ranges::move(lacking_in_flow(study), std::back_inserter(mistakes));
+  if (study.tests.mixing == Mixing::flow) {
+    std::ranges::move(lacking_in_flow(study), std::back_inserter(mistakes));
+  }
   if (auto mistake = mixing_of_points(study.tests)) mistakes.push_back(*std::move(mistake));
   if (auto mistake = vary_without_samples(study.tests)) mistakes.push_back(*std::move(mistake));
   if (auto mistake = too_few_times(study)) mistakes.push_back(*std::move(mistake));

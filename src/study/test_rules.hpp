@@ -36,6 +36,10 @@ Model model_of(const Tests& tests, const Stage& stage);
 /// Whether tests of the stage save fields: tests of cells and of thin films do, at the field times of the tests.
 bool has_fields(const Tests& tests, const Stage& stage);
 
+/// The mixing of a study that names none: flow through gaps where it supports all that the study requests, cells in
+/// series otherwise, and points with standard volumetric strains.
+Mixing default_mixing(const Study& study);
+
 /// Contradictions between the parts of a study, each of which is allowed by itself: mixed cells with standard
 /// volumetric strains, films along the walls under a boundary other than displacement, requests that the model of films
 /// does not support, and too few times for the fits that the study needs.

@@ -118,7 +118,8 @@ TEST_F(CommandLine, CheckTellsTheCellsForAnError) {
   ASSERT_EQ(run({"new", "starter.toml"}).exit_code, 0);
   // The discs keep 193.228 um apart in a box of 6 mm: errors of ten and five per cent need one and a half cells, the
   // least number for which the error is known.
-  const auto check = run({"check", "starter.toml", "--error", "10 %", "5 %", "--set", "stages.composite.cells=30"});
+  const auto check = run({"check", "starter.toml", "--error", "10 %", "5 %", "--set", "stages.composite.cells=30",
+                          "--set", "tests.mixing=series"});
   EXPECT_THAT(check.output,
               HasSubstr("0.97 cells in the narrowest gap, error of the grid of any size; cells = 47 for 10 %, "
                         "47 for 5 %\n"));

@@ -413,7 +413,7 @@ TEST_F(Export, TakesTemperaturesNearThatOfTheRun) {
 
 TEST_F(Export, RefusesMoreTermsThanLsDynaTakes) {
   const auto outcome =
-      export_card("ls-dyna", {"--boundary", "displacement", "--poisson", "0.3", "--tolerance", "0.000001 %"});
+      export_card("ls-dyna", {"--boundary", "displacement", "--poisson", "0.3", "--tolerance", "0.00000001 %"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(outcome.errors, HasSubstr("LS-DYNA takes at most 17 terms"));
 }

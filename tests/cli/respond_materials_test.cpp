@@ -85,7 +85,8 @@ class RespondWithMaterials : public ::testing::Test {
   /// Compares the curve in a directory with that of a separate run, which samples the matrix alone.
   static void expect_run(const std::string& directory, const std::vector<std::string>& settings) {
     const StudyDirectory other(coated);
-    std::vector<std::string> more = {"--set", "tests.quasistatic.vary={}", "--set", "tests.quasistatic.tolerance=1e-6"};
+    std::vector<std::string> more = {"--set", "tests.quasistatic.vary={}", "--set", "tests.quasistatic.tolerance=1e-6",
+                                     "--set", "tests.mixing=series"};
     for (const auto& setting : settings) more.insert(more.end(), {"--set", setting});
     const auto run = other.breccia("run", more);
     ASSERT_EQ(run.exit_code, 0) << run.errors;

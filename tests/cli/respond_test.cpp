@@ -207,7 +207,7 @@ shear   = { equilibrium = "1 MPa", terms = [{ time = "1 ms", modulus = "20 MPa" 
 TEST(RespondToAWarnedRun, RepeatsTheWarningsOfTheRunOnce) {
   const StudyDirectory study(chain);
   const auto run = study.breccia("run", {"--set", "stages.*.cells=6", "--set", "tests.fit_tolerance=0.5", "--set",
-                                         R"(tests.times=["1 ms", "100 Ms"])"});
+                                         R"(tests.times=["1 ms", "100 Ms"])", "--set", "tests.mixing=series"});
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   const auto record = Json::parse(read_text(study.result("study.json")));
   const auto of_run = record["stages"][0]["warnings"].get<std::vector<std::string>>();

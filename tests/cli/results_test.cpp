@@ -224,7 +224,7 @@ TEST_F(Results, HistoriesRecordTheirTest) {
 
 TEST(PackResults, AreTheMicrostructureAlone) {
   const StudyDirectory study(test::good_deck);
-  const auto pack = study.breccia("pack");
+  const auto pack = study.breccia("pack", {"--set", "tests.mixing=series"});
   ASSERT_EQ(pack.exit_code, 0) << pack.errors;
   EXPECT_THAT(pack.output, HasSubstr("warning: A: the smallest gap between particles"));
   EXPECT_THAT(pack.output, HasSubstr("out/A/microstructure.svg"));

@@ -190,9 +190,11 @@ TEST_F(DeckTests, FrequenciesStandForTimes) {
   EXPECT_FALSE(tests(times).by_frequency);
 }
 
-TEST_F(DeckTests, CellsAreMixedUnlessPointsAreStandard) {
+TEST_F(DeckTests, CellsHaveFlowWhereItIsSupportedUnlessPointsAreStandard) {
   const auto mixing = [&](std::string_view lines) { return tests(test::join(times, lines)).mixing; };
-  EXPECT_EQ(mixing(""), Mixing::series);
+  EXPECT_EQ(mixing(""), Mixing::flow);
+  EXPECT_EQ(mixing("mixing = \"series\""), Mixing::series);
+  EXPECT_EQ(mixing("method = [\"quasistatic\", \"dynamic\"]"), Mixing::series);
   EXPECT_EQ(mixing("volumetric = \"standard\""), Mixing::points);
   EXPECT_EQ(mixing("mixing = \"points\""), Mixing::points);
   EXPECT_EQ(mixing("mixing = \"flow\""), Mixing::flow);

@@ -54,8 +54,9 @@ StageResult result_of(std::vector<TestResult> tests, std::size_t particles = 40)
 }
 
 TEST(Quality, ReportsTheDistanceOfTheBounds) {
-  const auto quality = quality_of(random_stage(), result_of({constant(Boundary::displacement, TestGrid(100), 118.0),
-                                                             constant(Boundary::traction, TestGrid(100), 100.0)}));
+  const auto quality = quality_of(Study{}, random_stage(),
+                                  result_of({constant(Boundary::displacement, TestGrid(100), 118.0),
+                                             constant(Boundary::traction, TestGrid(100), 100.0)}));
   ASSERT_EQ(quality.loads.size(), 1U);
   ASSERT_EQ(quality.loads[0].times.size(), 3U) << "0.01, 0.1 and 1 s";
   EXPECT_NEAR(*quality.loads[0].times[1].distance(), 0.18, 1e-12);
@@ -67,9 +68,9 @@ TEST(Quality, ReportsTheDistanceOfTheBounds) {
 }
 
 TEST(Quality, ReportsAFactorIfBoundsAreFarApart) {
-  const auto summary =
-      summary_of(quality_of(random_stage(), result_of({constant(Boundary::displacement, TestGrid(100), 30.0),
-                                                       constant(Boundary::traction, TestGrid(100), 2.0)})));
+  const auto summary = summary_of(quality_of(Study{}, random_stage(),
+                                             result_of({constant(Boundary::displacement, TestGrid(100), 30.0),
+                                                        constant(Boundary::traction, TestGrid(100), 2.0)})));
   EXPECT_THAT(summary, HasSubstr("bounds a factor of 15 at 10 ms, a factor of 15 at 1 s;"));
 }
 
@@ -83,7 +84,7 @@ TEST(Quality, NamesTheLoadAndTheMethodOfTheBoundsAmongSeveral) {
              lower = constant(Boundary::traction, TestGrid(100), 100.0),
              lowest = constant(Boundary::displacement, TestGrid(100), 80.0);
   const auto summary_with = [&](const TestResult& further) {
-    return summary_of(quality_of(random_stage(), result_of({upper, lower, further})));
+    return summary_of(quality_of(Study{}, random_stage(), result_of({upper, lower, further})));
   };
   EXPECT_THAT(summary_with(other(upper, Load::bulk, Method::quasistatic)),
               StartsWith("bounds under shear 18 % apart at"));
@@ -91,7 +92,7 @@ TEST(Quality, NamesTheLoadAndTheMethodOfTheBoundsAmongSeveral) {
               StartsWith("bounds under shear, quasistatic 18 % apart at"));
   const auto crossed = result_of(
       {upper, lower, other(lowest, Load::bulk, Method::quasistatic), other(lower, Load::bulk, Method::quasistatic)});
-  EXPECT_THAT(summary_of(quality_of(random_stage(), crossed)),
+  EXPECT_THAT(summary_of(quality_of(Study{}, random_stage(), crossed)),
               StartsWith("bounds under bulk: the upper one is 20 % below the lower one at 10 ms"));
 }
 
@@ -106,9 +107,9 @@ TEST(Quality, SaysOfFilmsWhichKeyHalvesTheirMesh) {
 
 TEST(Quality, TellsDistancesWithTwoDigits) {
   const auto bounds_of = [](double upper, double lower) {
-    const auto summary =
-        summary_of(quality_of(random_stage(), result_of({constant(Boundary::displacement, TestGrid(100), upper),
-                                                         constant(Boundary::traction, TestGrid(100), lower)})));
+    const auto summary = summary_of(quality_of(Study{}, random_stage(),
+                                               result_of({constant(Boundary::displacement, TestGrid(100), upper),
+                                                          constant(Boundary::traction, TestGrid(100), lower)})));
     return summary.substr(0, summary.find(" at 10 ms"));
   };
   EXPECT_EQ(bounds_of(1.0009, 1.0), "bounds less than 0.1 % apart");
@@ -127,7 +128,7 @@ TEST(Quality, TakesTheLimitOfSeveralGridsAndItsBand) {
   auto stage = random_stage();
   stage.coarser_cells = {50};
   const auto quality = quality_of(
-      stage,
+      Study{}, stage,
       result_of({constant(Boundary::displacement, TestGrid(50), 140.0),
                  constant(Boundary::displacement, TestGrid(100), 130.0),
                  extrapolated(Boundary::displacement, 120.0, 6.0), constant(Boundary::traction, TestGrid(50), 110.0),
@@ -142,16 +143,17 @@ TEST(Quality, ReportsUnknownErrors) {
   auto stage = random_stage();
   stage.packing = RegularPacking{};
   stage.matrix = EarlierStage{"fine"};
-  const auto upper = summary_of(quality_of(stage, result_of({constant(Boundary::displacement, TestGrid(100), 1.0)})));
+  const auto upper =
+      summary_of(quality_of(Study{}, stage, result_of({constant(Boundary::displacement, TestGrid(100), 1.0)})));
   EXPECT_THAT(upper, HasSubstr("bounds: only the upper one, distance unknown"));
   EXPECT_THAT(upper, HasSubstr("matrix: the errors of stage fine add to these"));
   EXPECT_THAT(upper, Not(HasSubstr("seed"))) << "there is one regular packing";
-  EXPECT_THAT(summary_of(quality_of(stage, result_of({}))), HasSubstr("bounds: not tested"));
+  EXPECT_THAT(summary_of(quality_of(Study{}, stage, result_of({}))), HasSubstr("bounds: not tested"));
   auto empty = result_of({}, 0);
   empty.microstructure.fraction = 0.0;
-  EXPECT_EQ(summary_of(quality_of(stage, empty)), "") << "without particles";
+  EXPECT_EQ(summary_of(quality_of(Study{}, stage, empty)), "") << "without particles";
   empty.microstructure.fraction = 0.5;
-  EXPECT_THAT(summary_of(quality_of(stage, empty)), HasSubstr("bounds: not tested")) << "pixels of an image";
+  EXPECT_THAT(summary_of(quality_of(Study{}, stage, empty)), HasSubstr("bounds: not tested")) << "pixels of an image";
 }
 
 TEST(Quality, BoundsAreComparedAtTheTimesOfBoth) {
@@ -195,15 +197,16 @@ TEST(Quality, WarnsOfFewParticlesAndOfAnotherFraction) {
 
 TEST(Quality, PeriodicTestsHaveAGridErrorAndNoBounds) {
   auto stage = random_stage();
-  const auto alone = quality_of(stage, result_of({constant(Boundary::periodic, TestGrid(100), 100.0)}));
+  const auto alone = quality_of(Study{}, stage, result_of({constant(Boundary::periodic, TestGrid(100), 100.0)}));
   EXPECT_THAT(summary_of(alone), StartsWith("periodic boundary: no bounds; grid: one grid, error unknown (give cells"));
   stage.coarser_cells = {50};
-  const auto periodic = quality_of(stage, result_of({constant(Boundary::periodic, TestGrid(50), 110.0),
-                                                     constant(Boundary::periodic, TestGrid(100), 105.0),
-                                                     extrapolated(Boundary::periodic, 100.0, 7.0)}));
+  const auto periodic = quality_of(
+      Study{}, stage,
+      result_of({constant(Boundary::periodic, TestGrid(50), 110.0), constant(Boundary::periodic, TestGrid(100), 105.0),
+                 extrapolated(Boundary::periodic, 100.0, 7.0)}));
   EXPECT_NEAR(periodic.grid_share.value(), 0.07, 1e-12);
   EXPECT_THAT(summary_of(periodic), StartsWith("periodic boundary: no bounds; grid: error up to 7 %; "));
-  const auto unfinished = quality_of(stage, result_of({constant(Boundary::periodic, TestGrid(50), 110.0)}));
+  const auto unfinished = quality_of(Study{}, stage, result_of({constant(Boundary::periodic, TestGrid(50), 110.0)}));
   EXPECT_THAT(summary_of(unfinished), HasSubstr("grid: error unknown until every grid is tested; ")) << "two grids";
 }
 
@@ -211,8 +214,9 @@ TEST(Quality, TheGridErrorIsTheLargestOfAllTests) {
   auto stage = random_stage();
   stage.coarser_cells = {50};
   const auto quality = quality_of(
-      stage, result_of({extrapolated(Boundary::displacement, 120.0, 6.0), extrapolated(Boundary::traction, 100.0, 2.0),
-                        extrapolated(Boundary::periodic, 110.0, 11.0)}));
+      Study{}, stage,
+      result_of({extrapolated(Boundary::displacement, 120.0, 6.0), extrapolated(Boundary::traction, 100.0, 2.0),
+                 extrapolated(Boundary::periodic, 110.0, 11.0)}));
   EXPECT_NEAR(quality.grid_share.value(), 0.1, 1e-12);
   EXPECT_THAT(summary_of(quality), StartsWith("bounds 20 % apart at 10 ms"));
 }
@@ -220,9 +224,10 @@ TEST(Quality, TheGridErrorIsTheLargestOfAllTests) {
 TEST(Quality, GivesTheNarrowestGapOnEachGrid) {
   auto stage = random_stage();
   stage.coarser_cells = {50};
-  EXPECT_THAT(summary_of(quality_of(stage, result_of({}))), HasSubstr("; narrowest gap: 1.5 and 3 cells;"));
+  EXPECT_THAT(summary_of(quality_of(Study{}, stage, result_of({}))), HasSubstr("; narrowest gap: 1.5 and 3 cells;"));
   stage.coarser_cells = {25, 50};
-  EXPECT_THAT(summary_of(quality_of(stage, result_of({}))), HasSubstr("; narrowest gap: 0.75, 1.5 and 3 cells;"));
+  EXPECT_THAT(summary_of(quality_of(Study{}, stage, result_of({}))),
+              HasSubstr("; narrowest gap: 0.75, 1.5 and 3 cells;"));
 }
 
 // The sum of the half bands of both bounds is at most twice the larger one.
@@ -240,14 +245,15 @@ TEST(Quality, SaysThatBoundsAreCrossed) {
   stage.coarser_cells = {50};
   auto falling = extrapolated(Boundary::displacement, 120.0, 6.0);
   for (auto& sample : falling.modulus) sample.modulus = sample.time > 0.5 ? 80.0 : 120.0;
-  const auto quality = quality_of(stage, result_of({falling, extrapolated(Boundary::traction, 100.0, 2.0)}));
+  const auto quality = quality_of(Study{}, stage, result_of({falling, extrapolated(Boundary::traction, 100.0, 2.0)}));
   EXPECT_THAT(summary_of(quality), StartsWith("bounds: the upper one is 20 % below the lower one at 1 s; "));
   EXPECT_THAT(warnings_on_bounds(quality),
               ElementsAre("shear, quasistatic: the upper bound is 20 % below the lower bound at 1 s; likely causes: "
                           "grids too coarse for the narrowest gap, in cells 1.5 wide with cells = 50, 3 wide with "
                           "cells = 100; or particles that the sides of the box cut"));
-  const auto sound = quality_of(stage, result_of({extrapolated(Boundary::displacement, 120.0, 6.0),
-                                                  extrapolated(Boundary::traction, 100.0, 2.0)}));
+  const auto sound = quality_of(
+      Study{}, stage,
+      result_of({extrapolated(Boundary::displacement, 120.0, 6.0), extrapolated(Boundary::traction, 100.0, 2.0)}));
   EXPECT_THAT(warnings_on_bounds(sound), IsEmpty());
 }
 

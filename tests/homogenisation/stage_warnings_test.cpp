@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "homogenisation/narrow_gaps.hpp"
+
 namespace breccia {
 namespace {
 
@@ -57,8 +59,21 @@ TEST(StageWarnings, OfNarrowGapsAreLackingWithFlow) {
   EXPECT_THAT(warnings(two_discs(0.05e-3), study), IsEmpty());
   auto soft = two_discs(0.05e-3);
   soft.fillers[0].material.shear = PronySeries(1e-3);
-  EXPECT_THAT(warnings(soft, study), Contains(HasSubstr(R"(mixing "flow" is here as "series")")));
+  EXPECT_THAT(warnings(soft, study), Contains(HasSubstr("its cells are in series, without flow through gaps")));
   EXPECT_THAT(warnings(soft, study), Contains(HasSubstr("squeezed out of the gap")));
+}
+
+// Of the finest grid, which gives the result of several.
+TEST(NarrowGaps, AreThoseBelowOneAndAHalfCells) {
+  const auto mixing = [](Stage stage, Mixing of_study = Mixing::flow) {
+    return mixing_of(within(1.0, 2.0, of_study), stage, make_microstructure(stage));
+  };
+  EXPECT_EQ(mixing(two_discs(0.07e-3)), Mixing::flow);
+  EXPECT_EQ(mixing(two_discs(0.07e-3), Mixing::series), Mixing::series);
+  EXPECT_EQ(mixing(two_discs(0.075e-3)), Mixing::series);
+  auto two_grids = two_discs(0.1e-3);
+  two_grids.coarser_cells = {two_grids.cells / 2};
+  EXPECT_EQ(mixing(two_grids), Mixing::series);
 }
 
 TEST(StageWarnings, OfGapsBelowOneAndAHalfMixedCells) {

@@ -35,6 +35,7 @@ Discretisation<dim> discretise(const Stage& stage, const Microstructure<dim>& mi
 template <int dim>
 Discretisation<dim> discretise(const Stage& stage, const Box<dim>& box, int cells, Mixing mixing,
                                const CellLayers& layers = {});
+/// Mixing::flow is Mixing::series here where the gaps of the stage are wide.
 StageDiscretisation discretise(const Stage& stage, const StageMicrostructure& packed, int cells, Mixing mixing,
                                const CellLayers& layers = {});
 

@@ -144,7 +144,7 @@ struct Discretise {
   Discretisation<3> operator()(const EllipsoidBox& ellipsoids) const { return on<3>(labelling_of(stage, ellipsoids)); }
   Discretisation<2> operator()(const Grains<2>& grains) const {
     auto discretisation = on<2>(labelling_of(stage, grains));
-    if (mixing == Mixing::flow && has_narrow_films(stage, grains)) {
+    if (mixing == Mixing::flow) {
       discretisation.set_particles_with_gaps(particles_with_gaps(stage, as_particles(grains)));
     }
     return discretisation;
@@ -191,8 +191,9 @@ template Discretisation<3> discretise(const Stage&, const Box<3>&, int, Mixing, 
 
 StageDiscretisation discretise(const Stage& stage, const StageMicrostructure& packed, int cells, Mixing mixing,
                                const CellLayers& layers) {
+  const auto of_gaps = mixing == Mixing::flow && !has_narrow_gaps(stage, packed) ? Mixing::series : mixing;
   return std::visit(
-      [&](const auto& box) -> StageDiscretisation { return discretise(stage, box, cells, mixing, layers); },
+      [&](const auto& box) -> StageDiscretisation { return discretise(stage, box, cells, of_gaps, layers); },
       packed.box);
 }
 

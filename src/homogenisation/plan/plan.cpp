@@ -83,12 +83,14 @@ class Planner {
       }
       return plan;
     }
+    auto as_computed = study;
+    as_computed.tests.mixing = mixing_of(study, stage, packed);
     for (const int cells : stage.grids()) {
       for (const auto method : study.tests.methods) {
-        std::ranges::move(plans_of_tests(study, stage, packed, method, cells), std::back_inserter(plan.tests));
+        std::ranges::move(plans_of_tests(as_computed, stage, packed, method, cells), std::back_inserter(plan.tests));
       }
     }
-    plan.grid = plan_of_grid(stage, packed, mixing_of(study, stage, packed));
+    plan.grid = plan_of_grid(stage, packed, as_computed.tests.mixing);
     return plan;
   }
 

@@ -39,7 +39,7 @@ class StageSolution {
     }
     for (auto& test : extrapolate_tests(stage_.name, stage_.side, done_.tests, study_.tests.mixing))
       add(std::move(test));
-    for (const auto& warning : warnings_on_bounds(quality_of(stage_, done_))) {
+    for (const auto& warning : warnings_on_bounds(quality_of(study_, stage_, done_))) {
       done_.warnings.push_back(fmt::format("{}: {}", stage_.name, warning));
     }
     if (serves_as_matrix(study_.stages, stage_.name))
