@@ -76,6 +76,8 @@ std::vector<std::string> stage_hashes_of(const Deck& document, const Study& stud
     // A later stage that builds on this one adds loads to its tests.
     for (const auto load : loads_of(study, stage)) content += name_of(load);
     content += serves_as_matrix(study.stages, stage.name) ? "matrix" : "last";
+    // The default mixing depends on other stages, too.
+    if (study.tests.mixing == Mixing::flow) content += name_of(Mixing::flow);
     hashes.push_back(content_hash(content));
   }
   return hashes;

@@ -6,17 +6,19 @@
 
 #include "discretisation/contrast.hpp"
 #include "homogenisation/run/test_requests.hpp"
+#include "study/test_rules.hpp"
 
 namespace breccia {
 
 bool has_narrow_gaps(const Stage& stage, const StageMicrostructure& packed) {
-  constexpr double rounding = 1e-9, widest = 1.5 * (1.0 - rounding), widest_film = 1.4;
+  constexpr double rounding = 1e-9, widest = cells_in_narrow_gaps * (1.0 - rounding), widest_film = 1.4;
   const double cells = std::min(packed.gap, packed.wall_gap) / stage.cell_size();
   return cells < (packed.grains() != nullptr ? widest_film : widest);
 }
 
 Mixing mixing_of(const Study& study, const Stage& stage, const StageMicrostructure& packed) {
   if (study.tests.mixing != Mixing::flow) return study.tests.mixing;
+  if (model_of(study.tests, stage) == Model::films) return Mixing::series;
   const bool are_stiffer = are_stiffer_than_matrix(materials_of(stage, expected_matrix(study, stage)));
   return has_narrow_gaps(stage, packed) && are_stiffer ? Mixing::flow : Mixing::series;
 }

@@ -5,6 +5,9 @@
 
 namespace breccia {
 
+/// Gaps between particles with fewer cells are narrow.
+inline constexpr double cells_in_narrow_gaps = 1.5;
+
 /// Whether the gaps of a stage are so narrow on its finest grid that flow through them serves better than cells in
 /// series: below one and a half cells between particles, below 1.4 cells between grains (docs/gaps-under-a-cell.md).
 [[nodiscard]] bool has_narrow_gaps(const Stage& stage, const StageMicrostructure& packed);

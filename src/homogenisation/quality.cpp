@@ -228,8 +228,9 @@ std::vector<std::string> warnings_on_bounds(const StageQuality& quality) {
   for (const auto& load : quality.loads) {
     const auto crossed = worst_crossing(load);
     if (!crossed) continue;
-    std::string gaps;
-    for (const int grid : std::isfinite(quality.gap_cells) ? quality.grids : std::vector<int>()) {
+    std::string gaps = quality.has_flow ? ", or for 12 cells across the smallest particle" : "";
+    const bool counts_gaps = std::isfinite(quality.gap_cells) && !quality.has_flow;
+    for (const int grid : counts_gaps ? quality.grids : std::vector<int>()) {
       gaps += fmt::format("{}{:.2g} wide with cells = {}", gaps.empty() ? ", in cells " : ", ",
                           quality.gap_cells_on(grid), grid);
     }

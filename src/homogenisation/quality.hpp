@@ -38,7 +38,7 @@ struct StageQuality {
   std::optional<double> fraction_asked;  ///< area fraction in the deck [-]; only for a packing that draws its particles
   /// The narrowest gap in cells of the finest grid; infinite without a gap.
   double gap_cells = std::numeric_limits<double>::infinity();
-  bool has_flow = false;                     ///< whether the matrix flows through gaps narrower than a cell
+  bool has_flow = false;                     ///< whether the matrix flows through the gaps
   std::optional<double> coating_cells = {};  ///< the thinnest coating in cells of the finest grid; nothing without one
   std::vector<int> grids;                    ///< cells per side, rising; empty where films are computed without cells
   bool is_random = false;                    ///< whether the packing depends on a seed

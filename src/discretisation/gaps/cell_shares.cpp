@@ -101,8 +101,8 @@ bool has_owned_binder(const GapGeometry& geometry, const CellPlace& place) {
 }
 
 /// The share of binder, for the deviators, of a cell that the surface of one particle crosses: the geometric mean of
-/// its area and the share for which the cell has the work of a constant stress under the motion of its free nodes in a
-/// layer that is sheared, the distance from the particle (theory, section 2).
+/// two shares. One is its area. With the other one, at most 1, the cell has the work of a constant stress if its free
+/// nodes move in proportion to their distances from the particle, as in a layer that is sheared (theory, section 2).
 double share_of_layer(const GapGeometry& geometry, const CellPlace& place, ImageIndex image, double binder) {
   Eigen::Vector4d distances;
   for (int node = 0; node < CellShape<2>::nodes; ++node) {
@@ -113,10 +113,11 @@ double share_of_layer(const GapGeometry& geometry, const CellPlace& place, Image
   if (distances.minCoeff() > 0.0 || distances.maxCoeff() <= rounding) return binder;
   const double lower = distances[1] - distances[0], upper = distances[3] - distances[2];
   const double left = distances[2] - distances[0], right = distances[3] - distances[1];
-  // Of a gradient that is linear across the cell, from one value to the other, over points at a quarter and three.
+  // The mean over the points of the cell, at 1/4 and 3/4, of the square of a value that is linear from side to side.
   const auto mean_square = [](double from, double to) { return 0.3125 * (from * from + to * to) + 0.375 * from * to; };
   const double mean = std::hypot(0.5 * (lower + upper), 0.5 * (left + right));
-  return mean > rounding ? std::sqrt(binder * (mean_square(lower, upper) + mean_square(left, right)) / mean) : binder;
+  const double of_work = (mean_square(lower, upper) + mean_square(left, right)) / std::max(mean, rounding);
+  return std::sqrt(binder * std::min(of_work, 1.0));
 }
 
 /// Binder of channels that lies in cells beside them counts for the channels.

@@ -151,9 +151,12 @@ class Crossing {
     return false;
   }
 
-  /// The component along the face of the direction across the gap; in a wide space that of no direction, in the mean.
+  /// The component along the face of the direction across the gap; the mean of all directions where the point is not
+  /// between two particles.
   [[nodiscard]] double along_gap(const NearestTwo& nearest, const Vector<2>& point) const {
-    if (nearest.second == no_image) return std::sqrt(0.5);
+    const bool is_between = nearest.second != no_image &&
+                            dot(images_.normal(nearest.first, point), images_.normal(nearest.second, point)) < 0.0;
+    if (!is_between) return std::sqrt(0.5);
     return std::abs(images_.across(nearest.first, nearest.second, point)[place_.along]);
   }
 

@@ -11,6 +11,7 @@
 #include "breccia/microstructure/ellipsoid.hpp"
 
 #include "discretisation/cell_shape.hpp"
+#include "homogenisation/narrow_gaps.hpp"
 #include "homogenisation/plan/expected_snapshots.hpp"
 #include "homogenisation/plan/measured_costs.hpp"
 #include "homogenisation/run/test_requests.hpp"
@@ -132,7 +133,11 @@ double bytes_of_square(const Study& study, const Stage& stage, double strains) {
 double quasistatic_unknowns(const Study& study, const Stage& stage, int cells) {
   // Displacements of a node; there are about as many nodes as cells.
   const double of_nodes = stage.dimensions() * std::pow(static_cast<double>(cells), stage.dimensions());
-  return study.tests.mixing == Mixing::flow ? measured_costs::unknowns_with_flow * of_nodes : of_nodes;
+  // Before the packing only the gap that the deck asks for is known.
+  const bool has_narrow_gaps = std::ranges::any_of(
+      stage.fillers, [&](const Filler& filler) { return filler.gap < cells_in_narrow_gaps * stage.cell_size(); });
+  const bool has_flow = study.tests.mixing == Mixing::flow && has_narrow_gaps;
+  return has_flow ? measured_costs::unknowns_with_flow * of_nodes : of_nodes;
 }
 
 double share_of_mixed_cells(const Study& study, const Stage& stage, int cells) {

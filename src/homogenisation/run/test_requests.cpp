@@ -135,7 +135,9 @@ Material expected_matrix(const Study& study, const Stage& stage) {
   // bulk modulus that under uniform pressure (rule of mixtures).
   const double rigid =
       stage.dimensions() == 3 ? 1.0 + 2.5 * fraction / (1.0 - fraction) : (1.0 + fraction) / (1.0 - fraction);
-  const double stiffening = std::min(rigid, shear / matrix.shear.unrelaxed());
+  // No composite is quite as stiff as its filler.
+  constexpr double softer = 1.0 - 1e-6;
+  const double stiffening = std::min(rigid, softer * shear / matrix.shear.unrelaxed());
   const double bulk = 1.0 / mixed(1.0 / matrix.bulk.unrelaxed(), bulk_compliance, fraction);
   return {name, mixed(matrix.density, density, fraction), PronySeries(bulk), matrix.shear.scaled(stiffening)};
 }

@@ -134,15 +134,10 @@ class GreedySampling {
                       Candidate& within_rounding) const {
     auto response = bases_[load].response();
     response.residual_scale = scales_[load] > 0.0 ? scales_[load] : 1.0;
-    // At a snapshot the reduced response is exact; the residual there is that of the solver.
-    double of_solver = 0.0;
-    for (const auto& snapshot : response.snapshots) {
-      of_solver = std::max(of_solver, squared_residual(response, snapshot.moduli));
-    }
     for (const auto& moduli : training_set) {
       const double estimate = response.error_estimate(moduli);
       const bool is_rounding =
-          squared_residual(response, moduli) <= of_solver || estimate <= rounding_of_error_estimate(response, moduli);
+          estimate <= rounding_of_error_estimate(response, moduli) || has_residual_of_snapshot(response, moduli);
       auto& largest = is_rounding ? within_rounding : choice;
       if (estimate > largest.estimate) largest = {moduli, estimate};
     }

@@ -37,6 +37,13 @@ Eigen::VectorXd residual_weights(const Eigen::VectorXd& solution, std::span<cons
   return weights;
 }
 
+/// The square of the norm of the residual.
+double squared_residual(const ReducedResponse& response, const Eigen::VectorXd& solution,
+                        std::span<const double> parameters) {
+  const auto residual = residual_weights(solution, parameters);
+  return std::max(0.0, residual.dot(response.residual_products * residual));
+}
+
 /// The least shear modulus [Pa] of the phases that vary, which bounds the stiffness against the residual of the basis
 /// from below.
 double softest_shear(const ReducedResponse& response, std::span<const double> parameters) {
@@ -185,10 +192,9 @@ double ReducedResponse::modulus(const Moduli& matrix) const {
 
 double ReducedResponse::error_estimate(std::span<const double> parameters) const {
   const Eigen::VectorXd solution = reduced_solution(*this, parameters);
-  const auto residual = residual_weights(solution, parameters);
-  const double squared = std::max(0.0, residual.dot(residual_products * residual));
   // The error of e' K^-1 e is r' K^-1 r.
-  return residual_scale * squared / (softest_shear(*this, parameters) * load_forces.dot(solution));
+  return residual_scale * squared_residual(*this, solution, parameters) /
+         (softest_shear(*this, parameters) * load_forces.dot(solution));
 }
 
 double ReducedResponse::error_estimate(std::span<const Moduli> of_phases) const {
@@ -208,10 +214,22 @@ double quasistatic::rounding_of_error_estimate(const ReducedResponse& response, 
   return response.residual_scale * squared / (softest_shear(response, parameters) * response.load_forces.dot(solution));
 }
 
-double quasistatic::squared_residual(const ReducedResponse& response, std::span<const Moduli> of_phases) {
-  const auto parameters = response.parameters(of_phases);
-  const auto residual = residual_weights(reduced_solution(response, parameters), parameters);
-  return std::max(0.0, residual.dot(response.residual_products * residual));
+bool quasistatic::has_residual_of_snapshot(const ReducedResponse& response, std::span<const Moduli> of_phases) {
+  if (response.snapshots.empty()) return false;
+  const auto distance = [of_phases](const Snapshot& snapshot) {
+    double sum = 0.0;
+    for (std::size_t phase = 0; phase < of_phases.size(); ++phase) {
+      sum += std::abs(std::log(snapshot.moduli[phase].bulk / of_phases[phase].bulk));
+      sum += std::abs(std::log(snapshot.moduli[phase].shear / of_phases[phase].shear));
+    }
+    return sum;
+  };
+  const auto nearest = std::ranges::min_element(response.snapshots, {}, distance);
+  const auto squared_at = [&response](std::span<const Moduli> moduli) {
+    const auto parameters = response.parameters(moduli);
+    return squared_residual(response, reduced_solution(response, parameters), parameters);
+  };
+  return squared_at(of_phases) <= squared_at(nearest->moduli);
 }
 
 CreepCompliance creep_compliance(const ReducedResponse& response, std::span<const Material> of_phases) {

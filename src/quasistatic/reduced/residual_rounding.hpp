@@ -10,7 +10,8 @@ namespace breccia::quasistatic {
 /// sum of large products of opposite signs. A smaller estimate is meaningless, and no further snapshot would reduce it.
 double rounding_of_error_estimate(const ReducedResponse& response, std::span<const Moduli> of_phases);
 
-/// The square of the residual's norm, from which ReducedResponse::error_estimate follows.
-double squared_residual(const ReducedResponse& response, std::span<const Moduli> of_phases);
+/// Whether the residual is no larger than at the snapshot whose moduli are nearest. There the reduced response is
+/// exact, and the residual is that of the solver.
+bool has_residual_of_snapshot(const ReducedResponse& response, std::span<const Moduli> of_phases);
 
 }  // namespace breccia::quasistatic
