@@ -119,7 +119,8 @@ TEST_F(TestRequests, ExpectNoStageStifferThanItsFiller) {
   const auto shear = [&] { return expected_matrix(study, coarse).shear.unrelaxed() / test::binder.shear.unrelaxed(); };
   EXPECT_NEAR(shear(), 3.0, 1e-12);
   study.stages[0].fillers[0].material.shear = test::binder.shear.scaled(1.1);
-  EXPECT_NEAR(shear(), 1.1, 1e-12);
+  EXPECT_LT(shear(), 1.1) << "and softer by more than rounding, so that the filler counts as stiffer";
+  EXPECT_NEAR(shear(), 1.1, 1e-5);
 }
 
 }  // namespace
