@@ -76,7 +76,7 @@ NarrowGap film_of(const StageMicrostructure& packed, Mixing mixing) {
           std::min(packed.gap, packed.wall_gap), film_rule(mixing)};
 }
 
-/// A warning about narrow gaps that the study has flow through, but not this stage.
+/// A warning about a stage without flow through its narrow gaps, though the study has flow.
 std::optional<std::string> warning_of_missing_flow(const Study& study, const Stage& stage,
                                                    const StageMicrostructure& packed) {
   const bool lacks_flow = study.tests.mixing == Mixing::flow && mixing_of(study, stage, packed) != Mixing::flow;

@@ -134,9 +134,9 @@ double quasistatic_unknowns(const Study& study, const Stage& stage, int cells) {
   // Displacements of a node; there are about as many nodes as cells.
   const double of_nodes = stage.dimensions() * std::pow(static_cast<double>(cells), stage.dimensions());
   // Before the packing only the gap that the deck asks for is known.
-  const bool has_narrow_gaps = std::ranges::any_of(
+  const bool asks_for_narrow_gaps = std::ranges::any_of(
       stage.fillers, [&](const Filler& filler) { return filler.gap < cells_in_narrow_gaps * stage.cell_size(); });
-  const bool has_flow = study.tests.mixing == Mixing::flow && has_narrow_gaps;
+  const bool has_flow = study.tests.mixing == Mixing::flow && asks_for_narrow_gaps;
   return has_flow ? measured_costs::unknowns_with_flow * of_nodes : of_nodes;
 }
 
