@@ -95,7 +95,7 @@ TEST(GapFacet, DoesNotDependOnTheFirstCornerOrTheDirection) {
   const auto width = between_spheres(5.0, 0.1);
   const Eigen::Vector4d flow(0.3, -1.0, 0.4, 0.8);
   const double expected = dissipation(make_facet(corners, width), flow);
-  std::ranges::rotate(corners, corners.begin() + 1);
+  std::rotate(corners.begin(), corners.begin() + 1, corners.end());
   EXPECT_NEAR(dissipation(make_facet(corners, width), Eigen::Vector4d(-1.0, 0.4, 0.8, 0.3)), expected, 1e-9 * expected);
   std::ranges::reverse(corners);
   EXPECT_NEAR(dissipation(make_facet(corners, width), Eigen::Vector4d(0.8, 0.4, -1.0, 0.3)), expected, 1e-9 * expected);
