@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "discretisation/gaps/face_parts.hpp"
+#include "discretisation/gaps/facet_corners.hpp"
 #include "microstructure/vector_algebra.hpp"
 
 namespace breccia::gaps {
@@ -93,63 +94,43 @@ struct Motion {
   }
 };
 
+ChangesInCell changes_in_cube(const Plane& plane) {
+  ChangesInCell changes;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t node = 0; node < 8; ++node) changes[edge_of_cell(node, axis)] = change_on_edge(plane, node, axis);
+  }
+  return changes;
+}
+
 /// What flows out of the cube through its faces.
 double volume_change(const Plane& plane, const Motion& motion) {
+  const auto changes = changes_in_cube(plane);
   double out = 0.0;
-  for (std::size_t normal = 0; normal < 3; ++normal) {
-    const std::array<std::size_t, 2> axes = {normal == 0 ? std::size_t{1} : 0, normal == 2 ? std::size_t{1} : 2};
-    for (std::size_t side = 0; side < 2; ++side) {
-      const auto node_of = [&](std::size_t node) {
-        return (side << normal) | ((node & 1U) << axes[0]) | ((node >> 1U) << axes[1]);
-      };
-      ChangesOfOwner changes;
-      for (std::size_t axis = 0; axis < 2; ++axis) {
-        for (std::size_t node = 0; node < 4; ++node) {
-          changes[edge_from(node, axis)] = change_on_edge(plane, node_of(node), axes[axis]);
-        }
-      }
-      const auto flux = flux_through_face(changes);
-      for (std::size_t node = 0; node < 4; ++node) {
-        const auto place = node_of_cube(node_of(node));
-        if (!(plane.distance(place) > 0.0)) continue;
-        const double through = flux.of_nodes[node] * motion.at(place)[normal] +
-                               flux.of_slopes[node][0] * motion.slope(normal, axes[0]) +
-                               flux.of_slopes[node][1] * motion.slope(normal, axes[1]);
-        out += side == 1 ? through : -through;
-      }
+  for (std::size_t face = 0; face < 6; ++face) {
+    const auto flux = flux_through_face(changes_on_face(changes, face));
+    const std::size_t normal = face / 2;
+    for (std::size_t node = 0; node < 4; ++node) {
+      const auto place = node_of_cube(node_of_face(face, node));
+      if (!(plane.distance(place) > 0.0)) continue;
+      const double through = flux.of_nodes[node] * motion.at(place)[normal] +
+                             flux.of_slopes[node][0] * motion.slope(normal, axis_of_face(face, 0)) +
+                             flux.of_slopes[node][1] * motion.slope(normal, axis_of_face(face, 1));
+      out += face % 2 == 1 ? through : -through;
     }
   }
   return out;
 }
 
-/// The area of the polygon in which the plane cuts the cube, and its centroid.
-std::pair<double, Vector<3>> cut(const Plane& plane) {
-  std::vector<Vector<3>> corners;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (std::size_t node = 0; node < 8; ++node) {
-      const bool is_lower = ((node >> axis) & 1U) == 0;
-      if (const auto place = change_on_edge(plane, node, axis); is_lower && place) {
-        corners.push_back(node_of_cube(node));
-        corners.back()[axis] = *place;
-      }
-    }
-  }
-  Vector<3> middle{};
-  for (const auto& corner : corners) middle += corner / static_cast<double>(corners.size());
-  const auto first = corners.front() - middle;
-  const auto& n = plane.normal;
-  const Vector<3> second = {n[1] * first[2] - n[2] * first[1], n[2] * first[0] - n[0] * first[2],
-                            n[0] * first[1] - n[1] * first[0]};
-  std::ranges::sort(corners, {}, [&](const Vector<3>& corner) {
-    return std::atan2(dot(corner - middle, second), dot(corner - middle, first));
-  });
+/// The area of a polygon and its centroid.
+std::pair<double, Vector<3>> area_and_centroid(const std::vector<Vector<3>>& corners) {
+  const auto& origin = corners.front();
   double area = 0.0;
   Vector<3> moment{};
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const auto a = corners[k] - middle, b = corners[(k + 1) % corners.size()] - middle;
+  for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
+    const auto a = corners[k] - origin, b = corners[k + 1] - origin;
     const double part = 0.5 * std::sqrt(std::max(dot(a, a) * dot(b, b) - dot(a, b) * dot(a, b), 0.0));
     area += part;
-    moment += part / 3.0 * (3.0 * middle + a + b);
+    moment += part / 3.0 * (3.0 * origin + a + b);
   }
   return {area, moment / area};
 }
@@ -164,13 +145,65 @@ std::vector<Plane> planes() {
       found.push_back({normal, dot(normal, Vector<3>{0.5, 0.5, 0.5}) + along});
     }
   }
+  found.push_back({{2.0 / 3.0, 2.0 / 3.0, 1.0 / 3.0}, 0.2});
   return found;
+}
+
+TEST(CornersOfFacet, LieOnThePlaneAndOnTheirFaces) {
+  std::size_t most = 0, fewest = 12;
+  for (const auto& plane : planes()) {
+    const auto facet = corners_of_facet(changes_in_cube(plane));
+    ASSERT_TRUE(facet);
+    const auto& [corners, faces] = *facet;
+    ASSERT_EQ(corners.size(), faces.size());
+    most = std::max(most, corners.size());
+    fewest = std::min(fewest, corners.size());
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const auto place = static_cast<double>(faces[k] % 2);
+      EXPECT_NEAR(plane.distance(corners[k]), 0.0, 1e-15);
+      EXPECT_EQ(corners[k][faces[k] / 2], place);
+      EXPECT_EQ(corners[(k + 1) % corners.size()][faces[k] / 2], place);
+    }
+  }
+  EXPECT_EQ(fewest, 3U);
+  EXPECT_EQ(most, 6U);
+}
+
+TEST(CornersOfFacet, AreThoseOfASquareBetweenTwoLayersOfNodes) {
+  const auto facet = corners_of_facet(changes_in_cube({{0.0, 0.0, 1.0}, 0.3}));
+  ASSERT_TRUE(facet);
+  EXPECT_EQ(facet->corners.size(), 4U);
+  const auto [area, centroid] = area_and_centroid(facet->corners);
+  EXPECT_NEAR(area, 1.0, 1e-15);
+  EXPECT_NEAR(norm(centroid - Vector<3>{0.5, 0.5, 0.3}), 0.0, 1e-15);
+}
+
+TEST(CornersOfFacet, AreNoneInACellOfOneOwner) {
+  EXPECT_FALSE(corners_of_facet({}));
+}
+
+TEST(CornersOfFacet, AreNoneWhereTheyAreTwoPolygons) {
+  // Nodes 0 and 7, in opposite corners, belong to one particle, all others to another one.
+  ChangesInCell changes;
+  for (const std::size_t node : {std::size_t{0}, std::size_t{7}}) {
+    for (std::size_t axis = 0; axis < 3; ++axis) changes[edge_of_cell(node, axis)] = 0.4;
+  }
+  EXPECT_FALSE(corners_of_facet(changes));
+}
+
+TEST(CornersOfFacet, AreNoneWhereOwnersAlternateAroundAFace) {
+  // Nodes 0 and 3, across the diagonal of the lower face along the third axis.
+  ChangesInCell changes;
+  for (const std::size_t node : {std::size_t{0}, std::size_t{3}}) {
+    for (std::size_t axis = 0; axis < 3; ++axis) changes[edge_of_cell(node, axis)] = 0.4;
+  }
+  EXPECT_FALSE(corners_of_facet(changes));
 }
 
 TEST(FluxThroughFaces, OfACubeIsThatThroughTheGap) {
   const Motion motion = {{0.3, -0.7, 0.4}, {0.9, 0.2, -0.5}};
   for (const auto& plane : planes()) {
-    const auto [area, centroid] = cut(plane);
+    const auto [area, centroid] = area_and_centroid(corners_of_facet(changes_in_cube(plane))->corners);
     EXPECT_NEAR(volume_change(plane, motion), area * dot(plane.normal, motion.at(centroid)), 1e-13);
   }
 }
