@@ -12,7 +12,7 @@ namespace breccia::gaps {
 namespace {
 
 using Corners = std::span<const Vector<3>>;
-/// A flow, or a number that depends on it, as a form of the flows through the edges and of a circulation, the last one.
+/// A number that depends on the flow, as a linear form of the flows through the edges and, last, of a circulation.
 using FlowForm = Eigen::RowVectorXd;
 using FlowForms = Eigen::Matrix<double, 3, Eigen::Dynamic>;
 

@@ -29,7 +29,8 @@ struct Facet {
 
 /// The facet with these corners, three or more, in their order around it, by lubrication of the second order for a
 /// parabolic profile. The flow is that of Raviart and Thomas of the lowest order on the triangles between the edges and
-/// the centroid, with the same divergence in all of them (docs/gaps-in-space.md). A facet without area has none.
+/// the centroid, with the same divergence in all of them (docs/gaps-in-space.md). A facet without area has no
+/// resistance.
 [[nodiscard]] Facet make_facet(std::span<const Vector<3>> corners, const WidthAt& width);
 
 }  // namespace breccia::gaps
