@@ -244,9 +244,9 @@ mixing = "flow"
 TEST(Mixing, IsWithFlowByDefaultWhereGapsAreNarrow) {
   const std::vector<std::string> by_default = {"--set", "tests.method=quasistatic", "--set",
                                                "tests.volumetric=averaged"};
-  const auto moduli_with = [&](std::vector<std::string> others) {
+  const auto moduli_with = [&](const std::vector<std::string>& others) {
     const StudyDirectory study(model_deck);
-    const auto run = study.breccia("run", with(by_default, std::move(others)));
+    const auto run = study.breccia("run", with(by_default, others));
     EXPECT_EQ(run.exit_code, 0) << run.errors;
     return std::pair(moduli(study, "quasistatic"), run.output);
   };

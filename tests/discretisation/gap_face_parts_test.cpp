@@ -10,8 +10,8 @@
 
 #include <gtest/gtest.h>
 
-#include "discretisation/gaps/face_parts.hpp"
-#include "discretisation/gaps/facet_corners.hpp"
+#include "discretisation/gaps/space/face_parts.hpp"
+#include "discretisation/gaps/space/facet_corners.hpp"
 #include "microstructure/vector_algebra.hpp"
 
 namespace breccia::gaps {

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "discretisation/gaps/facet.hpp"
+#include "discretisation/gaps/space/facet.hpp"
 #include "microstructure/vector_algebra.hpp"
 
 namespace breccia::gaps {

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "discretisation/gaps/outline.hpp"
+#include "discretisation/gaps/plane/outline.hpp"
 #include "microstructure/vector_algebra.hpp"
 
 namespace breccia::gaps {
@@ -82,8 +82,8 @@ TEST_P(AnyOutline, ChordsEndOnIt) {
   const auto outline = this->outline();
   int found = 0;
   for (int i = 0; i < 40; ++i) {
-    const GridLine line = {{-3.0, 0.37 * i - 7.0}, 0};
-    const GridLine upright = {{0.37 * i - 7.0, 1.0}, 1};
+    const GridLine<2> line = {{-3.0, 0.37 * i - 7.0}, 0};
+    const GridLine<2> upright = {{0.37 * i - 7.0, 1.0}, 1};
     for (const auto& one_line : {line, upright}) {
       const auto inside = outline.chord(one_line);
       if (!inside) continue;
@@ -104,7 +104,7 @@ TEST_P(AnyOutline, HasItsAreaInSquares) {
   for (int x = -9; x < 9; ++x) {
     for (int y = -9; y < 9; ++y) {
       const Vector<2> corner = {static_cast<double>(x), static_cast<double>(y)};
-      const double area = outline.area_in_square(corner);
+      const double area = outline.content_of_cell(corner);
       EXPECT_GE(area, 0.0);
       EXPECT_LE(area, 1.0);
       sum += area;
@@ -127,14 +127,14 @@ TEST_P(AnyOutline, HasItsAreaInSquares) {
 TEST(PolygonOutline, HasChordsAlongItsSides) {
   const PolygonOutline square = {{{2.0, 2.0}, {6.0, 2.0}, {6.0, 6.0}, {2.0, 6.0}}};
   for (const double at : {2.0, 3.0, 6.0}) {
-    for (const GridLine& line : {GridLine{{1.0, at}, 0}, GridLine{{at, 1.0}, 1}}) {
+    for (const GridLine<2>& line : {GridLine<2>{{1.0, at}, 0}, GridLine<2>{{at, 1.0}, 1}}) {
       const auto inside = chord(square, line);
       ASSERT_TRUE(inside) << at;
       EXPECT_EQ(inside->begin, 1.0);
       EXPECT_EQ(inside->end, 5.0);
     }
   }
-  EXPECT_FALSE(chord(square, GridLine{{1.0, 6.5}, 0}));
+  EXPECT_FALSE(chord(square, GridLine<2>{{1.0, 6.5}, 0}));
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, AnyOutline, testing::Range(std::size_t{0}, cases().size()),

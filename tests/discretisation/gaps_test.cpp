@@ -9,9 +9,9 @@
 
 #include "breccia/error.hpp"
 
-#include "discretisation/gaps/cell_shares.hpp"
-#include "discretisation/gaps/cell_terms.hpp"
-#include "discretisation/gaps/gap_cells.hpp"
+#include "discretisation/gaps/plane/cell_shares.hpp"
+#include "discretisation/gaps/plane/cell_terms.hpp"
+#include "discretisation/gaps/plane/square_cells.hpp"
 #include "microstructure/vector_algebra.hpp"
 
 namespace breccia::gaps {
@@ -36,7 +36,7 @@ Microstructure<2> lattice(int steps, int step, double gap, const Vector<2>& orig
 }
 
 /// Discs without coatings, of phase 1.
-ParticlesInBox without_coatings(const Microstructure<2>& box) {
+ParticlesInBox<2> without_coatings(const Microstructure<2>& box) {
   return {as_particles(box), 0, std::vector<ParticlePhases>(box.particles.size(), {.phase = 1})};
 }
 
@@ -48,10 +48,10 @@ struct Geometry {
         faces(images, owners),
         phases(box.particles.size(), {.phase = 1}) {}
 
-  [[nodiscard]] GapGeometry all() const { return {images, owners, faces, 0, phases}; }
+  [[nodiscard]] GapGeometry<2> all() const { return {images, owners, faces, 0, phases}; }
 
-  ParticleImages images;
-  Owners owners;
+  ParticleImages<2> images;
+  Owners<2> owners;
   FaceTable faces;
   std::vector<ParticlePhases> phases;
 };
@@ -64,7 +64,7 @@ void for_each_cell(const Action& action) {
 
 TEST(ParticleImages, FindTheTwoThatAreNearestAcrossTheSidesOfTheBox) {
   const Microstructure<2> box = {2.0, Walls::periodic, {{{0.1, 1.0}, 0.6}, {{1.0, 1.0}, 0.4}}};
-  const ParticleImages discs(without_coatings(box), cells, Boundary::periodic);  // ten cells a unit of length
+  const ParticleImages<2> discs(without_coatings(box), cells, Boundary::periodic);  // ten cells a unit of length
   const auto nearest = discs.nearest_two({19.0, 10.0});
   EXPECT_EQ(discs.particle(nearest.first), 0U);
   EXPECT_NEAR(nearest.to_first, -1.0, 1e-12);
@@ -76,19 +76,19 @@ TEST(ParticleImages, FindTheTwoThatAreNearestAcrossTheSidesOfTheBox) {
 
 TEST(ParticleImages, LeaveBinderOnALineBetweenThem) {
   const Microstructure<2> box = {20.0, Walls::periodic, {{{9.0, 10.0}, 2.5}, {{11.5, 10.0}, 2.0}}};
-  const auto binder = ParticleImages(without_coatings(box), cells, Boundary::periodic).binder_on({{10.0, 10.0}, 0});
+  const auto binder = ParticleImages<2>(without_coatings(box), cells, Boundary::periodic).binder_on({{10.0, 10.0}, 0});
   ASSERT_EQ(binder.size(), 1U);
   EXPECT_NEAR(binder[0].begin, 0.25, 1e-12);
   EXPECT_NEAR(binder[0].end, 0.5, 1e-12);
 }
 
 TEST(ParticleImages, OfABoxWithWallsUnderAPeriodicBoundaryAreRefused) {
-  EXPECT_THROW(ParticleImages(without_coatings({1.0, Walls::hard, {}}), cells, Boundary::periodic), InputError);
+  EXPECT_THROW(ParticleImages<2>(without_coatings({1.0, Walls::hard, {}}), cells, Boundary::periodic), InputError);
 }
 
 TEST(ParticleImages, KnowTheWallsOfABoxUnderADisplacementBoundary) {
   const Microstructure<2> box = {20.0, Walls::hard, {{{5.5, 10.0}, 10.0}}};
-  const ParticleImages held(without_coatings(box), cells, Boundary::displacement),
+  const ParticleImages<2> held(without_coatings(box), cells, Boundary::displacement),
       drawn(without_coatings(box), cells, Boundary::traction);
   const auto nearest = held.nearest_two({0.2, 10.0});
   EXPECT_EQ(nearest.first, walls);
@@ -96,16 +96,16 @@ TEST(ParticleImages, KnowTheWallsOfABoxUnderADisplacementBoundary) {
   EXPECT_EQ(held.normal(walls, {0.2, 10.0}), (Vector<2>{1.0, 0.0}));
   EXPECT_EQ(held.normal(walls, {10.0, 19.5}), (Vector<2>{0.0, -1.0}));
   EXPECT_EQ(drawn.nearest_two({0.2, 10.0}).second, no_image);
-  EXPECT_EQ(Owners(held).of({0, 10}), walls);
-  EXPECT_TRUE(Owners(drawn).is_free({0, 10}));
-  EXPECT_TRUE(Owners(held).is_free({-1, 10}));
+  EXPECT_EQ(Owners<2>(held).of({0, 10}), walls);
+  EXPECT_TRUE(Owners<2>(drawn).is_free({0, 10}));
+  EXPECT_TRUE(Owners<2>(held).is_free({-1, 10}));
 }
 
 TEST(Owners, OfNodesInANarrowGapAreTheNearerParticles) {
   // The gap is one cell wide, from 9.6 to 10.6; nodes at 10 lie in it.
   const Microstructure<2> box = {20.0, Walls::periodic, {{{4.6, 10.0}, 10.0}, {{15.6, 10.0}, 10.0}}};
-  const ParticleImages discs(without_coatings(box), cells, Boundary::periodic);
-  const Owners owners(discs);
+  const ParticleImages<2> discs(without_coatings(box), cells, Boundary::periodic);
+  const Owners<2> owners(discs);
   EXPECT_EQ(owners.of({10, 10}), owners.of({9, 10}));
   EXPECT_TRUE(owners.is_in_binder({10, 10}));
   EXPECT_FALSE(owners.is_in_binder({9, 10}));
@@ -116,9 +116,9 @@ TEST(Owners, OfNodesInANarrowGapAreTheNearerParticles) {
 // A disc touches the wall; behind it there is no gap, though both are near.
 TEST(Owners, OfNodesBehindASmallParticleAreNone) {
   const Microstructure<2> box = {20.0, Walls::hard, {{{0.3, 10.0}, 0.6 - 1e-9}}};
-  const ParticleImages images(without_coatings(box), cells, Boundary::displacement);
-  EXPECT_TRUE(Owners(images).is_free({1, 10}));
-  EXPECT_EQ(Owners(images).of({0, 3}), walls);
+  const ParticleImages<2> images(without_coatings(box), cells, Boundary::displacement);
+  EXPECT_TRUE(Owners<2>(images).is_free({1, 10}));
+  EXPECT_EQ(Owners<2>(images).of({0, 3}), walls);
 }
 
 class AnyLattice : public testing::TestWithParam<std::array<int, 2>> {
@@ -129,13 +129,13 @@ class AnyLattice : public testing::TestWithParam<std::array<int, 2>> {
 };
 
 /// The unknowns of a cell in a displacement with these gradients of u_x and of u_y, without flow.
-CellUnknowns linear_motion(const CellPlace& place, const std::array<Vector<2>, 2>& gradient) {
-  CellUnknowns unknowns = CellUnknowns::Zero();
+CellUnknowns<2> linear_motion(const CellPlace& place, const std::array<Vector<2>, 2>& gradient) {
+  CellUnknowns<2> unknowns = CellUnknowns<2>::Zero();
   for (int node = 0; node < 4; ++node) {
     const Vector<2> x = {static_cast<double>(place.node(node)[0]), static_cast<double>(place.node(node)[1])};
-    for (std::size_t axis = 0; axis < 2; ++axis) unknowns[displacement_of(node, axis)] = dot(gradient[axis], x);
+    for (std::size_t axis = 0; axis < 2; ++axis) unknowns[displacement_of<2>(node, axis)] = dot(gradient[axis], x);
   }
-  for (int face = 0; face < faces_of_cell; ++face) {
+  for (int face = 0; face < faces_of_cell<2>; ++face) {
     const auto normal = CellPlace::normal(face);
     for (int end = 0; end < 2; ++end) unknowns[slope_at(face, end)] = gradient[normal][1 - normal];
   }
@@ -166,7 +166,7 @@ TEST(GapCells, BetweenWallsKeepTheirVolumeInALinearDisplacement) {
   int of_walls = 0;
   for_each_cell([&](const Index<2>& cell) {
     const CellPlace place(geometry.all(), cell);
-    for (int face = 0; face < faces_of_cell; ++face) {
+    for (int face = 0; face < faces_of_cell<2>; ++face) {
       for (int end = 0; end < 2; ++end) of_walls += place.is_on_wall(face, end) ? 1 : 0;
     }
     ASSERT_NEAR(volume_change(place).dot(linear_motion(place, gradient)), 0.0, 1e-13) << cell[0] << ' ' << cell[1];
@@ -181,9 +181,9 @@ TEST(GapCells, OfABoxWithWallsExchangeVolumeWithOneAnotherAlone) {
     std::vector<double> total(static_cast<std::size_t>(gap_cells.unknowns()), 0.0);
     std::vector<int> seen(total.size(), 0);
     for (const auto& cell : gap_cells.cells()) {
-      for (std::size_t k = 0; k < cell.face_unknowns.size(); ++k) {
-        const auto number = cell.face_unknowns[k];
-        if (number == GapCell::none) continue;
+      for (std::size_t k = 0; k < cell.gap_unknowns.size(); ++k) {
+        const auto number = cell.gap_unknowns[k];
+        if (number == GapCell<2>::none) continue;
         total[static_cast<std::size_t>(number)] += cell.volume[CellShape<2>::dofs + static_cast<Eigen::Index>(k)];
         ++seen[static_cast<std::size_t>(number)];
       }
@@ -207,12 +207,12 @@ TEST_P(AnyLattice, ParticlesThatSlideChangeNoVolume) {
     const CellPlace place(geometry.all(), cell);
     if (place.has_free_node() || !(place.has_one_owner() || place.is_in_chain())) return;
     const auto first = geometry.images.outline(place.owner(0));
-    CellUnknowns unknowns = CellUnknowns::Zero();
+    CellUnknowns<2> unknowns = CellUnknowns<2>::Zero();
     for (int node = 0; node < 4; ++node) {
       const auto apart = geometry.images.outline(place.owner(node)).centre() - first.centre();
       const bool is_of_another_row = std::abs(cross(along, apart)) > first.reach();
       for (std::size_t axis = 0; axis < 2; ++axis) {
-        unknowns[displacement_of(node, axis)] = is_of_another_row ? along[axis] : 0.0;
+        unknowns[displacement_of<2>(node, axis)] = is_of_another_row ? along[axis] : 0.0;
       }
     }
     ASSERT_NEAR(volume_change(place).dot(unknowns), 0.0, 1e-12) << cell[0] << ' ' << cell[1];
@@ -228,15 +228,15 @@ TEST_P(AnyLattice, ParticlesThatTurnTogetherHaveNoEnergy) {
   const auto geometry = at(0.3, 0.1, 0.02);
   for_each_cell([&](const Index<2>& cell) {
     const CellPlace place(geometry.all(), cell);
-    CellUnknowns unknowns = CellUnknowns::Zero();
+    CellUnknowns<2> unknowns = CellUnknowns<2>::Zero();
     for (int node = 0; node < 4; ++node) {
-      unknowns[displacement_of(node, 0)] = -place.node(node)[1];
-      unknowns[displacement_of(node, 1)] = place.node(node)[0];
+      unknowns[displacement_of<2>(node, 0)] = -place.node(node)[1];
+      unknowns[displacement_of<2>(node, 1)] = place.node(node)[0];
     }
-    for (int face = 0; face < faces_of_cell; ++face) {
+    for (int face = 0; face < faces_of_cell<2>; ++face) {
       for (int end = 0; end < 2; ++end) unknowns[slope_at(face, end)] = CellPlace::normal(face) == 0 ? -1.0 : 1.0;
     }
-    std::vector<SquareTerm> terms;
+    std::vector<SquareTerm<2>> terms;
     tie_slopes(geometry.all(), place, terms);
     add_corner_of_particle(geometry.all(), place, terms);
     for (const auto& term : terms) ASSERT_NEAR(term.form.of(unknowns), 0.0, 1e-12);
@@ -250,9 +250,9 @@ TEST_P(AnyLattice, WhatLeavesACellEntersItsNeighbour) {
   const auto cells_of_box = find_gap_cells(without_coatings(box), cells, Boundary::periodic);
   std::vector<double> total(static_cast<std::size_t>(cells_of_box.unknowns()), 0.0);
   for (const auto& cell : cells_of_box.cells()) {
-    for (std::size_t k = 0; k < cell.face_unknowns.size(); ++k) {
-      const auto number = cell.face_unknowns[k];
-      if (number == GapCell::none) continue;
+    for (std::size_t k = 0; k < cell.gap_unknowns.size(); ++k) {
+      const auto number = cell.gap_unknowns[k];
+      if (number == GapCell<2>::none) continue;
       total[static_cast<std::size_t>(number)] += cell.volume[CellShape<2>::dofs + static_cast<Eigen::Index>(k)];
     }
   }
@@ -276,7 +276,7 @@ Microstructure<2> two_discs(double radius, double gap) {
 // channel of the normals of both particles, squared.
 TEST(Channel, OfASmallGapHasTheResistanceOfLubrication) {
   const double radius = 4.0, gap = 0.004;
-  const ParticleImages discs(without_coatings(two_discs(radius, gap)), cells, Boundary::periodic);
+  const ParticleImages<2> discs(without_coatings(two_discs(radius, gap)), cells, Boundary::periodic);
   const auto nearest = discs.nearest_two({10.0, 10.0});
   const auto left = discs.outline(nearest.first).centre()[0] < 10.0 ? nearest.first : nearest.second;
   const auto right = left == nearest.first ? nearest.second : nearest.first;
@@ -327,8 +327,8 @@ TEST(GapCells, OfCoatedDiscsAreThoseOfLargerOnes) {
 
 // Which disc is the first, and where the channel begins, makes no difference.
 TEST(Channel, IsTheSameFromBothSides) {
-  const ParticleImages discs(without_coatings({20.0, Walls::periodic, {{{5.0, 9.0}, 9.0}, {{14.0, 12.0}, 9.9}}}), cells,
-                             Boundary::periodic);
+  const ParticleImages<2> discs(without_coatings({20.0, Walls::periodic, {{{5.0, 9.0}, 9.0}, {{14.0, 12.0}, 9.9}}}),
+                                cells, Boundary::periodic);
   const Vector<2> begin = {9.2, 11.0}, end = {9.6, 10.2};
   const auto nearest = discs.nearest_two(begin);
   const auto channel = make_channel(discs, nearest.first, nearest.second, begin, end),

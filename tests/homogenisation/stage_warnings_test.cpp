@@ -65,7 +65,7 @@ TEST(StageWarnings, OfNarrowGapsAreLackingWithFlow) {
 
 // Of the finest grid, which gives the result of several.
 TEST(NarrowGaps, AreThoseBelowOneAndAHalfCells) {
-  const auto mixing = [](Stage stage, Mixing of_study = Mixing::flow) {
+  const auto mixing = [](const Stage& stage, Mixing of_study = Mixing::flow) {
     return mixing_of(within(1.0, 2.0, of_study), stage, make_microstructure(stage));
   };
   EXPECT_EQ(mixing(two_discs(0.07e-3)), Mixing::flow);

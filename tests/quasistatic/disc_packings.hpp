@@ -53,7 +53,7 @@ inline QuasistaticProblem<2> with_gaps(const Microstructure<2>& box, int n, doub
       .volumetric = Volumetric::averaged,
       .boundary = box.walls == Walls::periodic ? Boundary::periodic : Boundary::displacement};
   problem.discretisation.set_particles_with_gaps(
-      std::make_shared<const ParticlesInBox>(ParticlesInBox{as_particles(box), 0, without_coatings(discs)}));
+      std::make_shared<const ParticlesInBox<2>>(ParticlesInBox<2>{as_particles(box), 0, without_coatings(discs)}));
   return problem;
 }
 

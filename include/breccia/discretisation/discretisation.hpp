@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -25,9 +26,10 @@ struct ParticlePhases {
   double coating_thickness = 0.0;  ///< thickness, outside the diameter of the particle [m]; 0 without a coating
 };
 
-/// The particles of a square box with their phases and coatings.
+/// The particles of a box with their phases and coatings: particles of any shape in the plane, balls in space.
+template <int dim>
 struct ParticlesInBox {
-  ParticleBox box;  ///< its own coatings do not count
+  std::conditional_t<dim == 2, ParticleBox, Microstructure<3>> box;  ///< its own coatings do not count
   PhaseIndex matrix{};
   std::vector<ParticlePhases> phases;  ///< by particle
 };
@@ -111,10 +113,10 @@ class Discretisation {
 
   /// The particles whose gaps calculations resolve though they may be narrower than a cell (theory, section 2); null
   /// where there are none, and after a change of any cell.
-  [[nodiscard]] const std::shared_ptr<const ParticlesInBox>& particles_with_gaps() const noexcept {
+  [[nodiscard]] const std::shared_ptr<const ParticlesInBox<dim>>& particles_with_gaps() const noexcept {
     return particles_with_gaps_;
   }
-  void set_particles_with_gaps(std::shared_ptr<const ParticlesInBox> particles) {
+  void set_particles_with_gaps(std::shared_ptr<const ParticlesInBox<dim>> particles) {
     particles_with_gaps_ = std::move(particles);
   }
 
@@ -161,7 +163,7 @@ class Discretisation {
   CellPhases<dim>* own_ = nullptr;  ///< the phases in `cells_`, if their memory may be changed
   std::vector<Mixture> mixtures_;
   PhaseIndex first_mixture_ = no_phase;  ///< the number of the first mixture
-  std::shared_ptr<const ParticlesInBox> particles_with_gaps_;
+  std::shared_ptr<const ParticlesInBox<dim>> particles_with_gaps_;
 };
 
 /// Throws InputError, with the name of the calculation, when a point has none of the phases 0 .. count - 1, so that it

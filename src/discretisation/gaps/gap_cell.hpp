@@ -15,26 +15,29 @@
 
 namespace breccia::gaps {
 
-/// The unknowns of a cell with gaps are the displacements of its nodes, in the order of CellShape, and three of each of
-/// its faces: left, right, lower and upper.
-inline constexpr int faces_of_cell = 4, unknowns_of_face = 3, unknowns_of_faces = faces_of_cell * unknowns_of_face;
-inline constexpr int unknowns_of_cell = CellShape<2>::dofs + unknowns_of_faces;
-using CellUnknowns = Eigen::Matrix<double, unknowns_of_cell, 1>;
+template <int dim>
+inline constexpr int faces_of_cell = 2 * dim;
 
-/// Number of an unknown in its cell: the displacement of a node along an axis, the flow through a face along its normal
-/// (in units of Face::unit_of_flow), and the slope of the displacement along the normal in the particle of the first or
-/// second node of a face.
+/// The unknowns of gaps in a cell: the flows through its faces, and slopes of displacements in its particles. In the
+/// plane each face has a flow and two slopes (plane/face_unknowns.hpp); in space the slopes belong to the nodes
+/// (space/cube_unknowns.hpp).
+template <int dim>
+inline constexpr int gap_unknowns_of_cell = dim == 2 ? 12 : 54;
+
+/// The unknowns of a cell with gaps: the displacements of its nodes, in the order of CellShape, and those of its gaps.
+template <int dim>
+inline constexpr int unknowns_of_cell = CellShape<dim>::dofs + gap_unknowns_of_cell<dim>;
+template <int dim>
+using CellUnknowns = Eigen::Matrix<double, unknowns_of_cell<dim>, 1>;
+
+/// Number in its cell of the displacement of a node along an axis.
+template <int dim>
 [[nodiscard]] constexpr int displacement_of(int node, std::size_t axis) noexcept {
-  return 2 * node + static_cast<int>(axis);
-}
-[[nodiscard]] constexpr int flow_through(int face) noexcept {
-  return CellShape<2>::dofs + unknowns_of_face * face;
-}
-[[nodiscard]] constexpr int slope_at(int face, int end) noexcept {
-  return flow_through(face) + 1 + end;
+  return dim * node + static_cast<int>(axis);
 }
 
 /// A linear form of a few unknowns of a cell.
+template <int dim>
 class LinearForm {
  public:
   LinearForm& add(int unknown, double weight) {
@@ -45,13 +48,13 @@ class LinearForm {
     for (const auto& [unknown, weight] : other.parts_) add(unknown, factor * weight);
     return *this;
   }
-  [[nodiscard]] double of(const CellUnknowns& unknowns) const noexcept {
+  [[nodiscard]] double of(const CellUnknowns<dim>& unknowns) const noexcept {
     double value = 0.0;
     for (const auto& [unknown, weight] : parts_) value += weight * unknowns[unknown];
     return value;
   }
   /// Adds a multiple of the form's weights.
-  void add_to(CellUnknowns& forces, double factor) const noexcept {
+  void add_to(CellUnknowns<dim>& forces, double factor) const noexcept {
     for (const auto& [unknown, weight] : parts_) forces[unknown] += factor * weight;
   }
 
@@ -63,22 +66,24 @@ class LinearForm {
   std::vector<Part> parts_;
 };
 
-/// An energy per area of a cell: half of the shear modulus of a phase, times a factor, times the square of a form.
+/// An energy per volume of a cell: half of the shear modulus of a phase, times a factor, times the square of a form.
+template <int dim>
 struct SquareTerm {
   PhaseIndex phase = 0;
   double factor = 0.0;
-  LinearForm form;
+  LinearForm<dim> form;
 };
 
 /// A cell that the surface of a particle crosses, or on whose faces there is binder (theory, Eqs. 42c to 42h). Its
 /// deviators are those of its nodes; its phases are in series.
+template <int dim>
 struct GapCell {
-  Mixture mixture;                     ///< its phases, with their shares of its area
+  Mixture mixture;                     ///< its phases, with their shares of its volume
   std::vector<VolumeAndShear> shares;  ///< the shares of these phases in series, which need not add up to 1
-  CellUnknowns volume = {};            ///< the form of the volume change, without what flows out
-  std::vector<SquareTerm> terms;
-  /// The number of each unknown of its faces among those of all faces; none for one that the face does not have.
-  std::array<std::int32_t, unknowns_of_faces> face_unknowns = {};
+  CellUnknowns<dim> volume = {};       ///< the form of the volume change, without what flows out
+  std::vector<SquareTerm<dim>> terms;
+  /// The number of each unknown of its gaps among those of all cells; none for one that the cell does not have.
+  std::array<std::int32_t, gap_unknowns_of_cell<dim>> gap_unknowns = {};
   static constexpr std::int32_t none = -1;
 };
 

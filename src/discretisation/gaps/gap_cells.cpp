@@ -1,73 +1,15 @@
 #include "discretisation/gaps/gap_cells.hpp"
 
-#include <algorithm>
-#include <optional>
 #include <utility>
 
-#include <fmt/format.h>
-
-#include "breccia/error.hpp"
-
-#include "discretisation/gaps/cell_shares.hpp"
-#include "discretisation/gaps/cell_terms.hpp"
-#include "microstructure/shapes/particle_validity.hpp"
-
 namespace breccia::gaps {
-namespace {
 
-/// The middle of a gap on a face.
-Vector<2> middle_of(const CellPlace& place, int face) {
-  return place.face_place(face).line().at(place.face(face).split);
-}
-
-/// Throws InputError unless each particle has phases, and none overlaps another one with its coating.
-void require_valid(const ParticlesInBox& particles) {
-  if (particles.phases.size() != particles.box.particles.size()) {
-    throw InputError(fmt::format("gaps under a cell: expected a phase for each of {} particles, got {}",
-                                 particles.box.particles.size(), particles.phases.size()));
-  }
-  auto box = particles.box;
-  box.coatings.clear();
-  for (const auto& phases : particles.phases) box.coatings.push_back(phases.coating_thickness);
-  breccia::require_valid(box);
-}
-
-/// The gap cell at a cell of the grid; nothing for a cell of one phase whose faces have no unknowns.
-std::optional<GapCell> make_gap_cell(const GapGeometry& geometry, const Index<2>& at) {
-  const CellPlace place(geometry, at);
-  GapCell cell;
-  for (int face = 0; face < faces_of_cell; ++face) {
-    std::ranges::copy(geometry.faces.unknowns(place.face_place(face)),
-                      cell.face_unknowns.begin() + unknowns_of_face * face);
-  }
-  CellShares shares;
-  tie_slopes(geometry, place, cell.terms);
-  if (place.is_in_chain()) {
-    const auto ends = ends_of_channel(place);
-    const auto channel = make_channel(geometry.images, place.owner(0), place.second_owner(),
-                                      middle_of(place, ends.begin), middle_of(place, ends.end));
-    shares = shares_of_channel(geometry, place, channel);
-    add_flow_along(geometry, place, channel, cell.terms);
-    add_corner_of_particle(geometry, place, cell.terms);
-  } else {
-    shares = shares_of_cell(geometry, place);
-    add_flow(geometry, place, cell.terms);
-  }
-  const auto has_none = std::ranges::all_of(cell.face_unknowns, [](auto number) { return number == GapCell::none; });
-  if (has_none && shares.is_one_phase) return std::nullopt;
-  cell.mixture = std::move(shares.mixture);
-  cell.shares = std::move(shares.shares);
-  cell.volume = volume_change(place);
-  return cell;
-}
-
-}  // namespace
-
-GapCells::GapCells(const Grid<2>& grid, std::vector<GapCell> cells, std::span<const std::size_t> places,
-                   const IndexRange<2>& nodes, std::vector<std::int32_t> first_unknowns)
+template <int dim>
+GapCells<dim>::GapCells(const Grid<dim>& grid, std::vector<GapCell<dim>> cells, std::span<const std::size_t> places,
+                        const IndexRange<dim>& nodes, std::vector<std::int32_t> first_unknowns)
     : grid_(grid),
       cells_(std::move(cells)),
-      numbers_(grid.cell_count(), GapCell::none),
+      numbers_(grid.cell_count(), GapCell<dim>::none),
       nodes_(nodes),
       first_unknowns_(std::move(first_unknowns)) {
   for (std::size_t number = 0; number < places.size(); ++number) {
@@ -75,22 +17,7 @@ GapCells::GapCells(const Grid<2>& grid, std::vector<GapCell> cells, std::span<co
   }
 }
 
-GapCells find_gap_cells(const ParticlesInBox& particles, int cells, Boundary boundary) {
-  require_valid(particles);
-  const ParticleImages images(particles, cells, boundary);
-  const Owners owners(images);
-  const FaceTable faces(images, owners);
-  const Grid<2> grid = {{cells, cells}, particles.box.side / cells};
-  const GapGeometry geometry = {images, owners, faces, particles.matrix, particles.phases};
-  std::vector<GapCell> gap_cells;
-  std::vector<std::size_t> places;
-  grid.for_each_cell([&](const Index<2>& cell) {
-    auto gap_cell = make_gap_cell(geometry, cell);
-    if (!gap_cell) return;
-    gap_cells.push_back(std::move(*gap_cell));
-    places.push_back(grid.cell_index(cell));
-  });
-  return {grid, std::move(gap_cells), places, faces.nodes(), faces.first_unknowns()};
-}
+template class GapCells<2>;
+template class GapCells<3>;
 
 }  // namespace breccia::gaps

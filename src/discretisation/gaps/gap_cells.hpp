@@ -6,54 +6,61 @@
 #include <span>
 #include <vector>
 
-#include "breccia/discretisation/boundary.hpp"
-#include "breccia/discretisation/discretisation.hpp"
 #include "breccia/discretisation/grid.hpp"
-#include "breccia/microstructure/microstructure.hpp"
+#include "breccia/microstructure/index.hpp"
 
 #include "discretisation/gaps/gap_cell.hpp"
 
 namespace breccia::gaps {
 
-/// The cells of a grid that have gaps, and the unknowns of their faces.
+/// The cells of a grid that have gaps, and the unknowns of their gaps. An unknown belongs to a node: a flow to the
+/// lowest node of its face.
+template <int dim>
 class GapCells {
  public:
-  /// `places` are the places of the cells in the grid, `nodes` the nodes at which faces begin; `first_unknowns` say
-  /// where the unknowns of the faces begin, by node and axis, and last how many there are.
-  GapCells(const Grid<2>& grid, std::vector<GapCell> cells, std::span<const std::size_t> places,
-           const IndexRange<2>& nodes, std::vector<std::int32_t> first_unknowns);
+  /// In the plane the unknowns of a node are those of two faces, which begin at it.
+  static constexpr std::size_t groups_of_node = dim == 2 ? 2 : 1;
+
+  /// `places` are the places of the cells in the grid, `nodes` the nodes to which unknowns belong; `first_unknowns` say
+  /// where the numbers of the unknowns begin, by node and group, and last how many there are.
+  GapCells(const Grid<dim>& grid, std::vector<GapCell<dim>> cells, std::span<const std::size_t> places,
+           const IndexRange<dim>& nodes, std::vector<std::int32_t> first_unknowns);
 
   /// The gap cell at a cell of the grid; null for other cells.
-  [[nodiscard]] const GapCell* at(const Index<2>& cell) const noexcept {
+  [[nodiscard]] const GapCell<dim>* at(const Index<dim>& cell) const noexcept {
     const auto number = numbers_[grid_.cell_index(cell)];
     return number < 0 ? nullptr : &cells_[static_cast<std::size_t>(number)];
   }
-  [[nodiscard]] std::span<const GapCell> cells() const noexcept { return cells_; }
-  /// Number of the unknowns of all faces.
+  [[nodiscard]] std::span<const GapCell<dim>> cells() const noexcept { return cells_; }
+  /// Number of the unknowns of all gaps.
   [[nodiscard]] std::int32_t unknowns() const noexcept { return first_unknowns_.back(); }
-  /// The range of the numbers of the unknowns of the two faces that begin at a node. A node at the end of a periodic
-  /// box is that at its beginning.
-  [[nodiscard]] std::array<std::int32_t, 2> unknowns_at(const Index<2>& node) const noexcept {
-    return {unknowns_at(node, 0)[0], unknowns_at(node, 1)[1]};
+  /// The range of the numbers of the unknowns that belong to a node. A node at the end of a periodic box is that at its
+  /// beginning.
+  [[nodiscard]] std::array<std::int32_t, 2> unknowns_at(const Index<dim>& node) const noexcept {
+    const auto first = groups_of_node * place_of(node);
+    return {first_unknowns_[first], first_unknowns_[first + groups_of_node]};
   }
   /// The range of those of the face that begins at a node and goes along an axis.
-  [[nodiscard]] std::array<std::int32_t, 2> unknowns_at(const Index<2>& node, std::size_t axis) const noexcept {
-    const auto [columns, rows] = nodes_.end;
-    const auto face = 2 * nodes_.place_of({node[0] % columns, node[1] % rows}) + axis;
+  [[nodiscard]] std::array<std::int32_t, 2> unknowns_at(const Index<dim>& node, std::size_t axis) const noexcept
+      requires(dim == 2) {
+    const auto face = groups_of_node * place_of(node) + axis;
     return {first_unknowns_[face], first_unknowns_[face + 1]};
   }
 
  private:
-  Grid<2> grid_;
-  std::vector<GapCell> cells_;
+  [[nodiscard]] std::size_t place_of(Index<dim> node) const noexcept {
+    for (std::size_t axis = 0; axis < node.size(); ++axis) node[axis] %= nodes_.end[axis];
+    return nodes_.place_of(node);
+  }
+
+  Grid<dim> grid_;
+  std::vector<GapCell<dim>> cells_;
   std::vector<std::int32_t> numbers_;
-  IndexRange<2> nodes_;
+  IndexRange<dim> nodes_;
   std::vector<std::int32_t> first_unknowns_;
 };
 
-/// The gap cells of particles in a box, on `cells` cells along each axis, under a boundary; gaps are those between
-/// coatings, and between coatings and sides under a displacement boundary. Throws InputError for particles that
-/// overlap, and unless the boundary is periodic for a periodic box and for no other.
-[[nodiscard]] GapCells find_gap_cells(const ParticlesInBox& particles, int cells, Boundary boundary);
+extern template class GapCells<2>;
+extern template class GapCells<3>;
 
 }  // namespace breccia::gaps

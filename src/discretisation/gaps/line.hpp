@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 #include "breccia/microstructure/vector.hpp"
@@ -17,11 +18,12 @@ struct Interval {
 };
 
 /// A line along an axis, on which places are measured from an origin.
+template <int dim>
 struct GridLine {
-  Vector<2> origin;
+  Vector<dim> origin;
   std::size_t axis;
 
-  [[nodiscard]] Vector<2> at(double place) const noexcept {
+  [[nodiscard]] Vector<dim> at(double place) const noexcept {
     auto point = origin;
     point[axis] += place;
     return point;
@@ -29,10 +31,11 @@ struct GridLine {
 };
 
 /// The unit vector along a vector; zero for a vector of rounding errors.
-[[nodiscard]] inline Vector<2> direction(const Vector<2>& vector) noexcept {
+template <std::size_t dim>
+[[nodiscard]] std::array<double, dim> direction(const std::array<double, dim>& vector) noexcept {
   constexpr double least = 1e-12;
   const double length = norm(vector);
-  return length > least ? vector / length : Vector<2>{};
+  return length > least ? vector / length : std::array<double, dim>{};
 }
 
 }  // namespace breccia::gaps

@@ -8,31 +8,47 @@
 namespace breccia::gaps {
 namespace {
 
-/// Eq. 42c of the theory: whether a gap is so narrow that its nodes belong to particles: up to 1.4 cells along an axis,
-/// somewhat more where it is oblique.
-bool is_narrow(const ParticleImages& images, const NearestTwo& nearest, const Vector<2>& point) {
-  constexpr double widest = 1.4, of_a_diagonal = 0.8409;  // 2^(-1/4)
-  if (nearest.second == no_image || nearest.gap() >= widest / of_a_diagonal) return false;
+/// The widest gap along an axis whose nodes belong to particles (Eq. 42c of the theory, docs/gaps-in-space.md).
+template <int dim>
+constexpr double widest = dim == 2 ? 1.4 : 1.2;
+/// The square root of the largest component of the unit vector along a diagonal.
+template <int dim>
+constexpr double of_a_diagonal = dim == 2 ? 0.8409 : 0.7598;
+
+/// Whether a gap is so narrow that its nodes belong to particles; where it is oblique it may be somewhat wider.
+template <int dim>
+bool is_narrow(const ParticleImages<dim>& images, const NearestTwo& nearest, const Vector<dim>& point) {
+  if (nearest.second == no_image || nearest.gap() >= widest<dim> / of_a_diagonal<dim>) return false;
   // Behind a particle that lies before another one there is no gap.
   if (dot(images.normal(nearest.first, point), images.normal(nearest.second, point)) > 0.0) return false;
-  const auto across = images.across(nearest.first, nearest.second, point);
-  return nearest.gap() < widest / std::sqrt(std::max(std::abs(across[0]), std::abs(across[1])));
+  double largest = 0.0;
+  for (const double part : images.across(nearest.first, nearest.second, point)) {
+    largest = std::max(largest, std::abs(part));
+  }
+  return nearest.gap() < widest<dim> / std::sqrt(largest);
 }
 
 }  // namespace
 
-Owners::Owners(const ParticleImages& images) {
-  const int margin = images.margin();
-  range_ = {{-margin, -margin}, {images.cells() + margin + 1, images.cells() + margin + 1}};
-  nodes_.reserve(static_cast<std::size_t>(range_.size()[0]) * static_cast<std::size_t>(range_.size()[1]));
-  for_each_index(range_.begin, range_.end, [&](const Index<2>& node) {
-    const Vector<2> point = {static_cast<double>(node[0]), static_cast<double>(node[1])};
+template <int dim>
+Owners<dim>::Owners(const ParticleImages<dim>& images) {
+  range_.begin.fill(-images.margin());
+  range_.end.fill(images.cells() + images.margin() + 1);
+  std::size_t size = 1;
+  for (const int along : range_.size()) size *= static_cast<std::size_t>(along);
+  nodes_.reserve(size);
+  for_each_index(range_.begin, range_.end, [&](const Index<dim>& node) {
+    Vector<dim> point{};
+    for (std::size_t axis = 0; axis < dim; ++axis) point[axis] = node[axis];
     const auto nearest = images.nearest_two(point);
     constexpr double least = 1e-9;
     const bool is_in_binder = nearest.to_first > least;
-    const bool is_owned = !is_in_binder || is_narrow(images, nearest, point);
+    const bool is_owned = !is_in_binder || is_narrow<dim>(images, nearest, point);
     nodes_.push_back({is_owned ? nearest.first : no_image, is_in_binder});
   });
 }
+
+template class Owners<2>;
+template class Owners<3>;
 
 }  // namespace breccia::gaps

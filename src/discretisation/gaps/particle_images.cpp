@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "breccia/error.hpp"
 
@@ -14,9 +15,17 @@ namespace {
 /// Distance up to which particles are near.
 constexpr double reach = 4.0;
 
+template <int dim>
+Vector<dim> middle_of_cell(const Index<dim>& cell) noexcept {
+  Vector<dim> middle{};
+  for (std::size_t axis = 0; axis < dim; ++axis) middle[axis] = cell[axis] + 0.5;
+  return middle;
+}
+
 }  // namespace
 
-ParticleImages::ParticleImages(const ParticlesInBox& particles, int cells, Boundary boundary)
+template <int dim>
+ParticleImages<dim>::ParticleImages(const ParticlesInBox<dim>& particles, int cells, Boundary boundary)
     : cells_(cells), boundary_(boundary) {
   const auto& box = particles.box;
   if ((box.walls == Walls::periodic) != is_periodic()) {
@@ -36,65 +45,79 @@ ParticleImages::ParticleImages(const ParticlesInBox& particles, int cells, Bound
 }
 
 /// The distances of the images of a particle that are near to the box or to its margin.
-std::vector<Vector<2>> ParticleImages::shifts_of_images(const Outline& outline) const {
+template <int dim>
+std::vector<Vector<dim>> ParticleImages<dim>::shifts_of_images(const Outline& outline) const {
   const double outside = margin() + reach + outline.reach();
   const int sides = is_periodic() ? 1 + static_cast<int>(std::ceil(outside / cells_)) : 0;
-  std::vector<Vector<2>> shifts;
-  for_each_index(Index<2>{-sides, -sides}, Index<2>{sides + 1, sides + 1}, [&](const Index<2>& boxes) {
-    const Vector<2> shift = {static_cast<double>(boxes[0] * cells_), static_cast<double>(boxes[1] * cells_)};
-    const auto from_middle = outline.centre() + shift - Vector<2>{0.5 * cells_, 0.5 * cells_};
-    if (std::max(std::abs(from_middle[0]), std::abs(from_middle[1])) < 0.5 * cells_ + outside) shifts.push_back(shift);
+  std::vector<Vector<dim>> shifts;
+  for_each_index(equal(-sides), equal(sides + 1), [&](const Index<dim>& boxes) {
+    Vector<dim> shift{};
+    double furthest = 0.0;
+    for (std::size_t axis = 0; axis < dim; ++axis) {
+      shift[axis] = boxes[axis] * cells_;
+      furthest = std::max(furthest, std::abs(outline.centre()[axis] + shift[axis] - 0.5 * cells_));
+    }
+    if (furthest < 0.5 * cells_ + outside) shifts.push_back(shift);
   });
   return shifts;
 }
 
-void ParticleImages::sort_into_bins() {
-  const int along = cells_ + 2 * margin();
-  std::vector<std::vector<ImageIndex>> bins(static_cast<std::size_t>(along) * static_cast<std::size_t>(along));
-  const double from_middle = reach + std::sqrt(0.5);  // from the middle of a cell to its corners
+template <int dim>
+template <class Action>
+void ParticleImages<dim>::for_images_near_cells(const Action& action) const {
+  const double from_middle = reach + std::sqrt(0.25 * dim);  // from the middle of a cell to its corners
   for (std::size_t image = 0; image < images_.size(); ++image) {
     const auto& outline = images_[image].outline;
-    Index<2> begin{}, end{};
-    for (std::size_t axis = 0; axis < 2; ++axis) {
+    Index<dim> begin{}, end{};
+    for (std::size_t axis = 0; axis < dim; ++axis) {
       const double extent = outline.reach() + from_middle;
       begin[axis] = std::max(static_cast<int>(std::floor(outline.centre()[axis] - extent)), -margin());
       end[axis] = std::min(static_cast<int>(std::floor(outline.centre()[axis] + extent)) + 1, cells_ + margin());
     }
-    for_each_index(begin, end, [&](const Index<2>& cell) {
-      const Vector<2> middle = {cell[0] + 0.5, cell[1] + 0.5};
-      if (outline.distance(middle) < from_middle) bins[bin_of(middle)].push_back(static_cast<ImageIndex>(image));
+    for_each_index(begin, end, [&](const Index<dim>& cell) {
+      const auto middle = middle_of_cell<dim>(cell);
+      if (outline.distance(middle) < from_middle) action(bin_of(middle), static_cast<ImageIndex>(image));
     });
   }
-  if (has_walls()) {
-    for_each_index(Index<2>{}, Index<2>{cells_, cells_}, [&](const Index<2>& cell) {
-      const Vector<2> middle = {cell[0] + 0.5, cell[1] + 0.5};
-      if (nearest_side(middle).distance < from_middle) bins[bin_of(middle)].push_back(walls);
-    });
-  }
-  first_of_bin_.push_back(0);
-  for (const auto& bin : bins) {
-    in_bins_.insert(in_bins_.end(), bin.begin(), bin.end());
-    first_of_bin_.push_back(in_bins_.size());
-  }
+  if (!has_walls()) return;
+  for_each_index(Index<dim>{}, equal(cells_), [&](const Index<dim>& cell) {
+    const auto middle = middle_of_cell<dim>(cell);
+    if (nearest_side(middle).distance < from_middle) action(bin_of(middle), walls);
+  });
 }
 
-std::size_t ParticleImages::bin_of(const Vector<2>& point) const noexcept {
-  const auto place = [&](double x) {
-    const int cell = std::clamp(static_cast<int>(std::floor(x)), -margin(), cells_ + margin() - 1) + margin();
-    return static_cast<std::size_t>(cell);
-  };
-  const int along = cells_ + 2 * margin();
-  return place(point[1]) * static_cast<std::size_t>(along) + place(point[0]);
+template <int dim>
+void ParticleImages<dim>::sort_into_bins() {
+  std::size_t bins = 1;
+  for (int axis = 0; axis < dim; ++axis) bins *= static_cast<std::size_t>(cells_ + 2 * margin());
+  first_of_bin_.assign(bins + 1, 0);
+  for_images_near_cells([&](std::size_t bin, ImageIndex) { ++first_of_bin_[bin + 1]; });
+  std::partial_sum(first_of_bin_.begin(), first_of_bin_.end(), first_of_bin_.begin());
+  in_bins_.resize(first_of_bin_.back());
+  auto next = first_of_bin_;
+  for_images_near_cells([&](std::size_t bin, ImageIndex image) { in_bins_[next[bin]++] = image; });
 }
 
-std::span<const ImageIndex> ParticleImages::near(const Vector<2>& point) const noexcept {
+template <int dim>
+std::size_t ParticleImages<dim>::bin_of(const Vector<dim>& point) const noexcept {
+  std::size_t bin = 0;
+  for (std::size_t axis = dim; axis-- > 0;) {
+    const int place = std::clamp(static_cast<int>(std::floor(point[axis])), -margin(), cells_ + margin() - 1);
+    bin = bin * static_cast<std::size_t>(cells_ + 2 * margin()) + static_cast<std::size_t>(place + margin());
+  }
+  return bin;
+}
+
+template <int dim>
+std::span<const ImageIndex> ParticleImages<dim>::near(const Vector<dim>& point) const noexcept {
   const auto bin = bin_of(point);
   return std::span(in_bins_).subspan(first_of_bin_[bin], first_of_bin_[bin + 1] - first_of_bin_[bin]);
 }
 
-ParticleImages::Side ParticleImages::nearest_side(const Vector<2>& point) const noexcept {
+template <int dim>
+typename ParticleImages<dim>::Side ParticleImages<dim>::nearest_side(const Vector<dim>& point) const noexcept {
   Side nearest = {0, 1.0, std::numeric_limits<double>::infinity()};
-  for (std::size_t axis = 0; axis < 2; ++axis) {
+  for (std::size_t axis = 0; axis < dim; ++axis) {
     const double lower = point[axis], upper = cells_ - point[axis];
     if (lower < nearest.distance) nearest = {axis, 1.0, lower};
     if (upper < nearest.distance) nearest = {axis, -1.0, upper};
@@ -102,33 +125,38 @@ ParticleImages::Side ParticleImages::nearest_side(const Vector<2>& point) const 
   return nearest;
 }
 
-Interval ParticleImages::inside(const GridLine& line) const noexcept {
+template <int dim>
+Interval ParticleImages<dim>::inside(const GridLine<dim>& line) const noexcept {
   constexpr double without_end = std::numeric_limits<double>::infinity();
   if (is_periodic()) return {-without_end, without_end};
   return {-line.origin[line.axis], cells_ - line.origin[line.axis]};
 }
 
-double ParticleImages::area_of_core(ImageIndex image, const Vector<2>& corner) const {
+template <int dim>
+double ParticleImages<dim>::content_of_core(ImageIndex image, const Vector<dim>& corner) const {
   const auto& [outline, core, particle] = of(image);
-  return (core ? *core : outline).area_in_square(corner);
+  return (core ? *core : outline).content_of_cell(corner);
 }
 
-double ParticleImages::distance(ImageIndex image, const Vector<2>& point) const {
+template <int dim>
+double ParticleImages<dim>::distance(ImageIndex image, const Vector<dim>& point) const {
   if (image == walls) return nearest_side(point).distance;
   return of(image).outline.distance(point);
 }
 
-Vector<2> ParticleImages::normal(ImageIndex image, const Vector<2>& point) const {
+template <int dim>
+Vector<dim> ParticleImages<dim>::normal(ImageIndex image, const Vector<dim>& point) const {
   if (image == walls) {
     const auto side = nearest_side(point);
-    Vector<2> normal{};
+    Vector<dim> normal{};
     normal[side.axis] = side.inwards;
     return normal;
   }
   return of(image).outline.normal(point);
 }
 
-NearestTwo ParticleImages::nearest_two(const Vector<2>& point) const {
+template <int dim>
+NearestTwo ParticleImages<dim>::nearest_two(const Vector<dim>& point) const {
   constexpr double nearer = 1e-9;
   NearestTwo nearest;
   for (const auto image : near(point)) {
@@ -143,11 +171,13 @@ NearestTwo ParticleImages::nearest_two(const Vector<2>& point) const {
   return nearest;
 }
 
-Vector<2> ParticleImages::across(ImageIndex one, ImageIndex other, const Vector<2>& point) const {
+template <int dim>
+Vector<dim> ParticleImages<dim>::across(ImageIndex one, ImageIndex other, const Vector<dim>& point) const {
   return direction(normal(one, point) - normal(other, point));
 }
 
-std::optional<Interval> ParticleImages::chord(ImageIndex image, const GridLine& line) const {
+template <int dim>
+std::optional<Interval> ParticleImages<dim>::chord(ImageIndex image, const GridLine<dim>& line) const {
   if (image == walls) {
     constexpr double without_end = std::numeric_limits<double>::infinity();
     const auto [begin, end] = inside(line);
@@ -157,18 +187,27 @@ std::optional<Interval> ParticleImages::chord(ImageIndex image, const GridLine& 
   return of(image).outline.chord(line);
 }
 
-std::vector<Interval> ParticleImages::binder_on(const GridLine& line) const {
+template <int dim>
+std::vector<Interval> ParticleImages<dim>::binder_on(const GridLine<dim>& line, const Interval& within) const {
   constexpr double least = 1e-12;
+  std::vector<ImageIndex> images;
+  for (double middle = within.begin + 0.5; middle < within.end; middle += 1.0) {
+    for (const auto image : near(line.at(middle))) {
+      if (std::ranges::find(images, image) == images.end()) images.push_back(image);
+    }
+  }
   std::vector<Interval> chords;
-  for (const auto image : near(line.at(0.5))) {
+  for (const auto image : images) {
     const auto in_particle = chord(image, line);
-    if (in_particle && in_particle->end > 0.0 && in_particle->begin < 1.0) chords.push_back(*in_particle);
+    if (in_particle && in_particle->end > within.begin && in_particle->begin < within.end) {
+      chords.push_back(*in_particle);
+    }
   }
   std::ranges::sort(chords, {}, &Interval::begin);
   std::vector<Interval> binder;
   const auto in_box = inside(line);
-  const double last = std::min(1.0, in_box.end);
-  double covered = std::max(0.0, in_box.begin);
+  const double last = std::min(within.end, in_box.end);
+  double covered = std::max(within.begin, in_box.begin);
   for (const auto& in_particle : chords) {
     if (in_particle.begin > covered + least) binder.push_back({covered, in_particle.begin});
     covered = std::max(covered, in_particle.end);
@@ -176,5 +215,8 @@ std::vector<Interval> ParticleImages::binder_on(const GridLine& line) const {
   if (covered < last - least) binder.push_back({covered, last});
   return binder;
 }
+
+template class ParticleImages<2>;
+template class ParticleImages<3>;
 
 }  // namespace breccia::gaps

@@ -88,10 +88,10 @@ ParticleBox as_particles(const Grains<2>& grains) {
 }
 
 /// The particles of a stage, for cells with flow through the gaps between them.
-std::shared_ptr<const ParticlesInBox> particles_with_gaps(const Stage& stage, ParticleBox box) {
+std::shared_ptr<const ParticlesInBox<2>> particles_with_gaps(const Stage& stage, ParticleBox box) {
   auto phases = phases_of_particles(stage, box);
   const auto matrix = phases_of(stage).index_of(name_of_matrix_phase);
-  return std::make_shared<const ParticlesInBox>(ParticlesInBox{std::move(box), matrix, std::move(phases)});
+  return std::make_shared<const ParticlesInBox<2>>(ParticlesInBox<2>{std::move(box), matrix, std::move(phases)});
 }
 
 }  // namespace

@@ -22,13 +22,13 @@ void require_no_crystals(const std::vector<Mixture>& mixtures, const Crystals<di
 template <int dim>
 CellKinds<dim>::CellKinds(const Discretisation<dim>& discretisation, Volumetric volumetric,
                           const IndexRange<dim>& own_cells, const Crystals<dim>& crystals,
-                          std::span<const Material> materials, const GapsOfGrid<dim>& gaps)
+                          std::span<const Material> materials, const gaps::GapCells<dim>* gaps)
     : volumetric_(volumetric), own_cells_(own_cells) {
   for (const auto& [phase, stiffness] : crystals) {
     crystals_.emplace(phase, Crystal{stiffness, softer_moduli<dim>(stiffness).shear});
   }
   require_no_crystals<dim>(discretisation.mixtures(), crystals);
-  if (!crystals.empty() && gaps.unknowns() > 0) {
+  if (!crystals.empty() && gaps != nullptr) {
     throw InputError("quasi-static solver: cells with gaps beside crystals; expected isotropic phases");
   }
   const auto rule_of = [&](const Mixture& mixture) {
@@ -41,7 +41,7 @@ CellKinds<dim>::CellKinds(const Discretisation<dim>& discretisation, Volumetric 
     if (std::find(phases.begin(), phases.end(), no_phase) != phases.end()) {
       throw InputError("quasi-static solver: a point has no material; empty cells are for the dynamic method");
     }
-    const auto* gap_cell = gaps.at(cell);
+    const auto* gap_cell = gaps != nullptr ? gaps->at(cell) : nullptr;
     const auto* mixture = gap_cell != nullptr ? &gap_cell->mixture : discretisation.mixture(phases.front());
     if (own_cells.contains(cell)) {
       if (cell.front() == own_cells.begin.front()) strains_before_rows_.push_back(strains);
@@ -58,7 +58,7 @@ CellKinds<dim>::CellKinds(const Discretisation<dim>& discretisation, Volumetric 
     }
     if (mixture != nullptr) strains += static_cast<PetscInt>(MixedCell<dim>::unknowns_of(*mixture));
   });
-  if (volumetric == Volumetric::standard && (!discretisation.mixtures().empty() || gaps.unknowns() > 0)) {
+  if (volumetric == Volumetric::standard && (!discretisation.mixtures().empty() || gaps != nullptr)) {
     throw InputError("quasi-static solver: expected averaged volumetric strains, which mixed cells have");
   }
 }

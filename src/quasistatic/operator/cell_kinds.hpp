@@ -10,7 +10,7 @@
 #include "breccia/discretisation/discretisation.hpp"
 
 #include "discretisation/cell_shape.hpp"
-#include "quasistatic/operator/gap_operator.hpp"
+#include "discretisation/gaps/gap_cells.hpp"
 #include "quasistatic/operator/mixed_cell.hpp"
 #include "quasistatic/operator/node_layout.hpp"
 
@@ -29,7 +29,7 @@ class CellKinds {
   /// phase, for mixed cells with the volumetric strains of points, and for mixed cells with crystals.
   CellKinds(const Discretisation<dim>& discretisation, Volumetric volumetric, const IndexRange<dim>& own_cells,
             const Crystals<dim>& crystals = {}, std::span<const Material> materials = {},
-            const GapsOfGrid<dim>& gaps = GapsOfGrid<dim>());
+            const gaps::GapCells<dim>* gaps = nullptr);
 
   /// Number of kinds.
   [[nodiscard]] std::size_t count() const noexcept { return phases_.size(); }
@@ -39,6 +39,8 @@ class CellKinds {
   [[nodiscard]] const std::vector<std::uint32_t>& of_cells() const noexcept { return of_cells_; }
   /// The mixed cells by kind; nothing for kinds of cells that are not mixed.
   [[nodiscard]] const std::vector<std::optional<MixedCell<dim>>>& mixed() const noexcept { return mixed_; }
+  /// Whether the cells of a kind have gaps.
+  [[nodiscard]] bool has_gaps(std::size_t kind) const noexcept { return has_gaps_[kind]; }
   /// The mixed cell of a cell; null if the cell is not mixed.
   [[nodiscard]] const MixedCell<dim>* mixed_cell(const Index<dim>& cell) const noexcept {
     const auto& mixed = mixed_[of(cell)];

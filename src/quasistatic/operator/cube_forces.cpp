@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "quasistatic/operator/gap_operator.hpp"
 #include "quasistatic/operator/halo_field.hpp"
 #include "quasistatic/operator/vector_values.hpp"
 
@@ -45,35 +46,87 @@ CellModuli moduli_of_cells(const ElasticOperator<3>& elastic_operator, std::span
   return cells;
 }
 
-/// Adds the forces of the mixed cells on their nodes, and sets the forces on the strains of their phases.
-void add_mixed_forces(const ElasticOperator<3>& elastic_operator, std::span<const Moduli> moduli,
-                      const Displacement& displacement, const CellSweep& sweep, const HaloField& moved,
-                      HaloField& exerted, Vec on_phase_strains) {
-  const ReadValues strains(displacement.phase_strains());
-  const WriteValues on_strains(on_phase_strains);
-  const auto displacements = moved.from(0);
-  const auto forces_on = exerted.from(0);
-  const auto& modes = elastic_operator.modes();
-  const auto add_forces_of = [&](const Index<3>& cell, const MixedCell<3>& mixed, std::size_t index) {
-    std::array<std::size_t, Shape::nodes> nodes{};
-    typename Shape::Values u;
+/// Adds the forces of the mixed cells on their nodes and gaps, and sets the forces on the strains of their phases.
+class MixedForces {
+ public:
+  MixedForces(const ElasticOperator<3>& elastic_operator, std::span<const Moduli> moduli, const HaloField& moved,
+              std::span<const double> of_gaps)
+      : operator_(elastic_operator), moduli_(moduli), moved_(moved), of_gaps_(of_gaps) {}
+
+  void add(const Displacement& displacement, const CellSweep& sweep, HaloField& exerted, Vec on_phase_strains,
+           std::span<double> on_gaps) const {
+    const ReadValues strains(displacement.phase_strains());
+    const WriteValues on_strains(on_phase_strains);
+    sweep.for_slabs(operator_.threads(), [&](int, int first_plane, int end_plane) {
+      operator_.for_mixed_cells_of_planes(
+          first_plane, end_plane, [&](const Index<3>& cell, const MixedCell<3>& mixed, std::size_t index) {
+            const auto unknown = strains.range(index, mixed.unknowns());
+            const auto on_unknown = on_strains.range(index, mixed.unknowns());
+            const auto nodes = nodes_of(cell);
+            const auto* gap = operator_.gap_cell(cell);
+            const auto forces = gap != nullptr
+                                    ? of_gap_cell(*gap, mixed, values_at(nodes), unknown, on_unknown, on_gaps)
+                                    : of_cell(mixed, values_at(nodes), unknown, on_unknown);
+            add_to(nodes, forces, exerted);
+          });
+    });
+  }
+
+ private:
+  using Nodes = std::array<std::size_t, Shape::nodes>;
+  using Values = typename Shape::Values;
+  using OnUnknown = Eigen::Map<Eigen::VectorXd>;
+
+  [[nodiscard]] Nodes nodes_of(const Index<3>& cell) const noexcept {
+    Nodes nodes{};
     for (std::size_t n = 0; n < nodes.size(); ++n) {
       auto node = Shape::corner(static_cast<int>(n));
       for (std::size_t axis = 0; axis < node.size(); ++axis) node[axis] += cell[axis];
-      nodes[n] = moved.index_of(node);
+      nodes[n] = moved_.index_of(node);
+    }
+    return nodes;
+  }
+  [[nodiscard]] Values values_at(const Nodes& nodes) const noexcept {
+    const auto displacements = moved_.from(0);
+    Values u;
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
       for (std::size_t i = 0; i < 3; ++i) u[static_cast<Eigen::Index>(3 * n + i)] = displacements[i][nodes[n]];
     }
-    const auto [stress, on_phases] = mixed.stresses(moduli, modes * u, strains.range(index, mixed.unknowns()));
-    on_strains.range(index, mixed.unknowns()) = on_phases;
-    const typename Shape::Values forces = modes.transpose() * stress;
+    return u;
+  }
+  static void add_to(const Nodes& nodes, const Values& forces, HaloField& exerted) noexcept {
+    const auto forces_on = exerted.from(0);
     for (std::size_t n = 0; n < nodes.size(); ++n) {
       for (std::size_t i = 0; i < 3; ++i) forces_on[i][nodes[n]] += forces[static_cast<Eigen::Index>(3 * n + i)];
     }
-  };
-  sweep.for_slabs(elastic_operator.threads(), [&](int, int first_plane, int end_plane) {
-    elastic_operator.for_mixed_cells_of_planes(first_plane, end_plane, add_forces_of);
-  });
-}
+  }
+
+  [[nodiscard]] Values of_cell(const MixedCell<3>& mixed, const Values& u, const MixedCell<3>::Strains& unknown,
+                               OnUnknown on_unknown) const {
+    const auto& modes = operator_.modes();
+    const auto [stress, on_phases] = mixed.stresses(moduli_, modes * u, unknown);
+    on_unknown = on_phases;
+    return modes.transpose() * stress;
+  }
+  [[nodiscard]] Values of_gap_cell(const gaps::GapCell<3>& cell, const MixedCell<3>& mixed, const Values& u,
+                                   const MixedCell<3>::Strains& unknown, OnUnknown on_unknown,
+                                   std::span<double> on_gaps) const {
+    const GapOperator<3> gap(cell, operator_.modes());
+    const auto unknowns = gap.unknowns(u, operator_.gap_layout(), of_gaps_);
+    const auto [stress, on_phases] = mixed.stresses(moduli_, gap.strain(unknowns), unknown);
+    on_unknown = on_phases;
+    auto forces = gaps::CellUnknowns<3>::Zero().eval();
+    gap.add_forces_of(stress, forces);
+    gap.add_forces_of_terms(moduli_, unknowns, forces);
+    gap.add_to_gaps(forces, operator_.gap_layout(), on_gaps);
+    return forces.head<Shape::dofs>();
+  }
+
+  const ElasticOperator<3>& operator_;
+  std::span<const Moduli> moduli_;
+  const HaloField& moved_;
+  std::span<const double> of_gaps_;
+};
 
 }  // namespace
 
@@ -102,13 +155,18 @@ Forces forces_under(const ElasticOperator<3>& elastic_operator, std::span<const 
   const auto first = moved->index_of(nodes.cells().begin);
   sweep.add_forces(cells, std::as_const(*moved).from(first), exerted->from(first), threads);
   auto on_phase_strains = elastic_operator.zero_strains_of_phases();
-  add_mixed_forces(elastic_operator, moduli, displacement, sweep, *moved, *exerted, on_phase_strains.get());
+  const auto& layout = elastic_operator.gap_layout();
+  const auto of_gaps = layout.values(displacement.fluctuation());
+  std::vector<double> on_gaps(layout.seen(), 0.0);
+  MixedForces(elastic_operator, moduli, *moved, of_gaps)
+      .add(displacement, sweep, *exerted, on_phase_strains.get(), on_gaps);
   moved.reset();
 
   double macroscopic = exerted->work_on(macroscopic_strain);
   MPI_Allreduce(MPI_IN_PLACE, &macroscopic, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
   auto on_nodes = nodes.zeros();
   exerted->sum_up(nodes, on_nodes.get());
+  layout.add(std::move(on_gaps), on_nodes.get());
   return {macroscopic, std::move(on_nodes), std::move(on_phase_strains)};
 }
 

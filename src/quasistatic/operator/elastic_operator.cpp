@@ -8,9 +8,12 @@
 #include "breccia/error.hpp"
 
 #include "discretisation/contrast.hpp"
-#include "discretisation/gaps/cell_place.hpp"
+#include "discretisation/gaps/linear_motion.hpp"
+#include "discretisation/gaps/plane/square_cells.hpp"
+#include "discretisation/gaps/space/cube_cells.hpp"
 #include "parallel/threads.hpp"
 #include "quasistatic/operator/gap_matrix.hpp"
+#include "quasistatic/operator/gap_operator.hpp"
 #include "quasistatic/operator/sum_over_cells.hpp"
 #include "quasistatic/operator/vector_values.hpp"
 
@@ -18,7 +21,8 @@ namespace breccia::quasistatic {
 namespace {
 
 /// Whether all particles are stiffer than the binder between them at all times. Without materials they are taken to be.
-bool are_stiffer(const ParticlesInBox& particles, std::span<const Material> materials) {
+template <int dim>
+bool are_stiffer(const ParticlesInBox<dim>& particles, std::span<const Material> materials) {
   if (materials.empty()) return true;
   std::vector<Material> in_gaps = {materials[particles.matrix]};
   for (const auto& [phase, coating, thickness] : particles.phases) {
@@ -30,16 +34,12 @@ bool are_stiffer(const ParticlesInBox& particles, std::span<const Material> mate
 
 /// The gaps of a discretisation, where they matter: the particles are stiffer than the binder.
 template <int dim>
-std::shared_ptr<const gaps::GapCells> gaps_of(const Discretisation<dim>& discretisation, Boundary boundary,
-                                              std::span<const Material> materials) {
-  if constexpr (dim == 2) {
-    const auto& particles = discretisation.particles_with_gaps();
-    if (particles != nullptr && are_stiffer(*particles, materials)) {
-      return std::make_shared<const gaps::GapCells>(
-          gaps::find_gap_cells(*particles, discretisation.grid().cells.front(), boundary));
-    }
-  }
-  return nullptr;
+std::shared_ptr<const gaps::GapCells<dim>> gaps_of(const Discretisation<dim>& discretisation, Boundary boundary,
+                                                   std::span<const Material> materials) {
+  const auto& particles = discretisation.particles_with_gaps();
+  if (particles == nullptr || !are_stiffer(*particles, materials)) return nullptr;
+  return std::make_shared<const gaps::GapCells<dim>>(
+      gaps::find_gap_cells(*particles, discretisation.grid().cells.front(), boundary));
 }
 
 }  // namespace
@@ -50,15 +50,13 @@ ElasticOperator<dim>::ElasticOperator(const Discretisation<dim>& discretisation,
                                       std::span<const Material> materials)
     : gaps_(gaps_of(discretisation, boundary, materials)),
       nodes_({discretisation.grid().cells, 1.0}, boundary),
-      kinds_(discretisation, volumetric, nodes_.cells(), crystals, materials, gaps_),
+      kinds_(discretisation, volumetric, nodes_.cells(), crystals, materials, gaps_.get()),
       threads_(parallel::threads_for(threads)) {
   find_first_strains();
-  if constexpr (dim == 2) {
-    if (!has_gaps()) return;
-    faces_ = FaceLayout(gaps_.cells(), nodes_.own_nodes(), nodes_.cells());
-    const auto own = faces_.numbers().first(faces_.own());
-    nodes_.append({own.begin(), own.end()});
-  }
+  if (!has_gaps()) return;
+  gap_layout_ = GapLayout(*gaps_, nodes_.own_nodes(), nodes_.cells());
+  const auto own = gap_layout_.numbers().first(gap_layout_.own());
+  nodes_.append({own.begin(), own.end()});
 }
 
 template <int dim>
@@ -95,52 +93,42 @@ NodalVector ElasticOperator<dim>::zero_strains_of_phases() const {
 }
 
 template <int dim>
-typename CellShape<dim>::ModeValues ElasticOperator<dim>::modes_of(
-    const Index<dim>& cell, const CellValues& u, [[maybe_unused]] std::span<const double> of_faces) const {
-  if constexpr (dim == 2) {
-    if (const auto* gap = gap_cell(cell)) {
-      const GapOperator gap_operator(*gap, modes_);
-      return gap_operator.strain(gap_operator.unknowns(u, faces_, of_faces));
-    }
-  }
-  return modes_ * u;
+typename CellShape<dim>::ModeValues ElasticOperator<dim>::modes_of(const Index<dim>& cell, const CellValues& u,
+                                                                   std::span<const double> of_gaps) const {
+  const auto* gap = gap_cell(cell);
+  if (gap == nullptr) return modes_ * u;
+  const GapOperator<dim> gap_operator(*gap, modes_);
+  return gap_operator.strain(gap_operator.unknowns(u, gap_layout_, of_gaps));
 }
 
 template <int dim>
 typename CellShape<dim>::Values ElasticOperator<dim>::forces_of(const Index<dim>& cell,
                                                                 const typename Shape::ModeValues& stress,
-                                                                [[maybe_unused]] std::span<double> on_faces) const {
-  if constexpr (dim == 2) {
-    if (const auto* gap = gap_cell(cell)) {
-      const GapOperator gap_operator(*gap, modes_);
-      GapOperator::Unknowns forces = GapOperator::Unknowns::Zero();
-      gap_operator.add_forces_of(stress, forces);
-      gap_operator.add_to_faces(forces, faces_, on_faces);
-      return forces.template head<Shape::dofs>();
-    }
-  }
-  return modes_.transpose() * stress;
+                                                                std::span<double> on_gaps) const {
+  const auto* gap = gap_cell(cell);
+  if (gap == nullptr) return modes_.transpose() * stress;
+  const GapOperator<dim> gap_operator(*gap, modes_);
+  auto forces = gaps::CellUnknowns<dim>::Zero().eval();
+  gap_operator.add_forces_of(stress, forces);
+  gap_operator.add_to_gaps(forces, gap_layout_, on_gaps);
+  return forces.template head<Shape::dofs>();
 }
 
-/// The values of faces (FaceLayout) whose slopes are equal for all faces with a normal along the same axis.
 template <int dim>
-std::vector<double> ElasticOperator<dim>::equal_slopes([[maybe_unused]] const std::array<double, 2>& of_normals) const {
-  std::vector<double> slopes(faces_.seen(), 0.0);
-  if constexpr (dim == 2) {
-    nodes_.for_cells([&](const Index<2>& cell) {
-      const auto* gap = gap_cell(cell);
-      if (gap == nullptr) return;
-      for (int face = 0; face < gaps::faces_of_cell; ++face) {
-        for (int end = 0; end < 2; ++end) {
-          const auto place = static_cast<std::size_t>(gaps::slope_at(face, end) - Shape::dofs);
-          const auto number = gap->face_unknowns[place];
-          if (number != gaps::GapCell::none)
-            slopes[faces_.index_of(number)] = of_normals[gaps::CellPlace::normal(face)];
-        }
-      }
-    });
-  }
-  return slopes;
+std::vector<double> ElasticOperator<dim>::gaps_in_linear_motion(const Eigen::Matrix<double, dim, dim>& gradient) const {
+  std::vector<double> values(gap_layout_.seen(), 0.0);
+  if (!has_gaps()) return values;
+  const auto motion = gaps::linear_motion<dim>(gradient);
+  nodes_.for_cells([&](const Index<dim>& cell) {
+    const auto* gap = gap_cell(cell);
+    if (gap == nullptr) return;
+    for (std::size_t k = 0; k < gap->gap_unknowns.size(); ++k) {
+      const auto number = gap->gap_unknowns[k];
+      if (number == gaps::GapCell<dim>::none) continue;
+      values[gap_layout_.index_of(number)] = motion[Shape::dofs + static_cast<Eigen::Index>(k)];
+    }
+  });
+  return values;
 }
 
 template <int dim>
@@ -149,18 +137,25 @@ Displacement ElasticOperator<dim>::uniform_strain(Load load) const {
   const auto strain = unit_strain<dim>(load);
   const auto affine = Shape::affine_motion(strain);
   const WriteValues phase_strains(displacement.phase_strains());
-  const double shear = component(strain, 0, 1);
-  const auto of_faces = equal_slopes({shear, shear});
+  Eigen::Matrix<double, dim, dim> gradient;
+  for (int i = 0; i < dim; ++i) {
+    for (int j = 0; j < dim; ++j) gradient(i, j) = component(strain, i, j);
+  }
+  const auto of_gaps = gaps_in_linear_motion(gradient);
   for_mixed_cells([&](const Index<dim>& cell, const MixedCell<dim>& mixed, std::size_t index) {
-    phase_strains.range(index, mixed.unknowns()) = mixed.uniform(modes_of(cell, affine, of_faces));
+    phase_strains.range(index, mixed.unknowns()) = mixed.uniform(modes_of(cell, affine, of_gaps));
   });
   if (boundary() != Boundary::traction) {
-    faces_.set(of_faces, displacement.fluctuation());
+    gap_layout_.set(of_gaps, displacement.fluctuation());
     displacement.set_macroscopic(1.0);
     return displacement;
   }
   // The strain is rotated so that the held components are zero: u_i depends on x_j with j >= i alone.
-  faces_.set(equal_slopes({2.0 * shear, 0.0}), displacement.fluctuation());
+  for (int i = 0; i < dim; ++i) {
+    for (int j = i + 1; j < dim; ++j) gradient(i, j) = 2.0 * component(strain, i, j);
+    for (int j = 0; j < i; ++j) gradient(i, j) = 0.0;
+  }
+  gap_layout_.set(gaps_in_linear_motion(gradient), displacement.fluctuation());
   nodes_.for_nodes(displacement.fluctuation(), [&](const Index<dim>& node, double* u) {
     for (int i = 0; i < dim; ++i) {
       u[i] = component(strain, i) * node[static_cast<std::size_t>(i)];
@@ -197,15 +192,15 @@ void ElasticOperator<dim>::condense(std::span<const Moduli> moduli, Forces& forc
   }
   const ReadValues on_strains(forces.phase_strains());
   std::size_t index = 0;
-  std::vector<double> on_faces(faces_.seen(), 0.0);
+  std::vector<double> on_gaps(gap_layout_.seen(), 0.0);
   const auto relief = sum_over_cells(nodes_, [&](const Index<dim>& cell) {
     const auto* mixed = kinds_.mixed_cell(cell);
     if (mixed == nullptr) return std::pair<CellValues, double>(CellValues::Zero(), 0.0);
     const auto stress = mixed->stress_relieved_by(moduli, on_strains.range(index, mixed->unknowns()));
     index += static_cast<std::size_t>(mixed->unknowns());
-    return std::pair<CellValues, double>(forces_of(cell, stress, on_faces), 0.0);
+    return std::pair<CellValues, double>(forces_of(cell, stress, on_gaps), 0.0);
   });
-  faces_.add(std::move(on_faces), relief.on_nodes.get());
+  gap_layout_.add(std::move(on_gaps), relief.on_nodes.get());
   check(VecAXPY(forces.fluctuation(), 1.0, relief.on_nodes.get()), "adding nodal forces");
 }
 
@@ -213,11 +208,11 @@ template <int dim>
 void ElasticOperator<dim>::recover_phase_strains(std::span<const Moduli> moduli, const Forces& forces,
                                                  Displacement& displacement) const {
   const auto local = nodes_.local_copy(displacement.fluctuation());
-  const auto of_faces = faces_.values(displacement.fluctuation());
+  const auto of_gaps = gap_layout_.values(displacement.fluctuation());
   const ReadValues values(local.get()), on_strains(forces.phase_strains());
   const WriteValues strains(displacement.phase_strains());
   for_mixed_cells([&](const Index<dim>& cell, const MixedCell<dim>& mixed, std::size_t index) {
-    const auto strain = modes_of(cell, nodes_.cell_values(cell, values.data()), of_faces);
+    const auto strain = modes_of(cell, nodes_.cell_values(cell, values.data()), of_gaps);
     strains.range(index, mixed.unknowns()) =
         mixed.strains_under(moduli, strain, on_strains.range(index, mixed.unknowns()));
   });
@@ -244,9 +239,7 @@ std::vector<PetscInt> ElasticOperator<dim>::natural_indices_of_strains() const {
 
 template <int dim>
 Matrix ElasticOperator<dim>::make_matrix() const {
-  if constexpr (dim == 2) {
-    if (has_gaps()) return make_gap_matrix(*this);
-  }
+  if (has_gaps()) return make_gap_matrix(*this);
   return nodes_.make_matrix();
 }
 
@@ -256,9 +249,7 @@ void ElasticOperator<dim>::assemble(std::span<const Moduli> moduli, Mat matrix) 
   double stiffest = 0.0;
   for (const auto& [bulk, shear] : moduli) stiffest = std::max(stiffest, bulk + shear);
   check(MatZeroEntries(matrix), what);
-  if constexpr (dim == 2) {
-    if (has_gaps()) return assemble_gap_matrix(*this, moduli, stiffest, matrix);
-  }
+  if (has_gaps()) return assemble_gap_matrix(*this, moduli, stiffest, matrix);
   const auto by_kind = kinds_.stiffnesses(moduli);
   nodes_.for_cells([&](const Index<dim>& cell) {
     const CellValues free = nodes_.held_mask(cell);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -11,9 +12,10 @@
 #include "breccia/discretisation/load.hpp"
 
 #include "discretisation/cell_shape.hpp"
+#include "discretisation/gaps/gap_cells.hpp"
 #include "quasistatic/operator/cell_kinds.hpp"
 #include "quasistatic/operator/displacement.hpp"
-#include "quasistatic/operator/face_layout.hpp"
+#include "quasistatic/operator/gap_layout.hpp"
 #include "quasistatic/operator/mixed_cell.hpp"
 #include "quasistatic/operator/natural_order.hpp"
 #include "quasistatic/operator/node_layout.hpp"
@@ -47,9 +49,9 @@ class ElasticOperator {
   [[nodiscard]] const Grid<dim>& grid() const noexcept { return nodes_.grid(); }
   /// Area or volume of the box, in units of the cell side.
   [[nodiscard]] double volume() const noexcept { return grid().volume(); }
-  /// Number of nodal components, the held ones included, and of the unknowns of faces of cells with gaps.
-  [[nodiscard]] std::int64_t unknowns() const noexcept { return nodes_.unknowns() + gaps_.unknowns(); }
-  [[nodiscard]] bool has_gaps() const noexcept { return gaps_.unknowns() > 0; }
+  /// Number of nodal components, the held ones included, and of the unknowns of gaps.
+  [[nodiscard]] std::int64_t unknowns() const noexcept { return nodes_.unknowns() + gap_unknowns(); }
+  [[nodiscard]] bool has_gaps() const noexcept { return gap_unknowns() > 0; }
 
   /// A zero displacement, or zero forces.
   [[nodiscard]] Displacement zero() const { return {0.0, nodes_.zeros(), zero_strains_of_phases()}; }
@@ -77,18 +79,20 @@ class ElasticOperator {
   void for_mixed_cells_of_planes(int first_plane, int end_plane, Action&& action) const;
   [[nodiscard]] const CellKinds<dim>& kinds() const noexcept { return kinds_; }
   [[nodiscard]] const NodeLayout<dim>& nodes() const noexcept { return nodes_; }
-  /// The strain modes of a mixed cell, from the displacements of its nodes and the values of faces (FaceLayout).
+  /// The strain modes of a mixed cell, from the displacements of its nodes and the values of gaps (GapLayout).
   [[nodiscard]] typename Shape::ModeValues modes_of(const Index<dim>& cell, const CellValues& u,
-                                                    std::span<const double> of_faces) const;
+                                                    std::span<const double> of_gaps) const;
   /// The modes of a cell.
   [[nodiscard]] const typename Shape::ModeMatrix& modes() const noexcept { return modes_; }
 
-  /// The unknowns of faces of cells with gaps.
-  [[nodiscard]] const FaceLayout& faces() const noexcept { return faces_; }
+  /// The unknowns of gaps.
+  [[nodiscard]] const GapLayout& gap_layout() const noexcept { return gap_layout_; }
   /// The cells with gaps, if there are any.
-  [[nodiscard]] const gaps::GapCells& gap_cells() const noexcept { return gaps_.cells(); }
+  [[nodiscard]] const gaps::GapCells<dim>& gap_cells() const noexcept { return *gaps_; }
   /// The cell with gaps at a cell; null for other cells.
-  [[nodiscard]] const gaps::GapCell* gap_cell(const Index<dim>& cell) const noexcept { return gaps_.at(cell); }
+  [[nodiscard]] const gaps::GapCell<dim>* gap_cell(const Index<dim>& cell) const noexcept {
+    return gaps_ != nullptr ? gaps_->at(cell) : nullptr;
+  }
 
   /// A sparse matrix with the pattern of K on w, without values.
   [[nodiscard]] Matrix make_matrix() const;
@@ -104,15 +108,17 @@ class ElasticOperator {
   template <class Action>
   void for_mixed_cells(Action&& action) const;
 
-  [[nodiscard]] std::vector<double> equal_slopes(const std::array<double, 2>& of_normals) const;
-  /// The forces on the nodes of a mixed cell that has these stresses; adds those on its faces.
+  [[nodiscard]] std::int64_t gap_unknowns() const noexcept { return gaps_ != nullptr ? gaps_->unknowns() : 0; }
+  /// The values of gaps (GapLayout) in a displacement with this gradient everywhere, without flow.
+  [[nodiscard]] std::vector<double> gaps_in_linear_motion(const Eigen::Matrix<double, dim, dim>& gradient) const;
+  /// The forces on the nodes of a mixed cell that has these stresses; adds those on its gaps.
   [[nodiscard]] CellValues forces_of(const Index<dim>& cell, const typename Shape::ModeValues& stress,
-                                     std::span<double> on_faces) const;
+                                     std::span<double> on_gaps) const;
 
-  GapsOfGrid<dim> gaps_;
+  std::shared_ptr<const gaps::GapCells<dim>> gaps_;  ///< the cells with gaps; null where there are none
   NodeLayout<dim> nodes_;
   CellKinds<dim> kinds_;
-  FaceLayout faces_;
+  GapLayout gap_layout_;
   int threads_;
   /// Index of the first strain of the mixed cells, by plane of cells of this process.
   std::vector<std::size_t> first_strain_;

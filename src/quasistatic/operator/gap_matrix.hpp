@@ -6,12 +6,14 @@
 
 namespace breccia::quasistatic {
 
-/// A sparse matrix for the displacements of nodes and the unknowns of faces, in the order of nodal vectors, without
+/// A sparse matrix for the displacements of nodes and the unknowns of gaps, in the order of nodal vectors, without
 /// values.
-[[nodiscard]] Matrix make_gap_matrix(const ElasticOperator<2>& elastic_operator);
+template <int dim>
+[[nodiscard]] Matrix make_gap_matrix(const ElasticOperator<dim>& elastic_operator);
 /// Adds the stiffness of all cells to a matrix of make_gap_matrix() that is zero. Held components of nodes are coupled
 /// to nothing and get this stiffness.
-void assemble_gap_matrix(const ElasticOperator<2>& elastic_operator, std::span<const Moduli> moduli,
+template <int dim>
+void assemble_gap_matrix(const ElasticOperator<dim>& elastic_operator, std::span<const Moduli> moduli,
                          double stiffness_of_held, Mat matrix);
 
 }  // namespace breccia::quasistatic

@@ -20,6 +20,12 @@ typename MixedCell<dim>::Modes MixedCell<dim>::of_all_shares() const {
 }
 
 template <int dim>
+StrainShare MixedCell<dim>::uniform_share() const {
+  const Modes all = of_all_shares();
+  return {.volumetric = 1.0 / all[Shape::modes - 1], .deviatoric = 1.0 / all[0]};
+}
+
+template <int dim>
 Eigen::VectorXd MixedCell<dim>::uniform(const Modes& strain) const {
   return strain.cwiseQuotient(of_all_shares()).replicate(static_cast<Eigen::Index>(mixture().size()) - 1, 1);
 }

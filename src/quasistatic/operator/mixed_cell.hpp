@@ -40,6 +40,8 @@ class MixedCell {
   /// Moduli of the cell [Pa], for those of the phases. If a modulus of a phase in series is 0, that of the cell is 0.
   [[nodiscard]] Moduli moduli(std::span<const Moduli> by_phase) const { return rule_.moduli<dim>(by_phase); }
 
+  /// The share of the strain of the cell that all phases have if all of them have the same strain.
+  [[nodiscard]] StrainShare uniform_share() const;
   /// The strains of all phases if all of them have the same.
   [[nodiscard]] Eigen::VectorXd uniform(const Modes& strain) const;
   /// The mean stress of the cell, which is conjugate to a uniform strain of all phases, from the stresses of the

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "discretisation/gaps/linear_motion.hpp"
 #include "quasistatic/operator/gap_operator.hpp"
 #include "quasistatic/operator/vector_values.hpp"
 
@@ -24,7 +25,7 @@ class NodalDisplacement {
         macroscopic_(displacement.macroscopic()),
         seen_(nodes_->local_copy(displacement.fluctuation())),
         fluctuation_(seen_.get()),
-        of_faces_(elastic_operator.faces().values(displacement.fluctuation())),
+        of_gaps_(elastic_operator.gap_layout().values(displacement.fluctuation())),
         phase_strains_(displacement.phase_strains()) {}
 
   [[nodiscard]] typename Shape::Values of_cell(const Index<dim>& cell) const {
@@ -46,15 +47,14 @@ class NodalDisplacement {
   }
 
   /// The unknowns of a cell with gaps.
-  [[nodiscard]] GapOperator::Unknowns of_cell_with_gaps(const Index<2>& cell, const GapOperator& gap) const
-      requires(dim == 2) {
-    return gap.unknowns(of_cell(cell), elastic_operator_->faces(), of_faces_);
+  [[nodiscard]] gaps::CellUnknowns<dim> of_cell_with_gaps(const Index<dim>& cell, const GapOperator<dim>& gap) const {
+    return gap.unknowns(of_cell(cell), elastic_operator_->gap_layout(), of_gaps_);
   }
 
   /// The strain of a phase of a mixed cell whose first unknown strain is at an index.
   [[nodiscard]] typename Shape::ModeValues of_part(const Index<dim>& cell, const MixedCell<dim>& mixed,
                                                    std::size_t index, std::size_t part) const {
-    const auto strain = elastic_operator_->modes_of(cell, of_cell(cell), of_faces_);
+    const auto strain = elastic_operator_->modes_of(cell, of_cell(cell), of_gaps_);
     return mixed.strain_of(part, strain, phase_strains_.range(index, mixed.unknowns()));
   }
 
@@ -65,7 +65,7 @@ class NodalDisplacement {
   double macroscopic_;
   NodalVector seen_;
   ReadValues fluctuation_;  ///< fluctuation of the nodes that this process sees
-  std::vector<double> of_faces_;
+  std::vector<double> of_gaps_;
   ReadValues phase_strains_;  ///< strains of its mixed cells, in the order of the cells
 };
 
@@ -124,31 +124,38 @@ void add_to(std::array<double, components>& values, const std::array<double, com
   for (std::size_t i = 0; i < components; ++i) values[i] += more[i];
 }
 
-/// Adds what gaps contribute to the fields of the points of a cell: the volume change is that of the faces, and the
-/// ties of the slopes have a stress.
-void add_gaps(const ElasticOperator<2>& elastic_operator, const Index<2>& cell, const gaps::GapCell& gap_cell,
-              const NodalDisplacement<2>& moved, const std::vector<AppliedToNodes<2>>& by_material,
-              LatticeFields<2>& fields) {
-  using Shape = CellShape<2>;
-  const GapOperator gap(gap_cell, elastic_operator.modes());
+/// Adds what gaps contribute to the fields of the points of a cell: the volume change is that of the gaps, and the ties
+/// of the slopes have a stress.
+template <int dim>
+void add_gaps(const ElasticOperator<dim>& elastic_operator, const Index<dim>& cell, const gaps::GapCell<dim>& gap_cell,
+              const NodalDisplacement<dim>& moved, const std::vector<AppliedToNodes<dim>>& by_material,
+              LatticeFields<dim>& fields) {
+  using Shape = CellShape<dim>;
+  const GapOperator<dim> gap(gap_cell, elastic_operator.modes());
   const double of_nodes = (elastic_operator.modes() * moved.of_cell(cell))[Shape::modes - 1];
   const double volume = gap.volume(moved.of_cell_with_gaps(cell, gap)) - of_nodes;
-  GapOperator::Unknowns forces = GapOperator::Unknowns::Zero();
+  auto forces = gaps::CellUnknowns<dim>::Zero().eval();
   for (const auto& [phase, factor, form] : gap_cell.terms) {
     form.add_to(forces, factor * form.of(by_material[phase].shear.of_cell_with_gaps(cell, gap)));
   }
-  const auto conjugate_to = [&](const Eigen::Matrix2d& gradient) {
-    return forces.dot(GapOperator::linear_motion(gradient));
-  };
+  typename decltype(LatticeFields<dim>::strain)::value_type strain{};
+  typename decltype(LatticeFields<dim>::stress)::value_type stress{};
   // A shear strain has the rotation of ElasticOperator::uniform_strain().
   const double below = elastic_operator.boundary() == Boundary::traction ? 0.0 : 0.5;
-  const double xx = conjugate_to(Eigen::Matrix2d{{1.0, 0.0}, {0.0, 0.0}}),
-               yy = conjugate_to(Eigen::Matrix2d{{0.0, 0.0}, {0.0, 1.0}}),
-               xy = conjugate_to(Eigen::Matrix2d{{0.0, 1.0 - below}, {below, 0.0}});
+  for (int i = 0; i < dim; ++i) {
+    strain[static_cast<std::size_t>(i)] = volume / dim;
+    for (int j = i; j < dim; ++j) {
+      Eigen::Matrix<double, dim, dim> gradient = Eigen::Matrix<double, dim, dim>::Zero();
+      gradient(i, j) = i == j ? 1.0 : 1.0 - below;
+      if (i != j) gradient(j, i) = below;
+      const auto component = static_cast<std::size_t>(component_index<dim>(i, j) + (i == j ? 0 : 3 - dim));
+      stress[component] = forces.dot(gaps::linear_motion<dim>(gradient));
+    }
+  }
   for (int p = 0; p < Shape::points; ++p) {
     const auto index = place_in_timed_fields(elastic_operator.nodes().cells(), cell, p);
-    add_to(fields.strain[index], {0.5 * volume, 0.5 * volume, 0.0});
-    add_to(fields.stress[index], {xx, yy, 0.0, xy});
+    add_to(fields.strain[index], strain);
+    add_to(fields.stress[index], stress);
   }
 }
 
@@ -203,10 +210,8 @@ LatticeFields<dim> recover_fields(const ElasticOperator<dim>& elastic_operator,
           put_in_timed_fields<dim>(stresses[static_cast<std::size_t>(p)],
                                    fields.stress[place_in_timed_fields(cells, cell, p)]);
         }
-        if constexpr (dim == 2) {
-          const auto* gap = elastic_operator.gap_cell(cell);
-          if (gap != nullptr) add_gaps(elastic_operator, cell, *gap, moved, by_material, fields);
-        }
+        const auto* gap = elastic_operator.gap_cell(cell);
+        if (gap != nullptr) add_gaps(elastic_operator, cell, *gap, moved, by_material, fields);
       });
   return fields;
 }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "parallel/first_exception.hpp"
+#include "quasistatic/operator/gap_operator.hpp"
 #include "quasistatic/operator/vector_values.hpp"
 
 namespace breccia::quasistatic {
@@ -32,7 +33,8 @@ NodalVector no_values() {
 class CondensedVectors::ValuesAtNodes {
  public:
   ValuesAtNodes(const CondensedVectors& vectors, std::size_t count)
-      : nodes_(&vectors.elastic_operator_->nodes()),
+      : elastic_operator_(vectors.elastic_operator_),
+        nodes_(&elastic_operator_->nodes()),
         is_alone_(parallel::ranks() == 1),
         affine_(CellShape<3>::affine_motion(unit_strain<3>(vectors.load_))) {
     for (std::size_t i = 0; i < count; ++i) {
@@ -43,6 +45,10 @@ class CondensedVectors::ValuesAtNodes {
       if (fluctuates && !is_alone_) local_.push_back(nodes_->local_copy(nodal));
       const auto& values = values_.emplace_back(fluctuates && !is_alone_ ? local_.back().get() : nodal);
       vectors_.push_back({displacement.macroscopic(), fluctuates ? values.data() : nullptr});
+      const auto& layout = vectors.elastic_operator_->gap_layout();
+      if (vectors.elastic_operator_->has_gaps()) {
+        of_gaps_.push_back(fluctuates ? layout.values(nodal) : std::vector<double>(layout.seen(), 0.0));
+      }
     }
   }
 
@@ -60,16 +66,33 @@ class CondensedVectors::ValuesAtNodes {
     }
   }
 
+  /// What the gaps of a cell add to the volumetric strains of its nodes, by vector; nothing without gaps.
+  [[nodiscard]] Eigen::VectorXd strains_of_gaps(const Index<3>& cell, const ValuesOfCell& of_cell) const {
+    const auto* gap_cell = elastic_operator_->gap_cell(cell);
+    if (gap_cell == nullptr) return {};
+    const GapOperator<3> gap(*gap_cell, elastic_operator_->modes());
+    Eigen::VectorXd added(of_cell.cols());
+    for (Eigen::Index i = 0; i < added.size(); ++i) {
+      const CellShape<3>::Values values = of_cell.col(i);
+      const auto unknowns =
+          gap.unknowns(values, elastic_operator_->gap_layout(), of_gaps_[static_cast<std::size_t>(i)]);
+      added[i] = gap.volume(unknowns) - elastic_operator_->modes().row(CellShape<3>::modes - 1).dot(values);
+    }
+    return added;
+  }
+
  private:
   struct OfVector {
     double macroscopic;
     const double* fluctuation;  ///< fluctuation; null where there is none
   };
 
+  const ElasticOperator<3>* elastic_operator_;
   const NodeLayout<3>* nodes_;
   bool is_alone_;
   CellShape<3>::Values affine_;
   std::vector<NodalVector> local_;
+  std::vector<std::vector<double>> of_gaps_;  ///< values of gaps (GapLayout) by vector, if there are any
   std::deque<ReadValues> values_;
   std::vector<OfVector> vectors_;
 };
@@ -85,7 +108,8 @@ void CondensedVectors::for_mixed_cells(std::size_t count, const Work& work) cons
       elastic_operator_->for_mixed_cells_of_planes(
           plane, plane + 1, [&](const Index<3>& cell, const MixedCell<3>& /*mixed*/, std::size_t first) {
             values.find(cell, of_cell);
-            work(plane, of_cell, MixedStrains{elastic_operator_->kinds().of(cell), first});
+            work(plane, of_cell, values.strains_of_gaps(cell, of_cell),
+                 MixedStrains{elastic_operator_->kinds().of(cell), first});
           });
     });
   }
@@ -141,12 +165,15 @@ std::vector<std::vector<StrainShare>> CondensedVectors::shares_of(const VectorOr
   std::optional<std::vector<Moduli>> moduli;
   if (origin.parameters) moduli = stiffness_->moduli_at(*origin.parameters);
   std::vector<std::vector<StrainShare>> shares;
-  for (const auto& mixed : elastic_operator_->kinds().mixed()) {
+  const auto& kinds = elastic_operator_->kinds();
+  for (std::size_t kind = 0; kind < kinds.count(); ++kind) {
+    const auto& mixed = kinds.mixed()[kind];
     auto& of_kind = shares.emplace_back();
     if (!mixed) continue;
     // The uniform strain is the same in all phases.
-    constexpr StrainShare whole = {.volumetric = 1.0, .deviatoric = 1.0};
-    of_kind = moduli ? mixed->shares(*moduli) : std::vector(mixed->mixture().size() - 1, whole);
+    const auto uniform =
+        kinds.has_gaps(kind) ? mixed->uniform_share() : StrainShare{.volumetric = 1.0, .deviatoric = 1.0};
+    of_kind = moduli ? mixed->shares(*moduli) : std::vector(mixed->mixture().size() - 1, uniform);
   }
   return shares;
 }
@@ -207,7 +234,8 @@ Eigen::VectorXd CondensedVectors::works(const Forces& forces) const {
   Eigen::MatrixXd of_own = Eigen::MatrixXd::Zero(count, elastic_operator_->planes());
   {
     const ReadValues on_strains(forces.phase_strains());
-    for_mixed_cells(size(), [&](int plane, const ValuesOfCell& values, const MixedStrains& strains) {
+    for_mixed_cells(size(), [&](int plane, const ValuesOfCell& values, const Eigen::VectorXd& of_gaps,
+                                const MixedStrains& strains) {
       Eigen::VectorXd volumetric(count), deviatoric(count);
       auto first = strains.first;
       for (const auto& of_phase : shares[strains.kind]) {
@@ -216,6 +244,7 @@ Eigen::VectorXd CondensedVectors::works(const Forces& forces) const {
         const Shape::Values on_volume = volume().transpose() * on_phase[Shape::modes - 1];
         volumetric.noalias() = values.transpose() * on_volume;
         deviatoric.noalias() = values.transpose() * on_deviator;
+        if (of_gaps.size() > 0) volumetric += on_phase[Shape::modes - 1] * of_gaps;
         first += Shape::modes;
         for (Eigen::Index j = 0; j < count; ++j) {
           const auto amounts = earlier.row(j).head(j);
@@ -244,7 +273,7 @@ void CondensedVectors::add_phase_strains(const Eigen::VectorXd& weights, Vec pha
   const auto shares = shares_in_sum(weights);
   const WriteValues all_strains(phase_strains);
   for_mixed_cells(static_cast<std::size_t>(weights.size()),
-                  [&](int, const ValuesOfCell& values, const MixedStrains& strains) {
+                  [&](int, const ValuesOfCell& values, const Eigen::VectorXd& of_gaps, const MixedStrains& strains) {
                     auto first = strains.first;
                     for (const auto& of_phase : shares[strains.kind]) {
                       const Shape::Values volumetric = values * of_phase.row(0).transpose();
@@ -252,6 +281,7 @@ void CondensedVectors::add_phase_strains(const Eigen::VectorXd& weights, Vec pha
                       auto added = all_strains.range(first, Shape::modes);
                       added.head<Shape::modes - 1>() += deviators() * deviatoric;
                       added[Shape::modes - 1] += volume().dot(volumetric);
+                      if (of_gaps.size() > 0) added[Shape::modes - 1] += of_phase.row(0).dot(of_gaps);
                       first += Shape::modes;
                     }
                   });

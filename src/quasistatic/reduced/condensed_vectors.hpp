@@ -61,8 +61,9 @@ class CondensedVectors {
   /// Adds the strains of phases in the vectors times these weights.
   void add_phase_strains(const Eigen::VectorXd& weights, Vec phase_strains) const;
 
-  /// Calls work(plane, displacements of the nodes of a mixed cell in the first `count` vectors, its strains) for all
-  /// mixed cells. The cells of a plane come one after the other; several threads take different planes.
+  /// Calls work(plane, displacements of the nodes of a mixed cell in the first `count` vectors, what gaps add to its
+  /// volumetric strains, its strains) for all mixed cells. The cells of a plane come one after the other; several
+  /// threads take different planes.
   template <class Work>
   void for_mixed_cells(std::size_t count, const Work& work) const;
   /// The rows of the modes of a cell that are deviators, and the one that is the volumetric strain.

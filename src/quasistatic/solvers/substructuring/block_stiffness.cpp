@@ -51,7 +51,7 @@ class UnknownNumbers {
 
 /// The unknowns of a cell of a block, and its stiffness for them.
 struct CellOfBlock {
-  std::array<int, gaps::unknowns_of_cell> unknowns = {};
+  std::array<int, gaps::unknowns_of_cell<2>> unknowns = {};
   int count = CellShape<2>::dofs;
   const double* stiffness = nullptr;
 };
@@ -60,9 +60,9 @@ struct CellOfBlock {
 Eigen::MatrixXd add_faces(const BlockKind::WithGaps& with_gaps, const UnknownNumbers& numbers, CellOfBlock& cell) {
   std::vector<Eigen::Index> rows(CellShape<2>::dofs);
   std::iota(rows.begin(), rows.end(), 0);
-  for (std::size_t k = 0; k < with_gaps.cell->face_unknowns.size(); ++k) {
-    const auto number = with_gaps.cell->face_unknowns[k];
-    if (number == gaps::GapCell::none) continue;
+  for (std::size_t k = 0; k < with_gaps.cell->gap_unknowns.size(); ++k) {
+    const auto number = with_gaps.cell->gap_unknowns[k];
+    if (number == gaps::GapCell<2>::none) continue;
     rows.push_back(CellShape<2>::dofs + static_cast<Eigen::Index>(k));
     cell.unknowns.at(static_cast<std::size_t>(cell.count++)) = numbers.of_face(number);
   }

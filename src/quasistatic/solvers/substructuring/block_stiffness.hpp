@@ -20,8 +20,8 @@ struct BlockKind {
   UnknownsOfFaces faces = {};  ///< the unknowns of faces
   /// A cell with gaps.
   struct WithGaps {
-    const gaps::GapCell* cell;
-    GapOperator::Stiffness stiffness;
+    const gaps::GapCell<2>* cell;
+    GapOperator<2>::Stiffness stiffness;
   };
   std::vector<WithGaps> with_gaps = {};  ///< the cells with gaps, row by row
 };

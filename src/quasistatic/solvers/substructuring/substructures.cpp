@@ -132,7 +132,8 @@ BlockKind Substructures::block_kind(int kind, const std::vector<CellShape<2>::St
       block_kind.cells.push_back(gap == nullptr ? &cells[kind_of_cell] : nullptr);
       if (gap == nullptr) continue;
       const auto of_cell = elastic_operator_->kinds().mixed()[kind_of_cell]->moduli(moduli);
-      block_kind.with_gaps.push_back({gap, GapOperator(*gap, elastic_operator_->modes()).stiffness(of_cell, moduli)});
+      block_kind.with_gaps.push_back(
+          {gap, GapOperator<2>(*gap, elastic_operator_->modes()).stiffness(of_cell, moduli)});
     }
   }
   const int* unknowns = unknowns_of(example);

@@ -76,7 +76,7 @@ std::size_t SubstructuringSolver::index_of(const Block& block, const BlockUnknow
   const int width = end[0] - begin[0], height = end[1] - begin[1];
   if (unknown.of_face != BlockUnknown::none) {
     const auto of_nodes = 2 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    return of_nodes + elastic_operator().faces().index_of(unknown.of_face);
+    return of_nodes + elastic_operator().gap_layout().index_of(unknown.of_face);
   }
   // The last nodes of a process that wraps around are its first ones.
   const int column = block.first_column + unknown.x - begin[0], row = block.first_row + unknown.y - begin[1];

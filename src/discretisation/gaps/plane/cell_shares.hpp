@@ -1,0 +1,18 @@
+#pragma once
+
+#include "discretisation/gaps/plane/cell_place.hpp"
+#include "discretisation/gaps/plane/channel.hpp"
+#include "discretisation/gaps/plane/face_unknowns.hpp"
+
+namespace breccia::gaps {
+
+/// A cell of a channel: its binder resists sliding, and its volume change, with that of the channel.
+[[nodiscard]] CellShares shares_of_channel(const GapGeometry<2>& geometry, const CellPlace& place,
+                                           const Channel& channel);
+/// Any other cell.
+[[nodiscard]] CellShares shares_of_cell(const GapGeometry<2>& geometry, const CellPlace& place);
+
+/// The share of the area of a cell in a particle [-].
+[[nodiscard]] double share_of(const GapGeometry<2>& geometry, const CellPlace& place, ImageIndex image);
+
+}  // namespace breccia::gaps
