@@ -8,24 +8,24 @@
 namespace breccia::gaps {
 namespace {
 
-/// The widest gap along an axis whose nodes belong to particles (Eq. 42c of the theory, docs/gaps-in-space.md).
+/// The widest gap whose nodes belong to particles (Eq. 42c of the theory, docs/gaps-in-space.md), across an axis and
+/// across a diagonal.
 template <int dim>
 constexpr double widest = dim == 2 ? 1.4 : 1.2;
-/// The square root of the largest component of the unit vector along a diagonal.
 template <int dim>
-constexpr double of_a_diagonal = dim == 2 ? 0.8409 : 0.7598;
+constexpr double widest_of_all = dim == 2 ? 1.4 / 0.8409 : 1.2 / 0.5773;
 
 /// Whether a gap is so narrow that its nodes belong to particles; where it is oblique it may be somewhat wider.
 template <int dim>
 bool is_narrow(const ParticleImages<dim>& images, const NearestTwo& nearest, const Vector<dim>& point) {
-  if (nearest.second == no_image || nearest.gap() >= widest<dim> / of_a_diagonal<dim>) return false;
+  if (nearest.second == no_image || nearest.gap() >= widest_of_all<dim>) return false;
   // Behind a particle that lies before another one there is no gap.
   if (dot(images.normal(nearest.first, point), images.normal(nearest.second, point)) > 0.0) return false;
   double largest = 0.0;
   for (const double part : images.across(nearest.first, nearest.second, point)) {
     largest = std::max(largest, std::abs(part));
   }
-  return nearest.gap() < widest<dim> / std::sqrt(largest);
+  return nearest.gap() < widest<dim> / (dim == 2 ? std::sqrt(largest) : largest);
 }
 
 }  // namespace

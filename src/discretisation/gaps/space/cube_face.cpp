@@ -59,6 +59,23 @@ class CubeCrossing {
            dot(images_.normal(nearest.first, point), images_.normal(nearest.second, point)) < 0.0;
   }
 
+  /// The direction across the binder at a point: across the gap between two particles, or away from the nearest one.
+  [[nodiscard]] Vector<3> across_at(const Vector<3>& point) const {
+    const auto nearest = images_.nearest_two(point);
+    if (nearest.first == no_image) return {};
+    if (is_between(nearest, point)) return images_.across(nearest.first, nearest.second, point);
+    return images_.normal(nearest.first, point);
+  }
+  /// How much lines along each axis of the face see of the width of the binder at a point: the shares of the squares of
+  /// the direction across it.
+  [[nodiscard]] std::array<double, 2> shares_of_axes(const Vector<3>& point) const {
+    constexpr double least = 1e-12;
+    const auto across = across_at(point);
+    const double first = across[place_.axis(0)], second = across[place_.axis(1)];
+    const double both = first * first + second * second + 2.0 * least;
+    return {(first * first + least) / both, (second * second + least) / both};
+  }
+
   [[nodiscard]] ChangesOfOwner changes() const {
     ChangesOfOwner changes;
     for_edges([&](std::size_t from, std::size_t, std::size_t along) {
@@ -78,16 +95,19 @@ class CubeCrossing {
 
   /// The mean of the fluxes through the four edges, each as wide as the face (Eqs. 42d and 42e of the theory): the
   /// displacement follows the particles of its nodes up to their surfaces, or to the change of owner, and is linear
-  /// between.
+  /// between. Edges along both axes count as shares_of_axes(), so that a layer of binder along an edge is not counted
+  /// as wide as the face.
   [[nodiscard]] FaceFlux flux_by_edges() const {
     FaceFlux flux;
+    const auto shares = shares_of_axes(place_.centre());
     for_edges([&](std::size_t lower, std::size_t upper, std::size_t along) {
       const auto [begin, end] = ends_of_particles(lower, upper, along);
-      flux.of_nodes[lower] += 0.125 * (begin + end);
-      flux.of_nodes[upper] += 0.25 - 0.125 * (begin + end);
+      const double half = 0.25 * shares[along];
+      flux.of_nodes[lower] += half * (begin + end);
+      flux.of_nodes[upper] += half * (2.0 - begin - end);
       if (owner_[lower] == owner_[upper]) return;
-      if (owner_[lower] != no_image) flux.of_slopes[lower][along] += 0.125 * begin * end;
-      if (owner_[upper] != no_image) flux.of_slopes[upper][along] -= 0.125 * (1.0 - begin) * (1.0 - end);
+      if (owner_[lower] != no_image) flux.of_slopes[lower][along] += half * begin * end;
+      if (owner_[upper] != no_image) flux.of_slopes[upper][along] -= half * (1.0 - begin) * (1.0 - end);
     });
     return flux;
   }
@@ -132,7 +152,8 @@ class CubeCrossing {
     return conductance;
   }
 
-  /// Conductance of the pieces of binder on a face with free nodes.
+  /// Conductance of the pieces of binder on a face with free nodes: the integral of h^2 / 12 over the binder, with h
+  /// the part of its width on the face, by lines along both axes, which count as shares_of_axes().
   [[nodiscard]] double conductance_of_pieces() const {
     const bool is_end = is_end_of_gap();
     double conductance = 0.0;
@@ -140,18 +161,20 @@ class CubeCrossing {
       for (const auto& piece : images_.binder_on(line)) {
         const auto point = line.at(0.5 * (piece.begin + piece.end));
         const auto nearest = images_.nearest_two(point);
-        const double across = std::min(piece.length() * share_across(nearest, point, line.axis, is_end), nearest.gap());
-        conductance += weight * piece.length() * across * across / 12.0;
+        const bool is_in_gap = is_between(nearest, point);
+        const double along = is_in_gap ? share_across(nearest, point, line.axis, is_end) : 1.0;
+        const double share = is_in_gap ? shares_of_axes(point)[place_.axis(0) == line.axis ? 0 : 1] : 0.5;
+        const double across = std::min(piece.length() * along, nearest.gap());
+        conductance += share * weight * piece.length() * across * across / 12.0;
       }
     });
     return conductance;
   }
 
-  /// The share of a piece of binder along an axis of the face that is across the flow. At the end of a gap the flow
+  /// The share of a piece of binder along an axis of the face that is across the gap. At the end of a gap the flow
   /// turns into the face.
   [[nodiscard]] double share_across(const NearestTwo& nearest, const Vector<3>& point, std::size_t axis,
                                     bool is_end) const {
-    if (!is_between(nearest, point)) return std::sqrt(0.5);
     const auto across = images_.across(nearest.first, nearest.second, point);
     const double along = across[axis], normal = is_end ? across[place_.normal] : 0.0;
     return std::sqrt(along * along + 0.5 * normal * normal);
