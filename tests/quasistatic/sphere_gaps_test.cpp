@@ -77,7 +77,7 @@ std::array<double, 2> shear_moduli(const QuasistaticProblem<3>& problem) {
   return {found.responses[0].modulus(binder), found.responses[1].modulus(binder)};
 }
 
-// Gaps of 0.04 to 0.12 cells. Cells in series are up to 1e5 times too stiff.
+// Gaps of 0.03 to 0.14 cells.
 TEST(CubicArraysWithNarrowGaps, HaveTheModuliOfConformingElements) {
   const auto table = read_csv(sphere_references + "cubic_arrays.csv", {"array"});
   int found = 0;
