@@ -21,7 +21,7 @@ struct GapGeometry {
   const ParticleImages<dim>& images;
   const Owners<dim>& owners;
   const Faces& faces;
-  PhaseIndex matrix;
+  PhaseIndex matrix = 0;
   std::span<const ParticlePhases> particles;  ///< by particle
 
   /// The phases of a particle.

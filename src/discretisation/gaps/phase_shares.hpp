@@ -19,8 +19,8 @@ struct CellShares {
 /// A particle in a cell.
 struct ParticleShare {
   ParticlePhases phases;
-  double share;  ///< its share of the volume of the cell, coating included [-]
-  double core;   ///< the part of this that is the particle, and not its coating [-]
+  double share = 0.0;  ///< its share of the volume of the cell, coating included [-]
+  double core = 1.0;   ///< the part of this that is the particle, and not its coating [-]
 };
 
 /// The phases of a cell from the shares of particles, with shares of binder for the volume and for the deviators. What

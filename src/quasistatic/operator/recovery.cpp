@@ -148,8 +148,9 @@ void add_gaps(const ElasticOperator<dim>& elastic_operator, const Index<dim>& ce
       Eigen::Matrix<double, dim, dim> gradient = Eigen::Matrix<double, dim, dim>::Zero();
       gradient(i, j) = i == j ? 1.0 : 1.0 - below;
       if (i != j) gradient(j, i) = below;
-      const auto component = static_cast<std::size_t>(component_index<dim>(i, j) + (i == j ? 0 : 3 - dim));
-      stress[component] = forces.dot(gaps::linear_motion<dim>(gradient));
+      // Plane stresses have the one out of the plane between the normal ones and the shear.
+      const int component = component_index<dim>(i, j) + (i == j ? 0 : 3 - dim);
+      stress[static_cast<std::size_t>(component)] = forces.dot(gaps::linear_motion<dim>(gradient));
     }
   }
   for (int p = 0; p < Shape::points; ++p) {

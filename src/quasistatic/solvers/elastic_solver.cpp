@@ -96,6 +96,10 @@ std::unique_ptr<ElasticSolver<2>> make_iterative_solver(const ElasticOperator<2>
 
 std::unique_ptr<ElasticSolver<3>> make_iterative_solver(const ElasticOperator<3>& elastic_operator,
                                                         const LinearOptions& options) {
+  // The transforms know displacements of nodes alone.
+  if (elastic_operator.has_gaps()) {
+    return std::make_unique<AssembledSolver<3>>(elastic_operator, options, Preconditioner::factors);
+  }
   // Every process needs at least one plane of nodes.
   const bool is_periodic = elastic_operator.boundary() == Boundary::periodic;
   const int planes = elastic_operator.grid().cells[2] + (is_periodic ? 0 : 1);

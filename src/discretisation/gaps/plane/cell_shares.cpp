@@ -103,6 +103,7 @@ CellShares shares_of_channel(const GapGeometry<2>& geometry, const CellPlace& pl
 CellShares shares_of_cell(const GapGeometry<2>& geometry, const CellPlace& place) {
   const auto images = particles_in(geometry, place);
   std::vector<ParticleShare> particles;
+  particles.reserve(images.size() + 1);
   for (const auto image : images) {
     particles.push_back(geometry.with_share(image, share_of(geometry, place, image), place.corner()));
   }
