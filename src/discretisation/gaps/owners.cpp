@@ -37,6 +37,8 @@ Owners<dim>::Owners(const ParticleImages<dim>& images) {
   std::size_t size = 1;
   for (const int along : range_.size()) size *= static_cast<std::size_t>(along);
   nodes_.reserve(size);
+  std::vector<ImageIndex> nearest_to;
+  nearest_to.reserve(size);
   for_each_index(range_.begin, range_.end, [&](const Index<dim>& node) {
     Vector<dim> point{};
     for (std::size_t axis = 0; axis < dim; ++axis) point[axis] = node[axis];
@@ -45,6 +47,16 @@ Owners<dim>::Owners(const ParticleImages<dim>& images) {
     const bool is_in_binder = nearest.to_first > least;
     const bool is_owned = !is_in_binder || is_narrow<dim>(images, nearest, point);
     nodes_.push_back({is_owned ? nearest.first : no_image, is_in_binder});
+    nearest_to.push_back(nearest.first);
+  });
+  if (!images.is_periodic()) return;
+  // At the limit of narrow gaps rounding decides; all images of a node follow the one in the box.
+  for_each_index(range_.begin, range_.end, [&](const Index<dim>& node) {
+    auto in_box = node;
+    for (int& place : in_box) place = (place % images.cells() + images.cells()) % images.cells();
+    const auto& original = nodes_[range_.place_of(in_box)];
+    const auto place = range_.place_of(node);
+    nodes_[place] = {original.owner != no_image ? nearest_to[place] : no_image, original.is_in_binder};
   });
 }
 

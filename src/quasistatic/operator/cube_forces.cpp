@@ -128,6 +128,16 @@ class MixedForces {
   std::span<const double> of_gaps_;
 };
 
+/// The sweep over mixed cells. Where one process has a whole periodic box, the gaps at its upper end are those at its
+/// lower one, though their nodes have entries of their own: the last slab is then a neighbour of the first.
+CellSweep sweep_over_gaps(const ElasticOperator<3>& elastic_operator, NodeArrays arrays) {
+  const auto size = elastic_operator.nodes().cells().size();
+  const bool is_whole = size[2] == elastic_operator.grid().cells[2];
+  const bool wraps = is_whole && elastic_operator.boundary() == Boundary::periodic;
+  if (elastic_operator.has_gaps() && wraps) arrays.nodes[2] = size[2];
+  return {size, arrays};
+}
+
 }  // namespace
 
 CellModuli condensed_cells(const ElasticOperator<3>& elastic_operator, std::span<const Moduli> moduli) {
@@ -159,7 +169,7 @@ Forces forces_under(const ElasticOperator<3>& elastic_operator, std::span<const 
   const auto of_gaps = layout.values(displacement.fluctuation());
   std::vector<double> on_gaps(layout.seen(), 0.0);
   MixedForces(elastic_operator, moduli, *moved, of_gaps)
-      .add(displacement, sweep, *exerted, on_phase_strains.get(), on_gaps);
+      .add(displacement, sweep_over_gaps(elastic_operator, moved->arrays()), *exerted, on_phase_strains.get(), on_gaps);
   moved.reset();
 
   double macroscopic = exerted->work_on(macroscopic_strain);

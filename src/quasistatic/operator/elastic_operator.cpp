@@ -1,6 +1,7 @@
 #include "quasistatic/operator/elastic_operator.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -38,8 +39,15 @@ std::shared_ptr<const gaps::GapCells<dim>> gaps_of(const Discretisation<dim>& di
                                                    std::span<const Material> materials) {
   const auto& particles = discretisation.particles_with_gaps();
   if (particles == nullptr || !are_stiffer(*particles, materials)) return nullptr;
-  return std::make_shared<const gaps::GapCells<dim>>(
-      gaps::find_gap_cells(*particles, discretisation.grid().cells.front(), boundary));
+  const auto& grid = discretisation.grid();
+  const int cells = grid.cells.front();
+  constexpr double of_side = 1e-9;
+  const bool is_of_box = std::ranges::count(grid.cells, cells) == dim &&
+                         std::abs(cells * grid.cell_side - particles->box.side) <= of_side * particles->box.side;
+  if (!is_of_box)
+    throw InputError("quasi-static solver: expected particles with gaps in a box of the size of the grid");
+  auto found = gaps::find_gap_cells(*particles, cells, boundary);
+  return found.unknowns() > 0 ? std::make_shared<const gaps::GapCells<dim>>(std::move(found)) : nullptr;
 }
 
 }  // namespace

@@ -13,8 +13,8 @@ namespace breccia::quasistatic {
 namespace {
 
 /// The most unknowns that a cell has in common with the displacement of a node, and with an unknown of a gap. In the
-/// plane a node shares its cells with 8 nodes and 12 faces, a face with 6 nodes and 7 faces; in space a node shares
-/// them with 26 nodes and 36 faces, and its slopes do.
+/// plane a node shares its cells with 8 nodes and 12 faces, a face with 6 nodes and 7 faces; in space a node and
+/// its slopes share them with 27 nodes, their slopes, and 36 faces.
 template <int dim>
 constexpr PetscInt beside_node = dim == 2 ? 9 * 2 + 12 * 3 : 27 * (3 + 6) + 36;
 template <int dim>

@@ -153,7 +153,9 @@ void add_gaps(const ElasticOperator<dim>& elastic_operator, const Index<dim>& ce
       stress[static_cast<std::size_t>(component)] = forces.dot(gaps::linear_motion<dim>(gradient));
     }
   }
-  for (int p = 0; p < Shape::points; ++p) {
+  // Fields in space have one place a cell.
+  constexpr int places = dim == 2 ? Shape::points : 1;
+  for (int p = 0; p < places; ++p) {
     const auto index = place_in_timed_fields(elastic_operator.nodes().cells(), cell, p);
     add_to(fields.strain[index], strain);
     add_to(fields.stress[index], stress);

@@ -2,7 +2,6 @@
 
 #include "discretisation/gaps/plane/cell_place.hpp"
 #include "discretisation/gaps/plane/channel.hpp"
-#include "discretisation/gaps/plane/face_unknowns.hpp"
 
 namespace breccia::gaps {
 

@@ -26,7 +26,12 @@ void require_valid(const ParticlesInBox<3>& particles, Boundary boundary) {
   }
   auto box = particles.box;
   for (std::size_t sphere = 0; sphere < box.particles.size(); ++sphere) {
-    box.particles[sphere].diameter += 2.0 * particles.phases[sphere].coating_thickness;
+    const double thickness = particles.phases[sphere].coating_thickness;
+    if (!(thickness >= 0.0)) {
+      throw InputError(
+          fmt::format("gaps under a cell: expected coatings of a thickness of 0 or more, got {}", thickness));
+    }
+    box.particles[sphere].diameter += 2.0 * thickness;
   }
   breccia::require_valid(box);
 }
@@ -43,15 +48,21 @@ bool set_gap_unknowns(const CubeFaces& faces, const CubePlace& place, GapCell<3>
   return std::ranges::any_of(cell.gap_unknowns, [](auto number) { return number != GapCell<3>::none; });
 }
 
+/// Whether a particle fills a cell.
+bool is_filled_by_one(const GapGeometry<3>& geometry, const CubePlace& place) {
+  constexpr double all = 1.0 - 1e-9;
+  return place.owners().size() == 1 && geometry.images.content(place.owners().front(), place.corner()) > all;
+}
+
 /// The gap cell at a cell of the grid; nothing for a cell far from gaps.
 std::optional<GapCell<3>> make_gap_cell(const GapGeometry<3>& geometry, const Index<3>& at) {
   const CubePlace place(geometry, at);
   GapCell<3> cell;
   const bool has_unknowns = set_gap_unknowns(geometry.faces, place, cell);
   if (!has_unknowns && place.has_free_node()) return std::nullopt;
+  if (!has_unknowns && is_filled_by_one(geometry, place)) return std::nullopt;
   const auto facet = facet_of(geometry, place);
   auto shares = shares_of_cell(geometry, place, facet);
-  if (!has_unknowns && shares.is_one_phase) return std::nullopt;
   tie_slopes(geometry, place, cell.terms);
   add_flow(geometry, place, facet, cell.terms);
   cell.mixture = std::move(shares.mixture);

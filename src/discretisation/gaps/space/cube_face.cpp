@@ -1,7 +1,7 @@
 #include "discretisation/gaps/space/cube_face.hpp"
 
 #include <algorithm>
-#include <optional>
+#include <limits>
 
 #include "discretisation/gaps/change_of_owner.hpp"
 #include "microstructure/vector_algebra.hpp"

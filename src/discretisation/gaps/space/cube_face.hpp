@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 #include "discretisation/gaps/owners.hpp"
 #include "discretisation/gaps/space/face_parts.hpp"

@@ -54,8 +54,8 @@ struct GapIntegrals {
   double volume = 0.0, slenderness = 0.0;
 };
 
-/// Those of a cell between more than two particles: the middle consists of triangles between the changes of owner on
-/// each face, their centre, and the centre of all of them.
+/// Those of a cell without a facet, as between more than two particles: the middle consists of triangles between the
+/// changes of owner on each face, their centre, and the centre of all of them.
 GapIntegrals integrals_between_many(const GapGeometry<3>& geometry, const CubePlace& place) {
   struct Change {
     Vector<3> point;
@@ -98,17 +98,16 @@ GapIntegrals integrals_between_many(const GapGeometry<3>& geometry, const CubePl
 /// The shares of binder in a cell whose nodes belong to two particles or more: its volume, and a resistance to sliding.
 VolumeAndShear binder_in_gap(const GapGeometry<3>& geometry, const CubePlace& place,
                              const std::optional<FacetOfCell>& facet) {
-  constexpr double least = 1e-6;
+  constexpr double least_slenderness = 1e-3;  // of a facet that hardly enters the cell
   const auto [volume, slenderness] =
       facet ? GapIntegrals{facet->facet.volume, facet->facet.slenderness} : integrals_between_many(geometry, place);
+  // The sum over all pairs of the particles, whose nodes are all nodes of the cell.
   double sliding = 0.0;
-  const auto& owners = place.owners();
-  for (std::size_t one = 0; one < owners.size(); ++one) {
-    for (std::size_t other = 0; other < one; ++other) {
-      sliding -= mean_product(nodes_of(place, owners[one]), nodes_of(place, owners[other]));
-    }
+  for (const auto owner : place.owners()) {
+    const auto of_owner = nodes_of(place, owner);
+    sliding += 0.5 * mean_product(of_owner, of_owner);
   }
-  return {volume, sliding > 0.0 && slenderness > 0.0 ? sliding / slenderness : least};
+  return {volume, sliding / std::max(slenderness, least_slenderness)};
 }
 
 /// The share of binder, for the deviators, of a cell that the surface of one particle crosses: the geometric mean of
@@ -148,26 +147,23 @@ CellShares shares_of_cell(const GapGeometry<3>& geometry, const CubePlace& place
       particles.push_back(geometry.with_share(image, share, place.corner()));
     }
     const VolumeAndShear binder = place.is_in_gap() ? binder_in_gap(geometry, place, facet) : VolumeAndShear(0.0, 0.0);
-    auto cell = in_series(geometry.matrix, particles, binder);
-    const bool is_filled = geometry.images.content(place.owner(0), place.corner()) > 1.0 - rounding;
-    cell.is_one_phase = is_filled && cell.mixture.size() == 1;
-    return cell;
+    return in_series(geometry.matrix, particles, binder);
   }
   double in_particles = 0.0;
+  ImageIndex last = no_image;
   for (const auto image : geometry.images.near(place.centre())) {
     const double share = geometry.images.content(image, place.corner());
     if (share <= rounding) continue;
     particles.push_back(geometry.with_share(image, share, place.corner()));
     in_particles += share;
+    last = image;
   }
   const double binder = std::max(1.0 - in_particles, 0.0);
   VolumeAndShear shares(binder, binder);
-  if (place.owners().size() == 1 && !has_owned_binder(geometry, place)) {
-    shares[1] = share_of_layer(geometry, place, place.owners().front(), binder);
+  if (particles.size() == 1 && !has_owned_binder(geometry, place)) {
+    shares[1] = share_of_layer(geometry, place, last, binder);
   }
-  auto cell = in_series(geometry.matrix, particles, shares);
-  cell.is_one_phase = particles.empty();
-  return cell;
+  return in_series(geometry.matrix, particles, shares);
 }
 
 }  // namespace breccia::gaps

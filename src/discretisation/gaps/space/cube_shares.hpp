@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+
+#include "discretisation/gaps/phase_shares.hpp"
 #include "discretisation/gaps/space/cube_terms.hpp"
 
 namespace breccia::gaps {

@@ -8,8 +8,7 @@
 namespace breccia::gaps {
 
 // The unknowns of gaps in a cubic cell are the flows through its faces (facet_corners.hpp), and the slopes of each
-// node: how the displacement of its particle changes from it along the axes of the faces to which that displacement is
-// normal.
+// node: how each component of the displacement of its particle changes from the node along both other axes.
 
 /// Number in its cell of the flow through a face along its normal axis (in units of CubeFace::unit_of_flow).
 [[nodiscard]] constexpr int flow_through_cube(int face) noexcept {
@@ -30,5 +29,7 @@ inline constexpr std::array<Slope, 6> slopes_of_node = {{{0, 1}, {0, 2}, {1, 0},
   return flow_through_cube(faces_of_cell<3>) + static_cast<int>(slopes_of_node.size()) * node +
          static_cast<int>(slope.number());
 }
+
+static_assert(gap_unknowns_of_cell<3> == faces_of_cell<3> + 6 * CellShape<3>::nodes);
 
 }  // namespace breccia::gaps
