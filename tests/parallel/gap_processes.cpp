@@ -1,5 +1,6 @@
-// A test under mpirun: several processes find the moduli of packings with gaps narrower than a cell, by factors and by
-// substructuring. Known moduli: tests/reference/disc_packings/moduli.csv and moduli_walls.csv.
+// A test under mpirun: several processes find the moduli of packings with gaps narrower than a cell, by factors and, in
+// the plane, by substructuring. Known moduli: tests/reference/disc_packings/moduli.csv and moduli_walls.csv,
+// sphere_packings/cubic_arrays.csv.
 
 #include <array>
 #include <cmath>
@@ -8,6 +9,7 @@
 
 #include "parallel/session.hpp"
 #include "quasistatic/disc_packings.hpp"
+#include "quasistatic/sphere_packings.hpp"
 
 namespace {
 
@@ -51,11 +53,19 @@ bool moduli_are_those_of_conforming_elements() {
   return moduli_are(under_tractions, walls, 0.015) && holds;
 }
 
+bool moduli_of_spheres_are_those_of_conforming_elements() {
+  constexpr int cells = 12;
+  const auto box = test::moved_by(test::cubic_array("bcc", 0.01), {0.36, 0.08, 0.21}, cells);
+  const auto [diagonal, shear] = test::shear_moduli(test::spheres_with_gaps(box, cells));
+  return expect_near(shear, 70.186, 0.03, "spheres, xy") && expect_near(diagonal, 8.563, 0.08, "spheres, xx-yy");
+}
+
 }  // namespace
 
 int main() {
   breccia::parallel::start();
-  const bool holds = moduli_are_those_of_conforming_elements();
+  const bool of_discs = moduli_are_those_of_conforming_elements();
+  const bool holds = moduli_of_spheres_are_those_of_conforming_elements() && of_discs;
   breccia::parallel::stop();
   return holds ? 0 : 1;
 }
