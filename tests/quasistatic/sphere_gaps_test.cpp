@@ -7,9 +7,11 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
+#include "breccia/viscoelasticity/interconversion.hpp"
 
 #include "quasistatic/operator/cube_forces.hpp"
 #include "quasistatic/operator/vector_values.hpp"
+#include "quasistatic/reduced/carson_path.hpp"
 #include "quasistatic/sphere_packings.hpp"
 
 namespace breccia {
