@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "breccia/discretisation/grid.hpp"
@@ -59,6 +60,22 @@ class GapCells {
   IndexRange<dim> nodes_;
   std::vector<std::int32_t> first_unknowns_;
 };
+
+/// The gap cells of a grid; make(cell) returns that at a cell of the grid, or nothing. The other arguments are those of
+/// GapCells.
+template <int dim, class Make>
+[[nodiscard]] GapCells<dim> collect_gap_cells(const Grid<dim>& grid, const IndexRange<dim>& nodes,
+                                              std::vector<std::int32_t> first_unknowns, const Make& make) {
+  std::vector<GapCell<dim>> cells;
+  std::vector<std::size_t> places;
+  grid.for_each_cell([&](const Index<dim>& at) {
+    auto cell = make(at);
+    if (!cell) return;
+    cells.push_back(std::move(*cell));
+    places.push_back(grid.cell_index(at));
+  });
+  return {grid, std::move(cells), places, nodes, std::move(first_unknowns)};
+}
 
 extern template class GapCells<2>;
 extern template class GapCells<3>;

@@ -70,15 +70,8 @@ GapCells<2> find_gap_cells(const ParticlesInBox<2>& particles, int cells, Bounda
   const FaceTable faces(images, owners);
   const Grid<2> grid = {{cells, cells}, particles.box.side / cells};
   const GapGeometry<2> geometry = {images, owners, faces, particles.matrix, particles.phases};
-  std::vector<GapCell<2>> gap_cells;
-  std::vector<std::size_t> places;
-  grid.for_each_cell([&](const Index<2>& cell) {
-    auto gap_cell = make_gap_cell(geometry, cell);
-    if (!gap_cell) return;
-    gap_cells.push_back(std::move(*gap_cell));
-    places.push_back(grid.cell_index(cell));
-  });
-  return {grid, std::move(gap_cells), places, faces.nodes(), faces.first_unknowns()};
+  return collect_gap_cells(grid, faces.nodes(), faces.first_unknowns(),
+                           [&](const Index<2>& cell) { return make_gap_cell(geometry, cell); });
 }
 
 }  // namespace breccia::gaps

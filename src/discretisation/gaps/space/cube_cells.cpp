@@ -80,15 +80,8 @@ GapCells<3> find_gap_cells(const ParticlesInBox<3>& particles, int cells, Bounda
   const CubeFaces faces(images, owners);
   const Grid<3> grid = {{cells, cells, cells}, particles.box.side / cells};
   const GapGeometry<3> geometry = {images, owners, faces, particles.matrix, particles.phases};
-  std::vector<GapCell<3>> gap_cells;
-  std::vector<std::size_t> places;
-  grid.for_each_cell([&](const Index<3>& cell) {
-    auto gap_cell = make_gap_cell(geometry, cell);
-    if (!gap_cell) return;
-    gap_cells.push_back(std::move(*gap_cell));
-    places.push_back(grid.cell_index(cell));
-  });
-  return {grid, std::move(gap_cells), places, faces.nodes(), faces.first_unknowns()};
+  return collect_gap_cells(grid, faces.nodes(), faces.first_unknowns(),
+                           [&](const Index<3>& cell) { return make_gap_cell(geometry, cell); });
 }
 
 }  // namespace breccia::gaps
