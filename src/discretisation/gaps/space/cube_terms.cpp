@@ -1,6 +1,8 @@
 #include "discretisation/gaps/space/cube_terms.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 
 #include <Eigen/Eigenvalues>
 
@@ -18,14 +20,22 @@ LinearForm<3> slope_between(int node, std::size_t along, std::size_t component) 
       .add(displacement_of<3>(node, component), -upwards);
 }
 
-/// Whether a node has a neighbour along an axis, on either side, that belongs to its particle.
-bool has_own_neighbour(const GapGeometry<3>& geometry, const Index<3>& node, std::size_t along) {
-  const auto is_own = [&](int step) {
+/// The neighbour of a node along an axis that belongs to its particle, the deeper one of two; nothing if there is none.
+std::optional<Index<3>> own_neighbour(const GapGeometry<3>& geometry, const Index<3>& node, std::size_t along) {
+  const auto owner = geometry.owners.of(node);
+  std::optional<Index<3>> deepest;
+  double least = std::numeric_limits<double>::infinity();
+  for (const int step : {-1, 1}) {
     auto neighbour = node;
     neighbour[along] += step;
-    return geometry.owners.of(neighbour) == geometry.owners.of(node);
-  };
-  return is_own(-1) || is_own(1);
+    if (geometry.owners.of(neighbour) != owner) continue;
+    const double distance = geometry.images.distance(
+        owner,
+        {static_cast<double>(neighbour[0]), static_cast<double>(neighbour[1]), static_cast<double>(neighbour[2])});
+    if (distance < least) deepest = neighbour;
+    least = std::min(least, distance);
+  }
+  return deepest;
 }
 
 void tie_slope(const GapGeometry<3>& geometry, const CubePlace& place, int node, const Slope& slope,
@@ -38,15 +48,18 @@ void tie_slope(const GapGeometry<3>& geometry, const CubePlace& place, int node,
   auto of_edge = own;
   of_edge.add(-1.0, slope_between(node, along, component));
   terms.push_back({geometry.matrix, little, of_edge});
-  const auto is_own = [&](std::size_t axis) { return place.owner(CubePlace::beside(node, axis)) == owner; };
-  if (has_own_neighbour(geometry, place.node(node), along)) {
-    if (is_own(along)) terms.push_back({geometry.phase_at_surface(owner), 1.0, of_edge});
+  const auto has = [&](const Index<3>& neighbour, std::size_t axis) {
+    return place.node(CubePlace::beside(node, axis)) == neighbour;
+  };
+  if (const auto neighbour = own_neighbour(geometry, place.node(node), along)) {
+    if (has(*neighbour, along)) terms.push_back({geometry.phase_at_surface(owner), 1.0, of_edge});
     return;
   }
-  // Otherwise it has the rotation of the particle, from a neighbour along the component; zero where there is none.
+  // Otherwise it has the rotation of the particle, from one neighbour along the component, so that the particle may
+  // bend there; zero where there is none.
   auto rotation = own;
-  if (has_own_neighbour(geometry, place.node(node), component)) {
-    if (!is_own(component)) return;
+  if (const auto neighbour = own_neighbour(geometry, place.node(node), component)) {
+    if (!has(*neighbour, component)) return;
     rotation.add(1.0, slope_between(node, component, along));
   }
   terms.push_back({geometry.phase_at_surface(owner), 1.0, rotation});
