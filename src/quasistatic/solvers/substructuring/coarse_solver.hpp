@@ -5,8 +5,8 @@
 
 #include <Eigen/Dense>
 
-#include "quasistatic/operator/petsc_handle.hpp"
 #include "quasistatic/operator/shared_values.hpp"
+#include "quasistatic/solvers/direct/cholesky_factors.hpp"
 
 namespace breccia::quasistatic {
 
@@ -31,12 +31,10 @@ class CoarseSolver {
   void solve(const std::vector<double>& right, std::vector<double>& solution) const;
 
   /// Number of unknowns, of all processes.
-  [[nodiscard]] std::int64_t unknowns() const;
+  [[nodiscard]] std::int64_t unknowns() const { return factors_.unknowns(); }
 
  private:
-  int owned_;
-  Matrix matrix_;
-  LinearSolver solver_;
+  CholeskyFactors factors_;
 };
 
 }  // namespace breccia::quasistatic
