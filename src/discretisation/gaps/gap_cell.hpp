@@ -53,6 +53,11 @@ class LinearForm {
     for (const auto& [unknown, weight] : parts_) value += weight * unknowns[unknown];
     return value;
   }
+  /// Calls action(unknown, weight) for each part.
+  template <class Action>
+  void for_parts(const Action& action) const {
+    for (const auto& [unknown, weight] : parts_) action(unknown, weight);
+  }
   /// Adds a multiple of the form's weights.
   void add_to(CellUnknowns<dim>& forces, double factor) const noexcept {
     for (const auto& [unknown, weight] : parts_) forces[unknown] += factor * weight;

@@ -65,6 +65,11 @@ void GapLayout::set(std::span<const double> values, Vec nodal) const {
   std::copy_n(values.begin(), own_, WriteValues(nodal).data() + first_in(nodal));
 }
 
+void GapLayout::add_to_owners(std::span<double> values) const {
+  shared_.add_to_owners(values);
+  std::ranges::fill(values.subspan(own_), 0.0);
+}
+
 void GapLayout::add(std::vector<double> contributions, Vec nodal) const {
   shared_.add_to_owners(contributions);
   const WriteValues values(nodal);

@@ -42,6 +42,9 @@ class GapLayout {
   void add(std::vector<double> contributions, Vec nodal) const;
   /// Sets the values of other processes, behind those of this one.
   void copy_from_owners(std::span<int> values) const { shared_.copy_from_owners(values); }
+  void copy_from_owners(std::span<double> values) const { shared_.copy_from_owners(values); }
+  /// Adds the values behind those of this process to those of their owners, and sets them to zero.
+  void add_to_owners(std::span<double> values) const;
 
  private:
   [[nodiscard]] std::size_t first_in(Vec nodal) const;

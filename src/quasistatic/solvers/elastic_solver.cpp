@@ -12,6 +12,7 @@
 #include "quasistatic/operator/plane_division.hpp"
 #include "quasistatic/solvers/direct/assembled_solver.hpp"
 #include "quasistatic/solvers/lattice/lattice_solver.hpp"
+#include "quasistatic/solvers/saddle_point/saddle_point_solver.hpp"
 #include "quasistatic/solvers/substructuring/substructuring_solver.hpp"
 
 namespace breccia::quasistatic {
@@ -96,8 +97,8 @@ std::unique_ptr<ElasticSolver<2>> make_iterative_solver(const ElasticOperator<2>
 
 std::unique_ptr<ElasticSolver<3>> make_iterative_solver(const ElasticOperator<3>& elastic_operator,
                                                         const LinearOptions& options) {
-  // The transforms know displacements of nodes alone.
   if (elastic_operator.has_gaps()) {
+    if (parallel::ranks() == 1) return std::make_unique<SaddlePointSolver>(elastic_operator, options);
     return std::make_unique<AssembledSolver<3>>(elastic_operator, options, Preconditioner::factors);
   }
   // Every process needs at least one plane of nodes.

@@ -37,7 +37,8 @@ Index<3> NodeLattice::own_cells() const noexcept {
   return {cells[0], cells[1], std::min(planes, cells[2] - first_plane)};
 }
 
-NodalField::NodalField(const NodeLattice& lattice) : size_(lattice.size()), values_(allocate_waves(3 * size_ / 2)) {
+NodalField::NodalField(const NodeLattice& lattice, std::size_t further)
+    : size_(lattice.size()), further_(further), values_(allocate_waves((3 * size_ + further + 1) / 2)) {
   std::ranges::fill(all(), 0.0);
 }
 
@@ -89,6 +90,14 @@ void LatticeSums::add(NodalField& a, double factor, const NodalField& b) const {
   for_parts([&](std::size_t, std::size_t first, std::size_t end) {
 #pragma omp simd
     for (auto index = first; index < end; ++index) x[index] += factor * y[index];
+  });
+}
+
+void LatticeSums::scale(NodalField& a, double factor) const {
+  double* x = a.all().data();
+  for_parts([&](std::size_t, std::size_t first, std::size_t end) {
+#pragma omp simd
+    for (auto index = first; index < end; ++index) x[index] *= factor;
   });
 }
 

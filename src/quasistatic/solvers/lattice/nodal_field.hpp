@@ -36,11 +36,11 @@ struct NodeLattice {
   NodeArrays arrays;
 };
 
-/// Displacements or forces of the nodes of a lattice, component by component. Entries that do not belong to a node of
-/// this process are zero unless stated otherwise.
+/// Displacements or forces of the nodes of a lattice, component by component, and further values behind them. Entries
+/// that do not belong to a node of this process are zero unless stated otherwise.
 class NodalField {
  public:
-  explicit NodalField(const NodeLattice& lattice);
+  explicit NodalField(const NodeLattice& lattice, std::size_t further = 0);
 
   [[nodiscard]] double* component(std::size_t component) noexcept { return first() + component * size_; }
   [[nodiscard]] const double* component(std::size_t component) const noexcept { return first() + component * size_; }
@@ -48,14 +48,16 @@ class NodalField {
   [[nodiscard]] std::array<const double*, 3> components() const noexcept {
     return {component(0), component(1), component(2)};
   }
-  /// The entries of all components.
-  [[nodiscard]] std::span<double> all() noexcept { return {first(), 3 * size_}; }
-  [[nodiscard]] std::span<const double> all() const noexcept { return {first(), 3 * size_}; }
+  /// The entries of all components, and the further values.
+  [[nodiscard]] std::span<double> all() noexcept { return {first(), 3 * size_ + further_}; }
+  [[nodiscard]] std::span<const double> all() const noexcept { return {first(), 3 * size_ + further_}; }
+  [[nodiscard]] std::span<double> further() noexcept { return {first() + 3 * size_, further_}; }
+  [[nodiscard]] std::span<const double> further() const noexcept { return {first() + 3 * size_, further_}; }
 
  private:
   [[nodiscard]] double* first() const noexcept { return reinterpret_cast<double*>(values_.get()); }
 
-  std::size_t size_;
+  std::size_t size_, further_;
   Waves values_;  ///< values, two entries a wave; rows have an even number of entries
 };
 
@@ -75,6 +77,8 @@ class LatticeSums {
   void combine(double factor, NodalField& a, const NodalField& b) const;
   /// a += factor * b
   void add(NodalField& a, double factor, const NodalField& b) const;
+  /// a *= factor
+  void scale(NodalField& a, double factor) const;
   void set_zero(NodalField& a) const;
 
  private:

@@ -1,0 +1,88 @@
+#include "quasistatic/solvers/saddle_point/gap_forms.hpp"
+
+#include <array>
+
+#include "discretisation/gaps/space/cube_unknowns.hpp"
+
+namespace breccia::quasistatic {
+namespace {
+
+using Shape = CellShape<3>;
+
+/// The entries of the unknowns of a cell in a field.
+class Entries {
+ public:
+  Entries(const ElasticOperator<3>& elastic_operator, const NodeLattice& lattice)
+      : layout_(elastic_operator.gap_layout()), lattice_(lattice) {}
+
+  [[nodiscard]] std::array<std::size_t, gaps::unknowns_of_cell<3>> of(const Index<3>& among_own,
+                                                                      const gaps::GapCell<3>& gap) const {
+    std::array<std::size_t, gaps::unknowns_of_cell<3>> entries{};
+    for (int node = 0; node < Shape::nodes; ++node) {
+      const auto corner = Shape::corner(node);
+      const auto index = lattice_.arrays.row_at(among_own[1] + corner[1], among_own[2] + corner[2]) +
+                         static_cast<std::size_t>(among_own[0] + corner[0]);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        entries[static_cast<std::size_t>(gaps::displacement_of<3>(node, axis))] = axis * lattice_.size() + index;
+      }
+    }
+    for (std::size_t k = 0; k < gap.gap_unknowns.size(); ++k) {
+      const auto number = gap.gap_unknowns[k];
+      if (number != gaps::GapCell<3>::none) entries[Shape::dofs + k] = 3 * lattice_.size() + layout_.index_of(number);
+    }
+    return entries;
+  }
+
+ private:
+  const GapLayout& layout_;
+  const NodeLattice& lattice_;
+};
+
+/// Whether a form has flows, and therefore no displacements.
+bool is_of_flows(const gaps::LinearForm<3>& form) {
+  bool is_of_flows = false;
+  form.for_parts([&](int unknown, double) {
+    const int first = gaps::flow_through_cube(0);
+    is_of_flows |= unknown >= first && unknown < first + gaps::faces_of_cell<3>;
+  });
+  return is_of_flows;
+}
+
+}  // namespace
+
+GapForms::GapForms(const ElasticOperator<3>& elastic_operator, const NodeLattice& lattice) {
+  const auto& own = elastic_operator.nodes().cells();
+  const Entries all_entries(elastic_operator, lattice);
+  int plane = own.begin[2];
+  const auto begin_plane = [&] {
+    slopes.of_plane.push_back(slopes.count());
+    flows.of_plane.push_back(flows.count());
+    of_plane.push_back(cells.size());
+  };
+  begin_plane();
+  elastic_operator.nodes().for_cells([&](const Index<3>& cell) {
+    for (; plane < cell[2]; ++plane) begin_plane();
+    const auto* gap = elastic_operator.gap_cell(cell);
+    if (gap == nullptr) return;
+    auto among_own = cell;
+    for (std::size_t axis = 0; axis < among_own.size(); ++axis) among_own[axis] -= own.begin[axis];
+    const auto entries = all_entries.of(among_own, *gap);
+    for (const auto& [phase, factor, form] : gap->terms) {
+      auto& terms = is_of_flows(form) ? flows : slopes;
+      form.for_parts(
+          [&](int unknown, double weight) { terms.forms.add(entries[static_cast<std::size_t>(unknown)], weight); });
+      terms.forms.end();
+      terms.phases.push_back(phase);
+      terms.factors.push_back(factor);
+    }
+    for (std::size_t unknown = 0; unknown < entries.size(); ++unknown) {
+      const double weight = gap->volume[static_cast<Eigen::Index>(unknown)];
+      if (weight != 0.0) volumes.add(entries[unknown], weight);
+    }
+    volumes.end();
+    cells.push_back(static_cast<std::uint32_t>(own.place_of(cell)));
+  });
+  for (; plane < own.end[2]; ++plane) begin_plane();
+}
+
+}  // namespace breccia::quasistatic
