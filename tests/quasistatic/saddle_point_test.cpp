@@ -1,6 +1,7 @@
 // The saddle point of boxes with gaps: its operator against the assembled matrix, its preconditioners against their
 // bounds, and its solver against sparse factors.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
@@ -11,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "parallel/session.hpp"
+#include "quasistatic/operator/cube_forces.hpp"
 #include "quasistatic/operator/vector_values.hpp"
 #include "quasistatic/solvers/saddle_point/cell_volumes.hpp"
 #include "quasistatic/solvers/saddle_point/rigid_aggregates.hpp"
@@ -25,8 +27,8 @@ namespace {
 constexpr int cells = 12;
 
 /// Eight spheres with gaps from a twentieth of a cell on.
-QuasistaticProblem<3> packing(double contrast) {
-  return test::spheres_with_gaps(test::sphere_packing("equal_52_008_a"), cells, contrast);
+QuasistaticProblem<3> packing(double contrast, int cells_of_side = cells) {
+  return test::spheres_with_gaps(test::sphere_packing("equal_52_008_a"), cells_of_side, contrast);
 }
 
 std::vector<Moduli> moduli_of(const QuasistaticProblem<3>& problem, double contrast) {
@@ -151,6 +153,7 @@ NodalField random_forces(const NodeLattice& lattice) {
 TEST(TwoLevelPreconditioner, ReducesErrorsAtAnyContrast) {
   for (const double contrast : {1.0, 1e2, 1e4, 1e6}) {
     const auto problem = packing(contrast);
+    // Without a contrast there would be no gaps.
     const auto elastic_operator = operator_of(packing(1e6));
     SaddlePointOperator saddle(elastic_operator);
     saddle.set_moduli(moduli_of(problem, contrast));
@@ -234,8 +237,41 @@ TEST(SaddlePointSolver, NeedsLittleMoreIterationsAtAHighContrast) {
   EXPECT_LT(iterations(1e5, 1), 1000);
 }
 
-TEST(SaddlePointSolver, FindsTheSameBitsWithAnyNumberOfThreads) {
+TEST(SaddlePointSolver, GainsByASolutionAsGuessAndFindsNothingWithoutForces) {
   auto problem = packing(1e3);
+  problem.linear.method = LinearMethod::iterative;
+  const auto elastic_operator = operator_of(problem);
+  const auto moduli = moduli_of(problem, 1e3);
+  auto prescribed = elastic_operator.zero();
+  prescribed.set_macroscopic(1.0);
+  auto forces = forces_under(elastic_operator, moduli, prescribed, unit_strain<3>(Load::shear));
+  forces.scale(-1.0);
+  SaddlePointSolver solver(elastic_operator, problem.linear);
+  solver.set_moduli(moduli);
+  const double least = elastic_operator.volume();
+  auto solution = solver.solve(forces.copy(), elastic_operator.zero(), least);
+  const int iterations = solver.effort().iterations;
+  EXPECT_GT(iterations, 0);
+  solution = solver.solve(forces.copy(), std::move(solution), least);
+  EXPECT_LT(solver.effort().iterations, 2 * iterations);
+  const auto nothing = solver.solve(elastic_operator.zero(), std::move(solution), least);
+  double largest = 0.0;
+  check(VecNorm(nothing.fluctuation(), NORM_INFINITY, &largest), "reading the result");
+  // The energy of the error is 1e-8 of that of the binder.
+  EXPECT_LT(largest, 1e-3);
+  EXPECT_EQ(solver.effort().solves, 3);
+}
+
+TEST(SaddlePointSolver, LeavesSmallBoxesToFactors) {
+  auto problem = test::spheres_with_gaps(test::cubic_array("sc", 0.05), 6, 1e3);
+  const auto by_factors = test::shear_moduli(problem);
+  problem.linear.method = LinearMethod::iterative;
+  EXPECT_EQ(test::shear_moduli(problem), by_factors);
+}
+
+TEST(SaddlePointSolver, FindsTheSameBitsWithAnyNumberOfThreads) {
+  // Enough cells for several parts of each sum.
+  auto problem = packing(1e3, 16);
   problem.linear.method = LinearMethod::iterative;
   problem.linear.threads = 1;
   const auto one = test::shear_moduli(problem);

@@ -11,7 +11,8 @@ namespace breccia {
 enum class LinearMethod {
   automatic,  ///< direct up to a number of unknowns (LinearOptions), iterative above
   direct,     ///< sparse Cholesky factors (MUMPS) precondition conjugate gradients, which then need a step or two
-  iterative   ///< conjugate gradients, preconditioned by substructures, or in 3 dimensions by fast transforms
+  iterative   ///< conjugate gradients, preconditioned by substructures, or in 3 dimensions by fast transforms; MINRES
+              ///< there for boxes with gaps narrower than a cell
 };
 
 template <>

@@ -48,6 +48,7 @@ class LinearForm {
     for (const auto& [unknown, weight] : other.parts_) add(unknown, factor * weight);
     return *this;
   }
+  [[nodiscard]] bool is_empty() const noexcept { return parts_.empty(); }
   [[nodiscard]] double of(const CellUnknowns<dim>& unknowns) const noexcept {
     double value = 0.0;
     for (const auto& [unknown, weight] : parts_) value += weight * unknowns[unknown];

@@ -71,7 +71,7 @@ Displacement ElasticSolver<dim>::solve(Forces forces, Displacement displacement,
   const double relative = residual / std::max(load_, least);
   if (!is_converged) {
     throw NumericalError(fmt::format(
-        "quasi-static solver: conjugate gradients stopped at a residual of {:.1e} of the load after {} iterations, "
+        "quasi-static solver: the iteration stopped at a residual of {:.1e} of the load after {} iterations, "
         "wanted {}; the contrast of the moduli may be too high{}",
         relative, effort_.most_iterations, accuracy_wanted(),
         effort_.is_direct ? "" : " for an iterative solver, a direct one may serve"));
@@ -98,7 +98,11 @@ std::unique_ptr<ElasticSolver<2>> make_iterative_solver(const ElasticOperator<2>
 std::unique_ptr<ElasticSolver<3>> make_iterative_solver(const ElasticOperator<3>& elastic_operator,
                                                         const LinearOptions& options) {
   if (elastic_operator.has_gaps()) {
-    if (parallel::ranks() == 1) return std::make_unique<SaddlePointSolver>(elastic_operator, options);
+    // Aggregates of nodes must not meet themselves at the end of a periodic box.
+    constexpr int least_cells = 8;
+    if (parallel::ranks() == 1 && std::ranges::min(elastic_operator.grid().cells) >= least_cells) {
+      return std::make_unique<SaddlePointSolver>(elastic_operator, options);
+    }
     return std::make_unique<AssembledSolver<3>>(elastic_operator, options, Preconditioner::factors);
   }
   // Every process needs at least one plane of nodes.

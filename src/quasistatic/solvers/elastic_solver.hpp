@@ -84,7 +84,8 @@ class ElasticSolver {
 };
 
 /// The solver that the options request: direct, or iterative, by substructuring in 2 dimensions and by fast transforms
-/// in 3, or by algebraic multigrid where a box is too small for its processes.
+/// in 3, or by algebraic multigrid where a box is too small for its processes. In 3 dimensions boxes with gaps have a
+/// solver of their own on one process, sparse factors on several.
 template <int dim>
 std::unique_ptr<ElasticSolver<dim>> make_elastic_solver(const ElasticOperator<dim>& elastic_operator,
                                                         const LinearOptions& options);

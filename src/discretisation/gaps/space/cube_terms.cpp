@@ -23,6 +23,7 @@ LinearForm<3> slope_between(int node, std::size_t along, std::size_t component) 
 /// The neighbour of a node along an axis that belongs to its particle, the deeper one of two; nothing if there is none.
 std::optional<Index<3>> own_neighbour(const GapGeometry<3>& geometry, const Index<3>& node, std::size_t along) {
   const auto owner = geometry.owners.of(node);
+  constexpr double nothing = 1e-9;
   std::optional<Index<3>> deepest;
   double least = std::numeric_limits<double>::infinity();
   for (const int step : {-1, 1}) {
@@ -32,8 +33,10 @@ std::optional<Index<3>> own_neighbour(const GapGeometry<3>& geometry, const Inde
     const double distance = geometry.images.distance(
         owner,
         {static_cast<double>(neighbour[0]), static_cast<double>(neighbour[1]), static_cast<double>(neighbour[2])});
-    if (distance < least) deepest = neighbour;
-    least = std::min(least, distance);
+    // Of two as deep, the lower one, at all images of a node.
+    if (distance > least - nothing) continue;
+    deepest = neighbour;
+    least = distance;
   }
   return deepest;
 }
@@ -131,7 +134,8 @@ void add_flow(const GapGeometry<3>& geometry, const CubePlace& place, const std:
       form.add(flow_through_cube(face), modes.eigenvectors()(static_cast<Eigen::Index>(edge), mode) *
                                             CubePlace::out_of(face) * place.face(face).unit_of_flow());
     }
-    terms.push_back({geometry.matrix, std::max(modes.eigenvalues()[mode], 0.0), form});
+    // A facet in the corner of a cell may have no face with a flow.
+    if (!form.is_empty()) terms.push_back({geometry.matrix, std::max(modes.eigenvalues()[mode], 0.0), form});
   }
 }
 

@@ -1,7 +1,8 @@
 #include "quasistatic/solvers/saddle_point/flow_factors.hpp"
 
-#include <algorithm>
 #include <array>
+
+#include <fmt/format.h>
 
 #include "breccia/error.hpp"
 
@@ -12,15 +13,16 @@ namespace {
 
 /// Factorises a symmetric matrix of so many rows, of which one triangle is given; entries at the same place add up.
 template <class Factors, class Entries>
-void factorise(std::size_t rows, const Entries& entries, Factors& factors) {
+void factorise(std::size_t rows, const Entries& entries, const char* what, Factors& factors) {
   const auto size = static_cast<Eigen::Index>(rows);
   Eigen::SparseMatrix<double> matrix(size, size);
   matrix.setFromTriplets(entries.begin(), entries.end());
   factors.compute(matrix);
-  if (factors.info() == Eigen::Success) return;
-  throw NumericalError(
-      "quasi-static solver: the resistance of the flows in gaps cannot be factorised: a modulus may be zero, or the "
-      "contrast beyond what numbers hold");
+  if (factors.info() == Eigen::Success && factors.vectorD().minCoeff() > 0.0) return;
+  throw NumericalError(fmt::format(
+      "quasi-static solver: {} in gaps cannot be factorised: a modulus may be zero, or the contrast beyond what "
+      "numbers hold",
+      what));
 }
 
 }  // namespace
@@ -56,7 +58,7 @@ void FlowFactors::factorise_resistance(const SaddlePointOperator& saddle) {
       });
     });
   }
-  if (!flows_.empty()) factorise(flows_.size(), entries, of_flows_);
+  if (!flows_.empty()) factorise(flows_.size(), entries, "the resistance of flows", of_flows_);
 }
 
 /// 1/k + a/G by cell. The nodes of a cell resist a pressure as the stiffer cells around them do.
@@ -115,7 +117,7 @@ void FlowFactors::factorise_schur_complement(const SaddlePointOperator& saddle) 
       }
     }
   }
-  factorise(cells_, entries, of_pressures_);
+  factorise(cells_, entries, "the Schur complement of pressures", of_pressures_);
 }
 
 void FlowFactors::apply(const NodalField& right, NodalField& solution) const {

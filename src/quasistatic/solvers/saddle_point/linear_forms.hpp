@@ -9,7 +9,6 @@ namespace breccia::quasistatic {
 /// Linear forms of a few entries of a field each.
 class LinearForms {
  public:
-  [[nodiscard]] std::size_t count() const noexcept { return first_.size() - 1; }
   /// Adds a part to the form that comes next.
   void add(std::size_t entry, double weight) { parts_.push_back({static_cast<std::uint32_t>(entry), weight}); }
   /// Ends that form.

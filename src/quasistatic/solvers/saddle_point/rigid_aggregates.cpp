@@ -1,5 +1,6 @@
 #include "quasistatic/solvers/saddle_point/rigid_aggregates.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
@@ -60,9 +61,9 @@ RigidAggregates::RigidAggregates(const NodeLattice& lattice, const CellModuli& c
   find_motions();
 }
 
-/// Joins the nodes of a cell that is not much softer than what surrounds them.
+/// Joins the nodes of a cell that is as stiff as the mean around them.
 void RigidAggregates::join(const CellModuli& cells, int side) {
-  constexpr double least = 0.99;
+  constexpr double least = 0.99;  // the mean itself, up to rounding
   const auto own = lattice_.own_cells();
   const auto nodes_of = [&](const Index<3>& cell) {
     std::array<Index<3>, Shape::nodes> nodes{};

@@ -12,8 +12,9 @@
 namespace breccia::quasistatic {
 
 /// Small sets of nodes that move nearly as rigid bodies: the nodes of this process in a cube of nodes that are joined
-/// by stiff cells. The rigid motions of all sets span a coarse space for multigrid by smoothed or plain aggregation
-/// (Vanek, Mandel and Brezina 1996), which has those of each particle, whatever its stiffness.
+/// by cells as stiff as the mean around these nodes. The rigid motions of all sets span a coarse space by plain
+/// aggregation (Vanek, Mandel and Brezina 1996). A cell that is softer must not join nodes: what hangs on it would
+/// swing like a door, with little energy.
 class RigidAggregates {
  public:
   /// The rigid motions of a node, for the unknowns of its aggregate.
@@ -39,7 +40,7 @@ class RigidAggregates {
   struct Aggregate {
     Eigen::Vector3d centre;
     Eigen::Matrix<double, 6, 6> motions_by_unknown;  ///< rigid motions about the centre, orthonormal over the nodes
-    int first, motions;
+    int first = 0, motions = 0;
   };
 
   [[nodiscard]] const Aggregate& of(std::size_t node) const noexcept {

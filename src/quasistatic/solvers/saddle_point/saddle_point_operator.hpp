@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -18,8 +19,8 @@ namespace breccia::quasistatic {
 ///
 ///     A w + B' p = f,   B w - p / k = g.
 ///
-/// B gives the volume changes of the cells, k is their bulk modulus without a share of the shear modulus that A has as
-/// a bulk modulus. With the pressures eliminated, and g = 0, it is K w = f.
+/// B gives the volume changes of the cells, p is positive in tension, and k is their bulk modulus without what A has
+/// of it: 2/3 of the shear modulus, in cells without gaps. With the pressures eliminated, and g = 0, it is K w = f.
 class SaddlePointOperator {
  public:
   explicit SaddlePointOperator(const ElasticOperator<3>& elastic_operator);
@@ -57,7 +58,7 @@ class SaddlePointOperator {
 
   /// product = (A w + B' p, B w - p / k); sets the entries of `field` that belong to other processes.
   void multiply(NodalField& field, NodalField& product);
-  /// product = A w for a box without gaps that is similar; both have displacements of nodes alone.
+  /// product = A w of nodes for a box without gaps that is similar; further values are left out.
   void multiply_similar(NodalField& field, NodalField& product);
 
  private:

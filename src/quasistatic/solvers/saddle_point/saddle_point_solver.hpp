@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -15,9 +16,10 @@ namespace breccia::quasistatic {
 
 /// MINRES (Paige and Saunders 1975) for periodic boxes of cubes with gaps on one process, as a saddle point with a
 /// preconditioner for each block: two levels for the displacements, elimination of the slopes, sparse factors for flows
-/// and pressures. The number of iterations does not grow with the contrast of the moduli.
+/// and pressures. The number of iterations hardly grows with the contrast of the moduli (docs/gaps-in-space.md).
 class SaddlePointSolver final : public ElasticSolver<3> {
  public:
+  /// Throws InputError for several processes and for boundaries that are not periodic.
   SaddlePointSolver(const ElasticOperator<3>& elastic_operator, const LinearOptions& options);
 
   /// Does nothing: the preconditioner follows the moduli.
@@ -28,19 +30,22 @@ class SaddlePointSolver final : public ElasticSolver<3> {
   Convergence iterate(NodalVector on_nodes, Displacement& displacement) override;
   [[nodiscard]] std::string accuracy_wanted() const override;
 
-  /// The forces, or the displacement, of a vector of nodal values, without pressures.
+  /// The forces, or the displacement, of a vector of nodal values; pressures are zero.
   [[nodiscard]] NodalField read(Vec nodal);
   void write(NodalField& field, Vec nodal);
   /// residual = right - K solution
   void find_residual(const NodalField& right, NodalField& solution, NodalField& residual);
   /// solution = P^-1 right
   void precondition(const NodalField& right, NodalField& solution);
-  /// Whether the displacement of a solution with this residual is accurate.
+  /// Sets the pressures to those of the displacement.
+  void set_pressures(NodalField& solution);
+  /// Whether the displacement of a solution with this residual is accurate, or as accurate as rounding allows.
+  /// Preconditions the residual.
   [[nodiscard]] bool is_accurate(const NodalField& right, const NodalField& solution, const NodalField& residual);
   /// Iterates from a solution; returns the number of iterations, and whether the solution is accurate.
   std::pair<int, bool> iterate(const NodalField& right, NodalField& solution, int most_iterations);
   /// The Euclidean norm of the forces that remain when the pressures are eliminated.
-  [[nodiscard]] double norm_of_forces(NodalField& residual);
+  [[nodiscard]] double norm_of_forces(const NodalField& residual);
 
   SaddlePointOperator saddle_;
   double energy_tolerance_;

@@ -5,14 +5,17 @@
 namespace breccia::quasistatic {
 
 SlopeElimination::SlopeElimination(const SaddlePointOperator& saddle)
-    : saddle_(&saddle), compliance_(saddle.first_pressure() - saddle.first_gap(), 0.0) {
+    : saddle_(&saddle),
+      slope_of_term_(saddle.forms().slopes.count()),
+      weight_of_slope_(saddle.forms().slopes.count()),
+      compliance_(saddle.first_pressure() - saddle.first_gap(), 0.0) {
   const auto& terms = saddle.forms().slopes;
   const auto first_gap = saddle.first_gap();
   for (std::size_t term = 0; term < terms.count(); ++term) {
     terms.forms.for_parts(term, [&](std::size_t entry, double weight) {
       if (entry < first_gap) return;
-      slope_of_term_.push_back(entry);
-      weight_of_slope_.push_back(weight);
+      slope_of_term_[term] = entry;
+      weight_of_slope_[term] = weight;
       compliance_[entry - first_gap] += saddle.stiffness_of_slopes()[term] * weight * weight;
     });
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "quasistatic/solvers/saddle_point/saddle_point_operator.hpp"

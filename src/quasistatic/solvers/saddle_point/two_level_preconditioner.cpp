@@ -84,7 +84,6 @@ void TwoLevelPreconditioner::make_coarse() {
   };
   std::map<std::pair<int, int>, Block> blocks;
   std::map<int, int> counts;
-  double stiffest = 0.0;
   for_each_index(Index<3>{}, lattice.own_cells(), [&](const Index<3>& cell) {
     std::array<Unknowns, Shape::nodes> unknowns{};
     std::array<RigidAggregates::Motions, Shape::nodes> motions;
@@ -104,7 +103,6 @@ void TwoLevelPreconditioner::make_coarse() {
     if (is_rigid) return;
     const auto kind = cells.kind_of.row_at(cell[1], cell[2])[cell[0]];
     const Shape::Stiffness stiffness = cells.shear[kind] * shear + cells.bulk[kind] * bulk;
-    stiffest = std::max(stiffest, cells.shear[kind]);
     for (std::size_t a = 0; a < motions.size(); ++a) {
       for (std::size_t b = 0; b < motions.size(); ++b) {
         if (unknowns[a].first > unknowns[b].first) continue;
@@ -122,10 +120,10 @@ void TwoLevelPreconditioner::make_coarse() {
       }
     }
   }
-  // A little stiffness holds the rigid motions of the box, which have no forces.
+  // A little of its own stiffness holds the first aggregate, and so the translations of the box, which have no forces.
   constexpr double little = 1e-6;
-  for (int unknown = 0; unknown < std::min(6, aggregates_.unknowns()); ++unknown) {
-    entries.add(unknown, unknown, little * stiffest);
+  for (int unknown = 0; unknown < counts[0]; ++unknown) {
+    entries.add(unknown, unknown, little * blocks[{0, 0}](unknown, unknown));
   }
   coarse_.emplace(aggregates_.unknowns(), std::move(entries), "the stiffness matrix of the coarse problem");
 }

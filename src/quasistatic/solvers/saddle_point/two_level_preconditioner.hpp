@@ -11,13 +11,13 @@ namespace breccia::quasistatic {
 
 /// An approximate inverse of SaddlePointOperator::multiply_similar(): a symmetric cycle of two levels, with Chebyshev
 /// polynomials of the scaled operator as smoothers (Adams, Brezina, Hu and Tuminaro 2003) and the rigid motions of
-/// small aggregates as the coarse space. The condition number does not depend on the contrast of the moduli.
+/// small aggregates as the coarse space. Its condition number hardly depends on the contrast of the moduli.
 class TwoLevelPreconditioner {
  public:
   /// Takes the present moduli of the operator, which must outlive this object.
   explicit TwoLevelPreconditioner(SaddlePointOperator& saddle);
 
-  /// Finds the displacements of nodes; the forces have no others.
+  /// Finds the displacements of nodes from the forces on nodes; sets all further values to zero.
   void apply(const NodalField& forces, NodalField& displacement);
 
  private:
