@@ -7,6 +7,7 @@
 #include "breccia/error.hpp"
 
 #include "discretisation/cell_shape.hpp"
+#include "quasistatic/solvers/saddle_point/rigid_aggregates.hpp"
 
 namespace breccia::quasistatic {
 namespace {
@@ -73,11 +74,7 @@ std::vector<double> FlowFactors::compliance_of_pressures(const SaddlePointOperat
     for (std::size_t axis = 0; axis < 3; ++axis) node[axis] = (node[axis] + cell[axis]) % lattice.nodes[axis];
     return lattice.arrays.row_at(node[1], node[2]) + static_cast<std::size_t>(node[0]);
   };
-  std::vector<double> around(lattice.size(), 0.0);
-  for_each_index(Index<3>{}, lattice.own_cells(), [&](const Index<3>& cell) {
-    const double shear = cells.shear[cells.kind_of.row_at(cell[1], cell[2])[cell[0]]];
-    for (int n = 0; n < Shape::nodes; ++n) around[index_of(cell, n)] += shear / Shape::nodes;
-  });
+  const auto around = shear_around_nodes(lattice, cells);
   std::vector<double> compliance;
   compliance.reserve(cells_);
   for_each_index(Index<3>{}, lattice.own_cells(), [&](const Index<3>& cell) {

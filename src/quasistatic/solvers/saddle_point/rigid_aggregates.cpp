@@ -48,6 +48,19 @@ class DisjointSets {
 
 }  // namespace
 
+std::vector<double> shear_around_nodes(const NodeLattice& lattice, const CellModuli& cells) {
+  std::vector<double> around(lattice.size(), 0.0);
+  for_each_index(Index<3>{}, lattice.own_cells(), [&](const Index<3>& cell) {
+    const double shear = cells.shear[cells.kind_of.row_at(cell[1], cell[2])[cell[0]]];
+    for (int n = 0; n < Shape::nodes; ++n) {
+      auto node = Shape::corner(n);
+      for (std::size_t axis = 0; axis < 3; ++axis) node[axis] = (node[axis] + cell[axis]) % lattice.nodes[axis];
+      around[lattice.arrays.row_at(node[1], node[2]) + static_cast<std::size_t>(node[0])] += shear / Shape::nodes;
+    }
+  });
+  return around;
+}
+
 /// Calls work(node, its index) for the nodes of this process; the third index of a node counts from its first plane.
 template <class Work>
 void RigidAggregates::for_nodes(const Work& work) const {
@@ -78,10 +91,7 @@ void RigidAggregates::join(const CellModuli& cells, int side) {
   const auto shear_of = [&](const Index<3>& cell) {
     return cells.shear[cells.kind_of.row_at(cell[1], cell[2])[cell[0]]];
   };
-  std::vector<double> around(lattice_.size(), 0.0);  // the sum of the moduli of the cells around a node
-  for_each_index(Index<3>{}, own, [&](const Index<3>& cell) {
-    for (const auto& node : nodes_of(cell)) around[index_of(node)] += shear_of(cell);
-  });
+  const auto around = shear_around_nodes(lattice_, cells);
   const auto cube_of = [&](Index<3> node) {
     node[2] += lattice_.first_plane;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -100,7 +110,7 @@ void RigidAggregates::join(const CellModuli& cells, int side) {
         const bool is_own = nodes[a][2] < lattice_.planes && nodes[b][2] < lattice_.planes;
         if (!is_own || cube_of(nodes[a]) != cube_of(nodes[b])) continue;
         const auto first = index_of(nodes[a]), second = index_of(nodes[b]);
-        const double mean = std::sqrt(around[first] * around[second]) / Shape::nodes;
+        const double mean = std::sqrt(around[first] * around[second]);
         if (shear >= least * mean) sets.join(static_cast<std::int32_t>(first), static_cast<std::int32_t>(second));
       }
     }
