@@ -116,6 +116,34 @@ std::optional<std::string> mixing_of_points(const Tests& tests) {
                      name_of(tests.mixing), name_of(Volumetric::averaged), name_of(Mixing::points));
 }
 
+/// Whether particles of a stage in three dimensions are not spheres.
+bool has_ellipsoids(const Stage& stage) {
+  const auto* listed = stage.packed_by<ExplicitPacking<3>>();
+  return (listed != nullptr && std::holds_alternative<std::vector<Ellipsoid>>(listed->particles)) ||
+         std::ranges::any_of(stage.fillers, [](const Filler& filler) { return filler.shape.has_value(); });
+}
+
+/// What cells with flow through gaps expect of a stage, beyond what it has.
+std::vector<std::string> expected_by_flow(const Tests& tests, const Stage& stage) {
+  std::vector<std::string> expected;
+  if (stage.dimensions() == 3) {
+    const auto is_periodic = [](Boundary boundary) { return boundary == Boundary::periodic; };
+    if (stage.has_grains() || stage.has_image() || has_ellipsoids(stage)) {
+      expected.emplace_back("expected spheres in three dimensions");
+    }
+    if (!stage.fillers.empty() && (!stage.is_periodic() || !std::ranges::all_of(tests.boundaries, is_periodic))) {
+      expected.emplace_back(R"(expected a periodic box under the boundary "periodic" in three dimensions)");
+    }
+    return expected;
+  }
+  if (stage.has_image()) expected.emplace_back("expected particles or grains, not an image");
+  if (auto boundaries = expected_boundaries(tests, stage); boundaries && !stage.fillers.empty()) {
+    expected.push_back(*std::move(boundaries));
+  }
+  if (stage.has_cut_grains()) expected.emplace_back(R"(expected packing.walls other than "cut")");
+  return expected;
+}
+
 /// The requests that cells with flow through gaps do not support, a line each.
 std::vector<std::string> lacking_in_flow(const Study& study) {
   const auto& tests = study.tests;
@@ -126,12 +154,7 @@ std::vector<std::string> lacking_in_flow(const Study& study) {
   };
   for (const auto& stage : study.stages) {
     if (model_of(tests, stage) == Model::films) continue;
-    if (stage.dimensions() == 3) lacks(fmt::format("stage {}: expected a box of two dimensions", stage.name));
-    if (stage.has_image()) lacks(fmt::format("stage {}: expected particles or grains, not an image", stage.name));
-    if (const auto expected = expected_boundaries(tests, stage); expected && !stage.fillers.empty()) {
-      lacks(fmt::format("stage {}: {}", stage.name, *expected));
-    }
-    if (stage.has_cut_grains()) lacks(fmt::format("stage {}: expected packing.walls other than \"cut\"", stage.name));
+    for (const auto& expected : expected_by_flow(tests, stage)) lacks(fmt::format("stage {}: {}", stage.name, expected));
   }
   if (uses(tests, Method::dynamic)) lacks(R"(expected method "quasistatic", since the flow has no inertia)");
   if (!tests.varied.empty()) lacks("expected no quasistatic.vary of other moduli than those of the matrix");
@@ -212,6 +235,8 @@ Mixing default_mixing(const Study& study) {
   if (study.tests.volumetric == Volumetric::standard) return Mixing::points;
   const auto is_of_cells = [&study](const Stage& stage) { return model_of(study.tests, stage) == Model::cells; };
   const bool has_cells = std::ranges::any_of(study.stages, is_of_cells);
+  // In space flow takes many times the time, so that a deck has to ask for it.
+  if (!study.stages.empty() && study.stages.front().dimensions() == 3) return Mixing::series;
   return has_cells && lacking_in_flow(study).empty() ? Mixing::flow : Mixing::series;
 }
 

@@ -88,10 +88,20 @@ ParticleBox as_particles(const Grains<2>& grains) {
 }
 
 /// The particles of a stage, for cells with flow through the gaps between them.
-std::shared_ptr<const ParticlesInBox<2>> particles_with_gaps(const Stage& stage, ParticleBox box) {
+template <int dim>
+std::shared_ptr<const ParticlesInBox<dim>> particles_with_gaps(const Stage& stage,
+                                                               decltype(ParticlesInBox<dim>::box) box) {
   auto phases = phases_of_particles(stage, box);
   const auto matrix = phases_of(stage).index_of(name_of_matrix_phase);
-  return std::make_shared<const ParticlesInBox<2>>(ParticlesInBox<2>{std::move(box), matrix, std::move(phases)});
+  return std::make_shared<const ParticlesInBox<dim>>(ParticlesInBox<dim>{std::move(box), matrix, std::move(phases)});
+}
+
+/// Discs and spheres as the particles between which there are gaps.
+ParticleBox with_gaps(const Microstructure<2>& discs) {
+  return as_particles(discs);
+}
+const Microstructure<3>& with_gaps(const Microstructure<3>& spheres) {
+  return spheres;
 }
 
 }  // namespace
@@ -105,10 +115,8 @@ Discretisation<dim> discretise(const Stage& stage, const Microstructure<dim>& mi
   const std::span<const ParticlePhases> particles(of_particles);
   if (mixing == Mixing::points) return discretise(microstructure, cells, matrix, particles, layers);
   auto discretisation = discretise_mixed(microstructure, cells, matrix, particles, phases.size(), layers);
-  if constexpr (dim == 2) {
-    if (mixing == Mixing::flow && !microstructure.particles.empty()) {
-      discretisation.set_particles_with_gaps(particles_with_gaps(stage, as_particles(microstructure)));
-    }
+  if (mixing == Mixing::flow && !microstructure.particles.empty()) {
+    discretisation.set_particles_with_gaps(particles_with_gaps<dim>(stage, with_gaps(microstructure)));
   }
   return discretisation;
 }
@@ -138,14 +146,14 @@ struct Discretise {
   }
   Discretisation<2> operator()(const ParticleBox& particles) const {
     auto discretisation = on<2>(labelling_of(stage, particles));
-    if (mixing == Mixing::flow) discretisation.set_particles_with_gaps(particles_with_gaps(stage, particles));
+    if (mixing == Mixing::flow) discretisation.set_particles_with_gaps(particles_with_gaps<2>(stage, particles));
     return discretisation;
   }
   Discretisation<3> operator()(const EllipsoidBox& ellipsoids) const { return on<3>(labelling_of(stage, ellipsoids)); }
   Discretisation<2> operator()(const Grains<2>& grains) const {
     auto discretisation = on<2>(labelling_of(stage, grains));
     if (mixing == Mixing::flow) {
-      discretisation.set_particles_with_gaps(particles_with_gaps(stage, as_particles(grains)));
+      discretisation.set_particles_with_gaps(particles_with_gaps<2>(stage, as_particles(grains)));
     }
     return discretisation;
   }
