@@ -9,10 +9,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "discretisation/contrast.hpp"
 #include "homogenisation/material_warnings.hpp"
 #include "homogenisation/narrow_gaps.hpp"
 #include "homogenisation/plan/grid_error.hpp"
 #include "homogenisation/quality.hpp"
+#include "homogenisation/run/test_requests.hpp"
 #include "homogenisation/separation.hpp"
 #include "io/display.hpp"
 #include "io/units.hpp"
@@ -160,10 +162,29 @@ std::optional<std::string> warning_of_narrow_gaps(const Stage& stage, const Stag
                      words_on_finer_grids(grids, std::ceil(cells_per_gap * stage.side / gap * (1.0 - rounding))));
 }
 
+/// A warning about gaps between spheres without flow that are narrower than those of the rule for spheres.
+std::optional<std::string> warning_of_gaps_between_spheres(const Study& study, const Stage& stage,
+                                                           const StageMicrostructure& packed) {
+  constexpr double cells_of_gap = 1.0, share_of_diameter = 0.03;
+  const double cells = packed.gap / stage.cell_size();
+  const bool is_narrow = cells < cells_of_gap && packed.gap < share_of_diameter * packed.mean_diameter();
+  if (packed.content<Microstructure<3>>() == nullptr || !is_narrow ||
+      mixing_of(study, stage, packed) != Mixing::series ||
+      !are_stiffer_than_matrix(materials_of(stage, expected_matrix(study, stage)))) {
+    return std::nullopt;
+  }
+  return fmt::format(
+      "the smallest gap between spheres, {}, is {:.2g} cells wide; cells in series do not know how a nearly "
+      "incompressible matrix leaves such a gap, and the modulus at long times may come out wrong by a factor of several, "
+      "most often too high{}",
+      display(packed.gap, "m", 4), cells,
+      stage.is_periodic() ? R"( (tests.mixing = "flow" knows it))" : "");
+}
+
 /// A warning about spheres of so few cells, or so close to jamming, that no rule gives the error of the grid.
 std::optional<std::string> warning_of_small_spheres(const Stage& stage, const StageMicrostructure& packed,
                                                     Mixing mixing) {
-  if (packed.content<Microstructure<3>>() == nullptr || mixing == Mixing::points) return std::nullopt;
+  if (packed.content<Microstructure<3>>() == nullptr || mixing != Mixing::series) return std::nullopt;
   const double diameter = packed.mean_diameter();
   const double cells = diameter / stage.side * stage.grids().front();
   const auto rule = error_rule_of_spheres(packed.fraction);
@@ -326,7 +347,8 @@ std::vector<std::string> warnings_on(const Study& study, const Stage& stage,
   for (const auto& warning :
        {warning_of_separation(study, stage, microstructure), warning_of_thin_coatings(stage, study.tests.mixing),
         warning_of_missing_flow(study, stage, microstructure), warning_of_small_discs(study, stage, microstructure),
-        warning_of_gaps, warning_of_small_spheres(stage, microstructure, study.tests.mixing),
+        warning_of_gaps, warning_of_gaps_between_spheres(study, stage, microstructure),
+        warning_of_small_spheres(stage, microstructure, mixing_of(study, stage, microstructure)),
         warning_of_lost_grains(stage, microstructure),
         warning_of_cut_particles(stage, study.tests.boundaries, microstructure),
         warning_of_unknown_times(stage, study.tests)}) {

@@ -79,16 +79,31 @@ TEST(WarningThresholds, OfCellsAcrossASphere) {
   stage.packing = ExplicitPacking<3>{};
   auto study = study_within(1.0, 2.0, Mixing::series);
   study.tests.boundaries = {Boundary::periodic};
-  EXPECT_THAT(warnings_on(study, stage, equal_spheres(225e-6, 1e-6)), IsEmpty()) << "whatever their gap";
-  EXPECT_THAT(warnings_on(study, stage, equal_spheres(224.9e-6, 1e-6)),
+  EXPECT_THAT(warnings_on(study, stage, equal_spheres(225e-6, 7e-6)), IsEmpty());
+  EXPECT_THAT(warnings_on(study, stage, equal_spheres(224.9e-6, 7e-6)),
               ElementsAre(AllOf(HasSubstr("the mean sphere, 225 um, is 4.5 cells wide, too few to tell the error"),
                                 HasSubstr("(cells = 237 would resolve it)"))));
-  auto dense = equal_spheres(225e-6, 1e-6);
+  auto dense = equal_spheres(225e-6, 20e-6);
   dense.fraction = 0.61;
   EXPECT_THAT(warnings_on(study, stage, dense), ElementsAre(HasSubstr("spheres that fill 61 % are close to jamming")));
   study.tests.mixing = Mixing::points;
   EXPECT_THAT(warnings_on(study, stage, equal_spheres(1e-3, 149.9e-6)),
               ElementsAre(HasSubstr("149.9 um, is 2.998 cells wide; below 3 cells")));
+}
+
+// Gaps below a cell and 3 % of a diameter.
+TEST(WarningThresholds, OfGapsBetweenSpheres) {
+  auto stage = stage_with({1e-3});
+  stage.packing = PackingMethod<3>(LatticePacking{});
+  auto study = study_within(1.0, 2.0, Mixing::series);
+  study.tests.boundaries = {Boundary::periodic};
+  const auto is_warning = AllOf(HasSubstr("the smallest gap between spheres, 29.9 um, is 0.6 cells wide"),
+                                HasSubstr(R"(tests.mixing = "flow" knows it)"));
+  EXPECT_THAT(warnings_on(study, stage, equal_spheres(1e-3, 29.9e-6)), ElementsAre(is_warning));
+  EXPECT_THAT(warnings_on(study, stage, equal_spheres(1e-3, 30.1e-6)), IsEmpty());
+  EXPECT_THAT(warnings_on(study, stage, equal_spheres(2e-3, 50.1e-6)), IsEmpty());
+  study.tests.mixing = Mixing::flow;
+  EXPECT_THAT(warnings_on(study, stage, equal_spheres(1e-3, 29.9e-6)), IsEmpty());
 }
 
 // Only a wall of prescribed displacement holds a soft matrix in a gap that is narrower than a cell.
@@ -97,9 +112,9 @@ TEST(WarningThresholds, OfGapsBetweenSpheresAndWalls) {
   stage.packing = ExplicitPacking<3>{};
   auto study = study_within(1.0, 2.0, Mixing::series);
   study.tests.boundaries = {Boundary::traction};
-  EXPECT_THAT(warnings_on(study, stage, equal_spheres(1e-3, 1e-6, 1e-6)), IsEmpty());
+  EXPECT_THAT(warnings_on(study, stage, equal_spheres(1e-3, 31e-6, 1e-6)), IsEmpty());
   study.tests.boundaries = {Boundary::displacement, Boundary::traction};
-  EXPECT_THAT(warnings_on(study, stage, equal_spheres(1e-3, 1e-6, 50e-6)), IsEmpty());
+  EXPECT_THAT(warnings_on(study, stage, equal_spheres(1e-3, 31e-6, 50e-6)), IsEmpty());
   EXPECT_THAT(warnings_on(study, stage, equal_spheres(1e-3, 1.0, 49.9e-6)),
               ElementsAre(AllOf(HasSubstr("the smallest gap of a particle to a wall, 49.9 um, is 0.998 cells wide"),
                                 HasSubstr("below 1 cell a nearly incompressible matrix cannot be squeezed out between "

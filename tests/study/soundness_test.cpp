@@ -381,7 +381,9 @@ TEST(RequireSound, NamesWhatFlowThroughGapsDoesNotServe) {
   study.stages.back().packing = PackingMethod<2>(LaguerrePacking<2>{.walls = Walls::hard, .wall_film = WallFilm::none});
   EXPECT_THAT(mistakes_of(study), HasSubstr(R"(expected packing.walls other than "cut")"));
   study.stages.back().packing = PackingMethod<3>();
-  EXPECT_THAT(mistakes_of(study), HasSubstr("expected a box of two dimensions"));
+  study.stages.back().fillers.front().shape = FillerShape{EllipticOutline{2.0}};
+  EXPECT_THAT(mistakes_of(study), AllOf(HasSubstr(R"(expected a periodic box under the boundary "periodic" in three)"),
+                                        HasSubstr("stage coarse: expected spheres in three dimensions")));
 }
 
 TEST(RequireSound, NamesEachMistakeOfMeasurements) {

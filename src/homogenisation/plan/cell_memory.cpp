@@ -130,14 +130,16 @@ double bytes_of_square(const Study& study, const Stage& stage, double strains) {
 
 }  // namespace
 
+bool is_expected_to_have_flow(const Study& study, const Stage& stage) {
+  const bool asks_for_narrow_gaps = std::ranges::any_of(
+      stage.fillers, [&](const Filler& filler) { return filler.gap < cells_in_narrow_gaps * stage.cell_size(); });
+  return study.tests.mixing == Mixing::flow && asks_for_narrow_gaps;
+}
+
 double quasistatic_unknowns(const Study& study, const Stage& stage, int cells) {
   // Displacements of a node; there are about as many nodes as cells.
   const double of_nodes = stage.dimensions() * std::pow(static_cast<double>(cells), stage.dimensions());
-  // Before the packing only the gap that the deck asks for is known.
-  const bool asks_for_narrow_gaps = std::ranges::any_of(
-      stage.fillers, [&](const Filler& filler) { return filler.gap < cells_in_narrow_gaps * stage.cell_size(); });
-  const bool has_flow = study.tests.mixing == Mixing::flow && asks_for_narrow_gaps;
-  return has_flow ? measured_costs::unknowns_with_flow * of_nodes : of_nodes;
+  return is_expected_to_have_flow(study, stage) ? measured_costs::unknowns_with_flow * of_nodes : of_nodes;
 }
 
 double share_of_mixed_cells(const Study& study, const Stage& stage, int cells) {
@@ -157,7 +159,9 @@ double quasistatic_memory(const Study& study, const Stage& stage, int cells) {
   const double factors =
       is_direct ? measured_costs::factors + measured_costs::factors_of_logarithm * std::log2(unknowns) : 0.0;
   if (stage.dimensions() == 3) {
-    return measured_costs::program + unknowns * (factors + bytes_of_cube(study, stage, strains));
+    const double saddle_point =
+        !is_direct && is_expected_to_have_flow(study, stage) ? measured_costs::saddle_point_of_cube : 0.0;
+    return measured_costs::program + unknowns * (factors + saddle_point + bytes_of_cube(study, stage, strains));
   }
   const double further = bytes_of_square(study, stage, strains);
   const double strains_of_vectors = measured_costs::vectors_among_others * strains;

@@ -4,6 +4,10 @@
 
 namespace breccia {
 
+/// Whether a stage is expected to have flow through gaps. Before the packing only the gap that the deck asks for is
+/// known.
+bool is_expected_to_have_flow(const Study& study, const Stage& stage);
+
 /// Approximate number of unknown displacements of a quasi-static test on a grid with `cells` cells per side.
 double quasistatic_unknowns(const Study& study, const Stage& stage, int cells);
 

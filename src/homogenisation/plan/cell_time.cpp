@@ -65,12 +65,24 @@ double root_of_contrast(const std::vector<Moduli>& phases, Boundary boundary) {
   return std::sqrt(contrast);
 }
 
-double time_of_cube(const Study& study, const Stage& stage, Boundary boundary, double unknowns) {
+/// Time of a solution by conjugate gradients on a cube, for each unknown [s].
+double time_of_conjugate_gradients(const Study& study, const Stage& stage, Boundary boundary) {
   const auto path = expected_path(study, stage);
   double roots = 0.0;
   for (const auto& point : path) roots += root_of_contrast(point.moduli, boundary);
   const auto [of_root, seconds] = iterations_under(boundary);
-  const double solution = of_root * roots / static_cast<double>(path.size()) * seconds;
+  return of_root * roots / static_cast<double>(path.size()) * seconds;
+}
+
+/// Time of a solution on a cube with flow through gaps, for each unknown [s].
+double time_of_minimal_residuals(int cells) {
+  return measured_costs::iterations_with_flow * std::pow(static_cast<double>(cells), 1.5) *
+         measured_costs::seconds_with_flow;
+}
+
+double time_of_cube(const Study& study, const Stage& stage, Boundary boundary, int cells, double unknowns) {
+  const double solution = is_expected_to_have_flow(study, stage) ? time_of_minimal_residuals(cells)
+                                                                 : time_of_conjugate_gradients(study, stage, boundary);
   const auto loads = static_cast<double>(loads_of(study, stage).size());
   if (study.tests.quasistatic.solver == Solver::stepping) {
     return loads * unknowns * steps_of(study.tests) *
@@ -90,7 +102,7 @@ double quasistatic_time(const Study& study, const Stage& stage, Boundary boundar
   const double unknowns = quasistatic_unknowns(study, stage, cells);
   const bool is_direct =
       study.tests.quasistatic.linear.is_direct(static_cast<std::int64_t>(unknowns), stage.dimensions());
-  if (stage.dimensions() == 3 && !is_direct) return time_of_cube(study, stage, boundary, unknowns);
+  if (stage.dimensions() == 3 && !is_direct) return time_of_cube(study, stage, boundary, cells, unknowns);
   return time_with_factors(study, stage, cells, unknowns, is_direct);
 }
 

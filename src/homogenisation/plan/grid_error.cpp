@@ -33,10 +33,12 @@ ResolvedLength length_of_spheres(const StageMicrostructure& packed) {
 
 /// The length of particles with flow through the gaps between them. Nothing was measured for other shapes than discs.
 struct LengthOfFlow {
-  std::optional<ResolvedLength> operator()(const Microstructure<2>& discs) const {
+  template <int dim>
+  std::optional<ResolvedLength> operator()(const Microstructure<dim>& balls) const {
     double smallest = std::numeric_limits<double>::infinity();
-    for (const auto& disc : discs.particles) smallest = std::min(smallest, disc.diameter);
-    return ResolvedLength{smallest, "across the smallest disc", error_rule_of_flow()};
+    for (const auto& ball : balls.particles) smallest = std::min(smallest, ball.diameter);
+    if (dim == 2) return ResolvedLength{smallest, "across the smallest disc", error_rule_of_flow()};
+    return ResolvedLength{smallest, "across the smallest sphere", {}, "spheres with flow through gaps"};
   }
   std::optional<ResolvedLength> operator()(const ParticleBox& box) const {
     double smallest = std::numeric_limits<double>::infinity();
