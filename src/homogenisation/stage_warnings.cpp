@@ -87,18 +87,17 @@ std::optional<std::string> warning_of_missing_flow(const Study& study, const Sta
          "matrix at all times";
 }
 
-/// A warning about discs of so few cells that no rule gives the error of the grid.
-std::optional<std::string> warning_of_small_discs(const Study& study, const Stage& stage,
+/// A warning about discs or spheres, with flow through the gaps between them, of so few cells that no rule gives the
+/// error of the grid.
+std::optional<std::string> warning_of_small_balls(const Study& study, const Stage& stage,
                                                   const StageMicrostructure& packed) {
-  if (packed.content<Microstructure<2>>() == nullptr || mixing_of(study, stage, packed) != Mixing::flow) {
-    return std::nullopt;
-  }
+  if (mixing_of(study, stage, packed) != Mixing::flow) return std::nullopt;
   const auto plan = plan_of_grid(stage, packed, Mixing::flow);
-  if (!plan || plan->error()) return std::nullopt;
-  const double least = plan->rule ? plan->rule->least_cells : 0.0;
+  if (!plan || !plan->rule || plan->error()) return std::nullopt;
+  const double least = plan->rule->least_cells;
   return fmt::format(
-      "the smallest disc, {}, is {:.2g} cells wide; below {:g} cells no rule gives the error of the grid{}",
-      display(plan->length, "m", 4), plan->cells(), least,
+      "the smallest {}, {}, is {:.2g} cells wide; below {:g} cells no rule gives the error of the grid{}",
+      stage.dimensions() == 2 ? "disc" : "sphere", display(plan->length, "m", 4), plan->cells(), least,
       words_on_finer_grids(stage.grids(), std::ceil(least * stage.side / plan->length)));
 }
 
@@ -175,10 +174,10 @@ std::optional<std::string> warning_of_gaps_between_spheres(const Study& study, c
   }
   return fmt::format(
       "the smallest gap between spheres, {}, is {:.2g} cells wide; cells in series do not know how a nearly "
-      "incompressible matrix leaves such a gap, and the modulus at long times may come out wrong by a factor of several, "
+      "incompressible matrix leaves such a gap, and the modulus at long times may come out wrong by a factor of "
+      "several, "
       "most often too high{}",
-      display(packed.gap, "m", 4), cells,
-      stage.is_periodic() ? R"( (tests.mixing = "flow" knows it))" : "");
+      display(packed.gap, "m", 4), cells, stage.is_periodic() ? R"( (tests.mixing = "flow" knows it))" : "");
 }
 
 /// A warning about spheres of so few cells, or so close to jamming, that no rule gives the error of the grid.
@@ -346,7 +345,7 @@ std::vector<std::string> warnings_on(const Study& study, const Stage& stage,
                                    : warning_of_narrow_gaps(stage, microstructure, study);
   for (const auto& warning :
        {warning_of_separation(study, stage, microstructure), warning_of_thin_coatings(stage, study.tests.mixing),
-        warning_of_missing_flow(study, stage, microstructure), warning_of_small_discs(study, stage, microstructure),
+        warning_of_missing_flow(study, stage, microstructure), warning_of_small_balls(study, stage, microstructure),
         warning_of_gaps, warning_of_gaps_between_spheres(study, stage, microstructure),
         warning_of_small_spheres(stage, microstructure, mixing_of(study, stage, microstructure)),
         warning_of_lost_grains(stage, microstructure),

@@ -154,7 +154,8 @@ std::vector<std::string> lacking_in_flow(const Study& study) {
   };
   for (const auto& stage : study.stages) {
     if (model_of(tests, stage) == Model::films) continue;
-    for (const auto& expected : expected_by_flow(tests, stage)) lacks(fmt::format("stage {}: {}", stage.name, expected));
+    for (const auto& expected : expected_by_flow(tests, stage))
+      lacks(fmt::format("stage {}: {}", stage.name, expected));
   }
   if (uses(tests, Method::dynamic)) lacks(R"(expected method "quasistatic", since the flow has no inertia)");
   if (!tests.varied.empty()) lacks("expected no quasistatic.vary of other moduli than those of the matrix");

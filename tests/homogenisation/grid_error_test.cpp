@@ -47,12 +47,38 @@ TEST(GridError, TellsTheCellsForAnError) {
 
 /// Largest errors of random packings, by cells across the smallest disc; from docs/gaps-under-a-cell.md.
 TEST(GridError, OfFlowIsNoLessThanMeasuredErrors) {
-  const auto rule = error_rule_of_flow();
+  const auto rule = error_rule_of_flow(2);
   for (const auto& [cells, of_rigid, of_deformable] : {std::array{8.0, 0.039, 0.050}, {16.0, 0.014, 0.020}}) {
     EXPECT_GE(rule.error_with(cells).value(), std::max(of_rigid, of_deformable)) << cells;
     EXPECT_LE(rule.error_with(cells).value(), 1.6 * of_deformable) << cells;
   }
   EXPECT_FALSE(rule.error_with(7.9));
+}
+
+/// Largest errors of random packings of spheres, by cells across the smallest one; from docs/gaps-in-space.md.
+TEST(GridError, OfFlowInSpaceIsNoLessThanMeasuredErrors) {
+  const auto rule = error_rule_of_flow(3);
+  for (const auto& [cells, error] :
+       {std::array{7.3, 0.071}, {7.8, 0.079}, {8.0, 0.123}, {12.0, 0.091}, {16.0, 0.037}, {20.0, 0.034}}) {
+    EXPECT_GE(rule.error_with(cells).value(), error) << cells;
+  }
+  EXPECT_LE(rule.error_with(12.0).value(), 1.2 * 0.091);
+  EXPECT_FALSE(rule.error_with(6.9));
+}
+
+TEST(GridError, OfFlowInSpaceIsThatOfTheSmallestSphereOfARandomPacking) {
+  Stage stage;
+  stage.side = 1e-3;
+  stage.cells = 40;
+  stage.packing = PackingMethod<3>(ExplicitPacking<3>{});
+  StageMicrostructure packed;
+  packed.box =
+      Box<3>(Microstructure<3>{1e-3, Walls::periodic, {{{3e-4, 3e-4, 3e-4}, 4e-4}, {{7e-4, 7e-4, 7e-4}, 2e-4}}});
+  packed.gap = 1e-6;
+  EXPECT_NEAR(plan_of_grid(stage, packed, Mixing::flow).value().cells(), 8.0, 1e-9);
+  EXPECT_TRUE(plan_of_grid(stage, packed, Mixing::flow).value().error());
+  stage.packing = PackingMethod<3>(LatticePacking{});
+  EXPECT_FALSE(plan_of_grid(stage, packed, Mixing::flow).value().error()) << "lattices err more";
 }
 
 // Flow through gaps makes their width immaterial.

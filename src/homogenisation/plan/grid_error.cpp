@@ -37,8 +37,8 @@ struct LengthOfFlow {
   std::optional<ResolvedLength> operator()(const Microstructure<dim>& balls) const {
     double smallest = std::numeric_limits<double>::infinity();
     for (const auto& ball : balls.particles) smallest = std::min(smallest, ball.diameter);
-    if (dim == 2) return ResolvedLength{smallest, "across the smallest disc", error_rule_of_flow()};
-    return ResolvedLength{smallest, "across the smallest sphere", {}, "spheres with flow through gaps"};
+    return ResolvedLength{smallest, dim == 2 ? "across the smallest disc" : "across the smallest sphere",
+                          error_rule_of_flow(dim)};
   }
   std::optional<ResolvedLength> operator()(const ParticleBox& box) const {
     double smallest = std::numeric_limits<double>::infinity();
@@ -58,7 +58,10 @@ ResolvedLength resolved_length(const Stage& stage, const StageMicrostructure& pa
     return {gap, "across a film", error_rule_of_films()};
   }
   if (mixing == Mixing::flow) {
-    if (const auto length = visit_nested(LengthOfFlow(), packed.box)) return *length;
+    if (auto length = visit_nested(LengthOfFlow(), packed.box)) {
+      if (stage.packed_by<LatticePacking>() == nullptr) return *length;
+      return {length->length, length->place, {}, "lattices of spheres with flow through gaps"};
+    }
   }
   constexpr auto in_a_gap = "in the narrowest gap";
   if (stage.dimensions() == 2) return {gap, in_a_gap, error_rule_of_gaps(mixing)};
@@ -73,8 +76,8 @@ ErrorRule error_rule_of_gaps(Mixing mixing) {
   return has_mixed_cells(mixing) ? ErrorRule{0.10, 1.8, 1.5} : ErrorRule{3.0, 1.35, 3.0};
 }
 
-ErrorRule error_rule_of_flow() {
-  return {0.5, 1.0, 8.0};
+ErrorRule error_rule_of_flow(int dimensions) {
+  return dimensions == 2 ? ErrorRule{0.5, 1.0, 8.0} : ErrorRule{0.45, 0.6, 7.0};
 }
 
 ErrorRule error_rule_of_films() {

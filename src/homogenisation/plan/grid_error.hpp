@@ -11,9 +11,9 @@ namespace breccia {
 /// The rule for the cells in the narrowest gap of a stage without flow through it (theory, Eq. 43a).
 ErrorRule error_rule_of_gaps(Mixing mixing);
 
-/// The rule for discs with flow through the gaps between them, by the number of cells across the smallest disc (theory,
-/// Eq. 43d).
-ErrorRule error_rule_of_flow();
+/// The rule for random packings of discs or spheres with flow through the gaps between them, by the number of cells
+/// across the smallest one (theory, Eqs. 43d and 43e).
+ErrorRule error_rule_of_flow(int dimensions);
 
 /// The rule for mixed cells across the films between grains, which carry the load of the whole stage (theory, Eq. 43b).
 ErrorRule error_rule_of_films();

@@ -1,0 +1,138 @@
+// Studies of spheres with gaps narrower than a cell through the command line.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "io/text_file.hpp"
+#include "study_directory.hpp"
+
+namespace breccia {
+namespace {
+
+using test::read_curve;
+using test::run_breccia;
+using test::StudyDirectory;
+using testing::AllOf;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+/// Rigid spheres in a nearly incompressible matrix that relaxes from 2 to 1 MPa.
+constexpr std::string_view rigid_spheres = R"(
+dimensions = 3
+[materials.matrix]
+density = "1.1 g/cm^3"
+bulk    = "100 GPa"
+shear   = { terms = [ { time = "1 ms", modulus = "1 MPa" } ], equilibrium = "1 MPa" }
+[materials.sphere]
+density = "2.5 g/cm^3"
+bulk    = "100 TPa"
+shear   = "10 TPa"
+)";
+
+/// Gaps of 1 % of the diameter, an eighth of a cell.
+std::string near_contact(std::string_view more = "mixing = \"flow\"\n") {
+  return fmt::format(R"({}
+[[stages]]
+name    = "A"
+matrix  = "matrix"
+box     = "1 mm"
+cells   = 12
+filler  = {{ material = "sphere", sizes = {{ diameter = "0.990099 mm" }} }}
+packing = {{ method = "regular", lattice = "sc" }}
+[tests]
+times  = ["10 us", "100 ms"]
+loads  = ["shear", "shear-xx-yy"]
+points_per_decade = 2
+{})",
+                     rigid_spheres, more);
+}
+
+const std::vector<std::string> without_fields = {"--set", R"(tests.fields="none")"};
+
+// Conforming elements have 4.01 and 62.5 MPa at long times (tests/reference/sphere_packings), and twice that at first.
+// The middle of each gap is on a plane of nodes, the worst place.
+TEST(SpaceWithGaps, ALatticeOfSpheresThatAlmostTouchHasItsModuli) {
+  StudyDirectory study(near_contact());
+  const auto check = study.breccia("check");
+  ASSERT_EQ(check.exit_code, 0) << check.errors;
+  EXPECT_THAT(check.output,
+              AllOf(HasSubstr("with flow through narrow gaps"), HasSubstr("12 cells across the smallest sphere")));
+  const auto run = study.breccia("run", without_fields);
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_THAT(run.output, AllOf(HasSubstr("0.12 cells, the matrix flows through it"),
+                                Not(HasSubstr("smallest gap between spheres"))));
+  for (const auto& [load, expected] : {std::pair<std::string, double>{"shear", 4.01e6}, {"shear-xx-yy", 62.5e6}}) {
+    const auto curve = read_curve(study.result("curves.csv"), "A", load);
+    ASSERT_FALSE(curve.empty());
+    EXPECT_NEAR(curve.back().modulus / expected, 1.0, 0.09) << load;
+    EXPECT_NEAR(curve.front().modulus / (2.0 * expected), 1.0, 0.1) << load;
+  }
+  const auto summary = nlohmann::json::parse(read_text(study.result("study.json")));
+  EXPECT_THAT(summary.dump(), HasSubstr(R"("mixing":"flow")"));
+}
+
+TEST(SpaceWithGaps, CellsInSeriesAreWarnedAbout) {
+  StudyDirectory study(near_contact(""));
+  const auto check = study.breccia("check");
+  ASSERT_EQ(check.exit_code, 0) << check.errors;
+  EXPECT_THAT(check.output, HasSubstr("mixed in series where"));
+  EXPECT_THAT(check.output + check.errors, AllOf(HasSubstr("the smallest gap between spheres, 9.901 um, is 0.12 cells"),
+                                                 HasSubstr("tests.mixing = \"flow\" knows it")));
+}
+
+TEST(SpaceWithGaps, RespondAnswersForTheSameMatrix) {
+  StudyDirectory study(near_contact());
+  ASSERT_EQ(study.breccia("run", without_fields).exit_code, 0);
+  study.write("same.toml", R"(density = "1.1 g/cm^3"
+bulk  = "100 GPa"
+shear = { terms = [ { time = "1 ms", modulus = "1 MPa" } ], equilibrium = "1 MPa" }
+)");
+  const auto respond = run_breccia(study.path(), {"respond", "out", "--material", "same.toml"});
+  ASSERT_EQ(respond.exit_code, 0) << respond.errors;
+  const auto before = read_curve(study.result("curves.csv"), "A", "shear-xx-yy");
+  const auto after = read_curve(study.result("respond-same/curves.csv"), "A", "shear-xx-yy");
+  ASSERT_EQ(after.size(), before.size());
+  for (std::size_t i = 0; i < before.size(); ++i) EXPECT_NEAR(after[i].modulus / before[i].modulus, 1.0, 1e-6);
+}
+
+// A coating that is softer than the sphere and stiffer than the matrix takes a part of the gap.
+TEST(SpaceWithGaps, CoatedSpheresHaveFlowBetweenTheirCoatings) {
+  const std::string coating = "[materials.coat]\ndensity = \"1 g/cm^3\"\nbulk = \"100 GPa\"\nshear = \"1 GPa\"\n";
+  StudyDirectory study(fmt::format("{}{}", near_contact(), coating));
+  const auto run =
+      study.breccia("run", {"--set", R"(stages.0.filler.coating={ material = "coat", thickness = "2 um" })", "--set",
+                            R"(stages.0.filler.sizes.diameter="0.986 mm")"});
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  // The coated spheres are as wide as the others.
+  const auto curve = read_curve(study.result("curves.csv"), "A", "shear-xx-yy");
+  EXPECT_NEAR(curve.back().modulus / 62.5e6, 1.0, 0.1);
+  EXPECT_THAT(study.results(), Contains("A/fields.vtkhdf"));
+}
+
+TEST(SpaceWithGaps, WhatFlowDoesNotServeIsRefused) {
+  const auto mistakes = [](const std::vector<std::string>& changes) {
+    StudyDirectory study(near_contact());
+    std::vector<std::string> arguments;
+    for (const auto& change : changes) arguments.insert(arguments.end(), {"--set", change});
+    const auto check = study.breccia("check", arguments);
+    EXPECT_EQ(check.exit_code, 2) << check.output;
+    return check.errors;
+  };
+  EXPECT_THAT(mistakes({R"(tests.boundaries=["periodic", "traction"])"}),
+              HasSubstr(R"(stage A: expected a periodic box under the boundary "periodic" in three dimensions)"));
+  EXPECT_THAT(mistakes({R"(stages.0.filler={ material = "sphere", fraction = 0.2, shape = { aspect = 2 }, sizes = { )"
+                        R"(diameter = "0.3 mm" }, gap = "1 um" })",
+                        R"(stages.0.packing={ method = "random-sequential", walls = false })"}),
+              HasSubstr("stage A: expected spheres in three dimensions"));
+  EXPECT_THAT(mistakes({R"(tests.method="dynamic")"}), HasSubstr(R"(expected method "quasistatic")"));
+}
+
+}  // namespace
+}  // namespace breccia
