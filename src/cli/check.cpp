@@ -55,12 +55,15 @@ std::string line_of_grid(const std::string& stage, const GridPlan& grid, const s
   std::vector<std::string> advice;
   advice.reserve(errors.size());
   for (const double error : errors) {
-    advice.push_back(fmt::format("{:.0f} for {:.2g} %", *grid.cells_for(error), 100.0 * error));
+    const auto cells = grid.cells_for(error);
+    if (cells) advice.push_back(fmt::format("{:.0f} for {:.2g} %", *cells, 100.0 * error));
   }
   const auto expected = grid.error();
-  return fmt::format("  {}: {}, error of the grid {}; cells = {}\n", stage, width,
+  return fmt::format("  {}: {}, error of the grid {}; {}\n", stage, width,
                      expected ? fmt::format("up to about {:.2g} %", 100.0 * *expected) : "of any size",
-                     fmt::join(advice, ", "));
+                     advice.empty()
+                         ? fmt::format("no grid was measured to have {:.2g} %", 100.0 * std::ranges::max(errors))
+                         : fmt::format("cells = {}", fmt::join(advice, ", ")));
 }
 
 /// Time and memory of all tests of a study, whose dynamic tests take several cores.

@@ -16,6 +16,12 @@ bool has_narrow_gaps(const Stage& stage, const StageMicrostructure& packed) {
   return cells < (packed.grains() != nullptr ? widest_film : widest);
 }
 
+bool has_spheres_that_almost_touch(const Stage& stage, const StageMicrostructure& packed) {
+  constexpr double cells = 1.0, share_of_diameter = 0.03;
+  return packed.content<Microstructure<3>>() != nullptr && packed.gap < cells * stage.cell_size() &&
+         packed.gap < share_of_diameter * packed.mean_diameter();
+}
+
 Mixing mixing_of(const Study& study, const Stage& stage, const StageMicrostructure& packed) {
   if (study.tests.mixing != Mixing::flow) return study.tests.mixing;
   if (model_of(study.tests, stage) == Model::films) return Mixing::series;

@@ -124,8 +124,9 @@ struct NarrowestGap {
   }
 
  private:
-  /// The matrix in the gap between two spheres of mixed cells is squeezed out on all sides, however few cells the gap
-  /// has. This does not hold for the gap to a wall of prescribed displacement (theory, section 11).
+  /// The matrix in a gap between two spheres of mixed cells is squeezed out on all sides, so that it has no rule of its
+  /// own (warning_of_gaps_between_spheres). This does not hold for the gap to a wall of prescribed displacement
+  /// (theory, section 11).
   template <int dim>
   [[nodiscard]] std::optional<NarrowGap> between_particles() const {
     if (mixing == Mixing::flow) return std::nullopt;
@@ -161,23 +162,35 @@ std::optional<std::string> warning_of_narrow_gaps(const Stage& stage, const Stag
                      words_on_finer_grids(grids, std::ceil(cells_per_gap * stage.side / gap * (1.0 - rounding))));
 }
 
-/// A warning about gaps between spheres without flow that are narrower than those of the rule for spheres.
+/// A warning about spheres that almost touch, in cells that do not know how the matrix leaves their gaps.
 std::optional<std::string> warning_of_gaps_between_spheres(const Study& study, const Stage& stage,
                                                            const StageMicrostructure& packed) {
-  constexpr double cells_of_gap = 1.0, share_of_diameter = 0.03;
-  const double cells = packed.gap / stage.cell_size();
-  const bool is_narrow = cells < cells_of_gap && packed.gap < share_of_diameter * packed.mean_diameter();
-  if (packed.content<Microstructure<3>>() == nullptr || !is_narrow ||
-      mixing_of(study, stage, packed) != Mixing::series ||
+  if (!has_spheres_that_almost_touch(stage, packed) || mixing_of(study, stage, packed) != Mixing::series ||
       !are_stiffer_than_matrix(materials_of(stage, expected_matrix(study, stage)))) {
     return std::nullopt;
   }
   return fmt::format(
       "the smallest gap between spheres, {}, is {:.2g} cells wide; cells in series do not know how a nearly "
-      "incompressible matrix leaves such a gap, and the modulus at long times may come out wrong by a factor of "
-      "several, "
-      "most often too high{}",
-      display(packed.gap, "m", 4), cells, stage.is_periodic() ? R"( (tests.mixing = "flow" knows it))" : "");
+      "incompressible matrix leaves such a gap: at long times the modulus may be far too high, or too low where a "
+      "plane "
+      "of nodes is in the gaps{}",
+      display(packed.gap, "m", 4), packed.gap / stage.cell_size(),
+      supports_flow(study) ? R"( (tests.mixing = "flow" lets the matrix leave it))" : "");
+}
+
+/// A warning about gaps between spheres that are narrower than those with which flow was measured.
+std::optional<std::string> warning_of_touching_spheres(const Study& study, const Stage& stage,
+                                                       const StageMicrostructure& packed) {
+  constexpr double least_share = 0.003;
+  const double least = least_share * packed.mean_diameter();
+  if (packed.content<Microstructure<3>>() == nullptr || mixing_of(study, stage, packed) != Mixing::flow ||
+      !(packed.gap < least * (1.0 - 1e-6))) {
+    return std::nullopt;
+  }
+  return fmt::format(
+      "the smallest gap between spheres is {}; flow was measured in gaps of {:g} % of a diameter and more, {}, and "
+      "between spheres that touch the modulus at long times has no limit",
+      display(packed.gap, "m", 4), 100.0 * least_share, display(least, "m"));
 }
 
 /// A warning about spheres of so few cells, or so close to jamming, that no rule gives the error of the grid.
@@ -347,6 +360,7 @@ std::vector<std::string> warnings_on(const Study& study, const Stage& stage,
        {warning_of_separation(study, stage, microstructure), warning_of_thin_coatings(stage, study.tests.mixing),
         warning_of_missing_flow(study, stage, microstructure), warning_of_small_balls(study, stage, microstructure),
         warning_of_gaps, warning_of_gaps_between_spheres(study, stage, microstructure),
+        warning_of_touching_spheres(study, stage, microstructure),
         warning_of_small_spheres(stage, microstructure, mixing_of(study, stage, microstructure)),
         warning_of_lost_grains(stage, microstructure),
         warning_of_cut_particles(stage, study.tests.boundaries, microstructure),

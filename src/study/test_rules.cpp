@@ -116,8 +116,8 @@ std::optional<std::string> mixing_of_points(const Tests& tests) {
                      name_of(tests.mixing), name_of(Volumetric::averaged), name_of(Mixing::points));
 }
 
-/// Whether particles of a stage in three dimensions are not spheres.
-bool has_ellipsoids(const Stage& stage) {
+/// Whether particles of a stage in three dimensions may be others than spheres.
+bool may_have_ellipsoids(const Stage& stage) {
   const auto* listed = stage.packed_by<ExplicitPacking<3>>();
   return (listed != nullptr && std::holds_alternative<std::vector<Ellipsoid>>(listed->particles)) ||
          std::ranges::any_of(stage.fillers, [](const Filler& filler) { return filler.shape.has_value(); });
@@ -128,11 +128,11 @@ std::vector<std::string> expected_by_flow(const Tests& tests, const Stage& stage
   std::vector<std::string> expected;
   if (stage.dimensions() == 3) {
     const auto is_periodic = [](Boundary boundary) { return boundary == Boundary::periodic; };
-    if (stage.has_grains() || stage.has_image() || has_ellipsoids(stage)) {
-      expected.emplace_back("expected spheres in three dimensions");
+    if (stage.has_grains() || stage.has_image() || may_have_ellipsoids(stage)) {
+      expected.emplace_back("in three dimensions: expected spheres");
     }
     if (!stage.fillers.empty() && (!stage.is_periodic() || !std::ranges::all_of(tests.boundaries, is_periodic))) {
-      expected.emplace_back(R"(expected a periodic box under the boundary "periodic" in three dimensions)");
+      expected.emplace_back(R"(in three dimensions: expected a periodic box under the boundary "periodic")");
     }
     return expected;
   }
@@ -232,13 +232,17 @@ bool has_fields(const Tests& tests, const Stage& stage) {
   return model_of(tests, stage) != Model::films || !tests.films.layers;
 }
 
+bool supports_flow(const Study& study) {
+  return lacking_in_flow(study).empty();
+}
+
 Mixing default_mixing(const Study& study) {
   if (study.tests.volumetric == Volumetric::standard) return Mixing::points;
-  const auto is_of_cells = [&study](const Stage& stage) { return model_of(study.tests, stage) == Model::cells; };
-  const bool has_cells = std::ranges::any_of(study.stages, is_of_cells);
   // In space flow takes many times the time, so that a deck has to ask for it.
   if (!study.stages.empty() && study.stages.front().dimensions() == 3) return Mixing::series;
-  return has_cells && lacking_in_flow(study).empty() ? Mixing::flow : Mixing::series;
+  const auto is_of_cells = [&study](const Stage& stage) { return model_of(study.tests, stage) == Model::cells; };
+  const bool has_cells = std::ranges::any_of(study.stages, is_of_cells);
+  return has_cells && supports_flow(study) ? Mixing::flow : Mixing::series;
 }
 
 std::vector<std::string> contradictions(const Study& study) {

@@ -36,8 +36,11 @@ Model model_of(const Tests& tests, const Stage& stage);
 /// Whether tests of the stage save fields: tests of cells and of thin films do, at the field times of the tests.
 bool has_fields(const Tests& tests, const Stage& stage);
 
-/// The mixing of a study that names none: flow through gaps where it supports all that the study requests, cells in
-/// series otherwise, and points with standard volumetric strains.
+/// Whether cells with flow through gaps support all that the study requests.
+bool supports_flow(const Study& study);
+
+/// The mixing of a study that names none: in two dimensions flow through gaps where it supports the study, cells in
+/// series otherwise and in three dimensions, and points with standard volumetric strains.
 Mixing default_mixing(const Study& study);
 
 /// Contradictions between the parts of a study, each of which is allowed by itself: mixed cells with standard

@@ -64,6 +64,8 @@ TEST(GridError, OfFlowInSpaceIsNoLessThanMeasuredErrors) {
   }
   EXPECT_LE(rule.error_with(12.0).value(), 1.2 * 0.091);
   EXPECT_FALSE(rule.error_with(6.9));
+  EXPECT_EQ(rule.error_with(100.0), rule.error_with(20.0)) << "finer grids were not measured";
+  EXPECT_TRUE(std::isinf(rule.cells_for(0.01)));
 }
 
 TEST(GridError, OfFlowInSpaceIsThatOfTheSmallestSphereOfARandomPacking) {
@@ -72,13 +74,33 @@ TEST(GridError, OfFlowInSpaceIsThatOfTheSmallestSphereOfARandomPacking) {
   stage.cells = 40;
   stage.packing = PackingMethod<3>(ExplicitPacking<3>{});
   StageMicrostructure packed;
-  packed.box =
-      Box<3>(Microstructure<3>{1e-3, Walls::periodic, {{{3e-4, 3e-4, 3e-4}, 4e-4}, {{7e-4, 7e-4, 7e-4}, 2e-4}}});
+  Microstructure<3> spheres = {1e-3, Walls::periodic, {}};
+  for (int sphere = 0; sphere < 8; ++sphere) spheres.particles.push_back({{5e-4, 5e-4, 5e-4}, 2e-4 + 1e-5 * sphere});
+  packed.box = Box<3>(spheres);
   packed.gap = 1e-6;
   EXPECT_NEAR(plan_of_grid(stage, packed, Mixing::flow).value().cells(), 8.0, 1e-9);
   EXPECT_TRUE(plan_of_grid(stage, packed, Mixing::flow).value().error());
   stage.packing = PackingMethod<3>(LatticePacking{});
   EXPECT_FALSE(plan_of_grid(stage, packed, Mixing::flow).value().error()) << "lattices err more";
+  stage.packing = PackingMethod<3>(ExplicitPacking<3>{});
+  spheres.particles.resize(2);
+  packed.box = Box<3>(spheres);
+  EXPECT_FALSE(plan_of_grid(stage, packed, Mixing::flow).value().error()) << "a lattice by another name";
+}
+
+TEST(GridError, OfSpheresThatAlmostTouchIsNotKnownInSeries) {
+  Stage stage;
+  stage.side = 1e-3;
+  stage.cells = 40;
+  stage.packing = PackingMethod<3>(ExplicitPacking<3>{});
+  StageMicrostructure packed;
+  packed.box = Box<3>(Microstructure<3>{1e-3, Walls::periodic, {{{5e-4, 5e-4, 5e-4}, 9e-4}}});
+  packed.fraction = 0.38;
+  packed.interface_per_area = 6.0 * packed.fraction / 9e-4;
+  packed.gap = 20e-6;
+  EXPECT_FALSE(plan_of_grid(stage, packed, Mixing::series).value().error());
+  packed.gap = 30e-6;
+  EXPECT_TRUE(plan_of_grid(stage, packed, Mixing::series).value().error());
 }
 
 // Flow through gaps makes their width immaterial.
@@ -136,6 +158,7 @@ std::string place_of_spheres(double fraction) {
   StageMicrostructure packed;
   packed.box = Box<3>(Microstructure<3>{});
   packed.fraction = fraction;
+  packed.gap = 1e-5;
   packed.interface_per_area = 6.0 * fraction / 2e-4;
   return std::string(plan_of_grid(stage, packed, Mixing::series).value().place);
 }

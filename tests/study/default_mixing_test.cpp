@@ -41,5 +41,13 @@ TEST(DefaultMixing, IsInSeriesWhereAStageOrATestDoesNotSupportFlow) {
   EXPECT_EQ(mixing_with([](Study& study) { study.stages.clear(); }), Mixing::series);
 }
 
+TEST(DefaultMixing, IsInSeriesInSpaceThoughFlowIsSupported) {
+  auto study = test::two_stages();
+  study.tests.boundaries = {Boundary::periodic};
+  for (auto& stage : study.stages) stage.packing = PackingMethod<3>(LatticePacking{});
+  EXPECT_TRUE(supports_flow(study));
+  EXPECT_EQ(default_mixing(study), Mixing::series);
+}
+
 }  // namespace
 }  // namespace breccia

@@ -382,8 +382,9 @@ TEST(RequireSound, NamesWhatFlowThroughGapsDoesNotServe) {
   EXPECT_THAT(mistakes_of(study), HasSubstr(R"(expected packing.walls other than "cut")"));
   study.stages.back().packing = PackingMethod<3>();
   study.stages.back().fillers.front().shape = FillerShape{EllipticOutline{2.0}};
-  EXPECT_THAT(mistakes_of(study), AllOf(HasSubstr(R"(expected a periodic box under the boundary "periodic" in three)"),
-                                        HasSubstr("stage coarse: expected spheres in three dimensions")));
+  EXPECT_THAT(mistakes_of(study),
+              AllOf(HasSubstr(R"(in three dimensions: expected a periodic box under the boundary "periodic")"),
+                    HasSubstr("stage coarse: in three dimensions: expected spheres")));
 }
 
 TEST(RequireSound, NamesEachMistakeOfMeasurements) {

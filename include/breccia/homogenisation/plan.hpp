@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -34,10 +35,12 @@ struct ErrorRule {
   double error_of_one;  ///< [-]
   double order;         ///< [-]
   double least_cells;   ///< number of cells below which the error may be of any size
+  /// Number of cells up to which finer grids were measured: beyond, the error is that of this number.
+  double most_cells = std::numeric_limits<double>::infinity();
 
   /// The largest relative error [-] to be expected of the moduli; nothing where it may be of any size.
   [[nodiscard]] std::optional<double> error_with(double cells) const;
-  /// The number of cells [-] from which on the expected error is no larger than this.
+  /// The number of cells [-] from which on the expected error is no larger than this; infinite where none is known.
   [[nodiscard]] double cells_for(double error) const;
 };
 
@@ -54,7 +57,7 @@ struct GridPlan {
   [[nodiscard]] double cells() const { return length / cell_size; }
   /// The largest relative error [-] to be expected; nothing where it is not known, or may be of any size.
   [[nodiscard]] std::optional<double> error() const;
-  /// Cells per side of a grid whose expected error is no larger than this [-]; nothing without a rule.
+  /// Cells per side of a grid whose expected error is no larger than this [-]; nothing where none is known.
   [[nodiscard]] std::optional<double> cells_for(double error) const;
 };
 

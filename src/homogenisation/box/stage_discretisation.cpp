@@ -96,11 +96,11 @@ std::shared_ptr<const ParticlesInBox<dim>> particles_with_gaps(const Stage& stag
   return std::make_shared<const ParticlesInBox<dim>>(ParticlesInBox<dim>{std::move(box), matrix, std::move(phases)});
 }
 
-/// Discs and spheres as the particles between which there are gaps.
-ParticleBox with_gaps(const Microstructure<2>& discs) {
+/// Discs and spheres in the form in which ParticlesInBox has them.
+ParticleBox in_box(const Microstructure<2>& discs) {
   return as_particles(discs);
 }
-const Microstructure<3>& with_gaps(const Microstructure<3>& spheres) {
+const Microstructure<3>& in_box(const Microstructure<3>& spheres) {
   return spheres;
 }
 
@@ -116,7 +116,7 @@ Discretisation<dim> discretise(const Stage& stage, const Microstructure<dim>& mi
   if (mixing == Mixing::points) return discretise(microstructure, cells, matrix, particles, layers);
   auto discretisation = discretise_mixed(microstructure, cells, matrix, particles, phases.size(), layers);
   if (mixing == Mixing::flow && !microstructure.particles.empty()) {
-    discretisation.set_particles_with_gaps(particles_with_gaps<dim>(stage, with_gaps(microstructure)));
+    discretisation.set_particles_with_gaps(particles_with_gaps<dim>(stage, in_box(microstructure)));
   }
   return discretisation;
 }

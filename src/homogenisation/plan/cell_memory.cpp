@@ -159,9 +159,9 @@ double quasistatic_memory(const Study& study, const Stage& stage, int cells) {
   const double factors =
       is_direct ? measured_costs::factors + measured_costs::factors_of_logarithm * std::log2(unknowns) : 0.0;
   if (stage.dimensions() == 3) {
-    const double saddle_point =
-        !is_direct && is_expected_to_have_flow(study, stage) ? measured_costs::saddle_point_of_cube : 0.0;
-    return measured_costs::program + unknowns * (factors + saddle_point + bytes_of_cube(study, stage, strains));
+    const double of_flow = is_direct ? measured_costs::factors_of_cube_with_flow : measured_costs::saddle_point_of_cube;
+    const double of_solver = is_expected_to_have_flow(study, stage) ? of_flow : factors;
+    return measured_costs::program + unknowns * (of_solver + bytes_of_cube(study, stage, strains));
   }
   const double further = bytes_of_square(study, stage, strains);
   const double strains_of_vectors = measured_costs::vectors_among_others * strains;

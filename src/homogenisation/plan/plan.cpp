@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <string>
 #include <utility>
@@ -190,11 +191,12 @@ void refuse(const std::vector<std::string>& lines) {
 std::optional<double> ErrorRule::error_with(double cells) const {
   constexpr double rounding = 1e-9;
   if (cells < least_cells * (1.0 - rounding)) return std::nullopt;
-  return error_of_one * std::pow(cells, -order);
+  return error_of_one * std::pow(std::min(cells, most_cells), -order);
 }
 
 double ErrorRule::cells_for(double error) const {
-  return std::max(least_cells, std::pow(error_of_one / error, 1.0 / order));
+  const double cells = std::max(least_cells, std::pow(error_of_one / error, 1.0 / order));
+  return cells <= most_cells ? cells : std::numeric_limits<double>::infinity();
 }
 
 std::optional<double> GridPlan::error() const {
@@ -202,7 +204,8 @@ std::optional<double> GridPlan::error() const {
 }
 
 std::optional<double> GridPlan::cells_for(double error) const {
-  return rule ? std::optional(std::ceil(rule->cells_for(error) * side / length)) : std::nullopt;
+  const double along = rule ? rule->cells_for(error) : std::numeric_limits<double>::infinity();
+  return std::isfinite(along) ? std::optional(std::ceil(along * side / length)) : std::nullopt;
 }
 
 double StudyPlan::seconds() const {
