@@ -12,9 +12,8 @@ inline constexpr double cells_in_narrow_gaps = 1.5;
 /// series: below one and a half cells between particles, below 1.4 cells between grains (docs/gaps-under-a-cell.md).
 [[nodiscard]] bool has_narrow_gaps(const Stage& stage, const StageMicrostructure& packed);
 
-/// Whether spheres are so close that cells in series do not know how the matrix leaves their gaps: below a cell of the
-/// finest grid, and below 3 % of the mean diameter, beyond which the rule for the error of spheres was measured
-/// (theory, Eq. 43c).
+/// Whether gaps between spheres are narrower than those with which the rule for the error of cells in series was
+/// measured (theory, Eq. 43c): below a cell of the finest grid and below 3 % of the mean diameter.
 [[nodiscard]] bool has_spheres_that_almost_touch(const Stage& stage, const StageMicrostructure& packed);
 
 /// The mixing that the cells of a stage are expected to have: Mixing::flow is Mixing::series where gaps are wide, and

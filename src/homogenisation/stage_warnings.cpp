@@ -162,7 +162,7 @@ std::optional<std::string> warning_of_narrow_gaps(const Stage& stage, const Stag
                      words_on_finer_grids(grids, std::ceil(cells_per_gap * stage.side / gap * (1.0 - rounding))));
 }
 
-/// A warning about spheres that almost touch, in cells that do not know how the matrix leaves their gaps.
+/// A warning about spheres that almost touch, in cells that do not represent the flow of the matrix out of their gaps.
 std::optional<std::string> warning_of_gaps_between_spheres(const Study& study, const Stage& stage,
                                                            const StageMicrostructure& packed) {
   if (!has_spheres_that_almost_touch(stage, packed) || mixing_of(study, stage, packed) != Mixing::series ||
@@ -170,12 +170,13 @@ std::optional<std::string> warning_of_gaps_between_spheres(const Study& study, c
     return std::nullopt;
   }
   return fmt::format(
-      "the smallest gap between spheres, {}, is {:.2g} cells wide; cells in series do not know how a nearly "
-      "incompressible matrix leaves such a gap: at long times the modulus may be far too high, or too low where a "
+      "the smallest gap between spheres, {}, is {:.2g} cells wide; cells in series do not represent the flow of a "
+      "nearly "
+      "incompressible matrix out of such a gap: the modulus at long times may be far too high, or too low where a "
       "plane "
       "of nodes is in the gaps{}",
       display(packed.gap, "m", 4), packed.gap / stage.cell_size(),
-      supports_flow(study) ? R"( (tests.mixing = "flow" lets the matrix leave it))" : "");
+      supports_flow(study) ? R"( (tests.mixing = "flow" represents it))" : "");
 }
 
 /// A warning about gaps between spheres that are narrower than those with which flow was measured.
@@ -188,8 +189,9 @@ std::optional<std::string> warning_of_touching_spheres(const Study& study, const
     return std::nullopt;
   }
   return fmt::format(
-      "the smallest gap between spheres is {}; flow was measured in gaps of {:g} % of a diameter and more, {}, and "
-      "between spheres that touch the modulus at long times has no limit",
+      "the smallest gap between spheres is {}; flow was tested with gaps of {:g} % of a diameter and more, here {}, "
+      "and "
+      "the modulus of spheres that touch does not converge with finer grids",
       display(packed.gap, "m", 4), 100.0 * least_share, display(least, "m"));
 }
 

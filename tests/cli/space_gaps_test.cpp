@@ -84,7 +84,7 @@ TEST(SpaceWithGaps, CellsInSeriesAreWarnedAbout) {
   ASSERT_EQ(check.exit_code, 0) << check.errors;
   EXPECT_THAT(check.output, HasSubstr("mixed in series where"));
   EXPECT_THAT(check.output + check.errors, AllOf(HasSubstr("the smallest gap between spheres, 9.901 um, is 0.12 cells"),
-                                                 HasSubstr("tests.mixing = \"flow\" lets the matrix leave it")));
+                                                 HasSubstr("tests.mixing = \"flow\" represents it")));
 }
 
 TEST(SpaceWithGaps, ARandomPackingHasARuleForItsError) {

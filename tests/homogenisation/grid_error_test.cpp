@@ -68,11 +68,17 @@ TEST(GridError, OfFlowInSpaceIsNoLessThanMeasuredErrors) {
   EXPECT_TRUE(std::isinf(rule.cells_for(0.01)));
 }
 
-TEST(GridError, OfFlowInSpaceIsThatOfTheSmallestSphereOfARandomPacking) {
+/// A cube of 1 mm with 40 cells a side.
+Stage stage_of_listed_spheres() {
   Stage stage;
   stage.side = 1e-3;
   stage.cells = 40;
   stage.packing = PackingMethod<3>(ExplicitPacking<3>{});
+  return stage;
+}
+
+TEST(GridError, OfFlowInSpaceIsThatOfTheSmallestSphereOfARandomPacking) {
+  auto stage = stage_of_listed_spheres();
   StageMicrostructure packed;
   Microstructure<3> spheres = {1e-3, Walls::periodic, {}};
   for (int sphere = 0; sphere < 8; ++sphere) spheres.particles.push_back({{5e-4, 5e-4, 5e-4}, 2e-4 + 1e-5 * sphere});
@@ -89,10 +95,7 @@ TEST(GridError, OfFlowInSpaceIsThatOfTheSmallestSphereOfARandomPacking) {
 }
 
 TEST(GridError, OfSpheresThatAlmostTouchIsNotKnownInSeries) {
-  Stage stage;
-  stage.side = 1e-3;
-  stage.cells = 40;
-  stage.packing = PackingMethod<3>(ExplicitPacking<3>{});
+  const auto stage = stage_of_listed_spheres();
   StageMicrostructure packed;
   packed.box = Box<3>(Microstructure<3>{1e-3, Walls::periodic, {{{5e-4, 5e-4, 5e-4}, 9e-4}}});
   packed.fraction = 0.38;

@@ -98,7 +98,7 @@ TEST(WarningThresholds, OfGapsBetweenSpheres) {
   auto study = study_within(1.0, 2.0, Mixing::series);
   study.tests.boundaries = {Boundary::periodic};
   const auto is_warning = AllOf(HasSubstr("the smallest gap between spheres, 29.9 um, is 0.6 cells wide"),
-                                HasSubstr(R"(tests.mixing = "flow" lets the matrix leave it)"));
+                                HasSubstr(R"(tests.mixing = "flow" represents it)"));
   EXPECT_THAT(warnings_on(study, stage, equal_spheres(1e-3, 29.9e-6)), ElementsAre(is_warning));
   EXPECT_THAT(warnings_on(study, stage, equal_spheres(1e-3, 30.1e-6)), IsEmpty());
   EXPECT_THAT(warnings_on(study, stage, equal_spheres(2e-3, 50.1e-6)), IsEmpty());
@@ -108,7 +108,7 @@ TEST(WarningThresholds, OfGapsBetweenSpheres) {
   study.tests.mixing = Mixing::flow;
   EXPECT_THAT(warnings_on(study, stage, equal_spheres(1e-3, 3.1e-6)), IsEmpty());
   EXPECT_THAT(warnings_on(study, stage, equal_spheres(1e-3, 2.9e-6)),
-              ElementsAre(HasSubstr("the smallest gap between spheres is 2.9 um; flow was measured in gaps of 0.3 %")));
+              ElementsAre(HasSubstr("the smallest gap between spheres is 2.9 um; flow was tested with gaps of 0.3 %")));
 }
 
 // Only a wall of prescribed displacement holds a soft matrix in a gap that is narrower than a cell.
