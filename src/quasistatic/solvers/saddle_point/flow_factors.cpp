@@ -7,7 +7,7 @@
 #include "breccia/error.hpp"
 
 #include "discretisation/cell_shape.hpp"
-#include "quasistatic/solvers/saddle_point/rigid_aggregates.hpp"
+#include "quasistatic/solvers/saddle_point/around_nodes.hpp"
 
 namespace breccia::quasistatic {
 namespace {
@@ -69,18 +69,15 @@ std::vector<double> FlowFactors::compliance_of_pressures(const SaddlePointOperat
   constexpr double of_shear = 0.1;
   const auto& lattice = saddle.lattice();
   const auto& cells = saddle.similar_cells();
-  const auto index_of = [&](const Index<3>& cell, int n) {
-    auto node = Shape::corner(n);
-    for (std::size_t axis = 0; axis < 3; ++axis) node[axis] = (node[axis] + cell[axis]) % lattice.nodes[axis];
-    return lattice.arrays.row_at(node[1], node[2]) + static_cast<std::size_t>(node[0]);
-  };
   const auto around = shear_around_nodes(lattice, cells);
   std::vector<double> compliance;
   compliance.reserve(cells_);
   for_each_index(Index<3>{}, lattice.own_cells(), [&](const Index<3>& cell) {
     const auto kind = cells.kind_of.row_at(cell[1], cell[2])[cell[0]];
     double of_nodes = 0.0;
-    for (int n = 0; n < Shape::nodes; ++n) of_nodes += 1.0 / (Shape::nodes * around[index_of(cell, n)]);
+    for (int node = 0; node < Shape::nodes; ++node) {
+      of_nodes += 1.0 / (Shape::nodes * around[index_of_node(lattice, cell, node)]);
+    }
     compliance.push_back(1.0 / saddle.bulk_of_pressures()[kind] + of_shear * of_nodes);
   });
   return compliance;

@@ -8,6 +8,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "discretisation/cell_shape.hpp"
+#include "quasistatic/solvers/saddle_point/around_nodes.hpp"
 
 namespace breccia::quasistatic {
 namespace {
@@ -47,19 +48,6 @@ class DisjointSets {
 };
 
 }  // namespace
-
-std::vector<double> shear_around_nodes(const NodeLattice& lattice, const CellModuli& cells) {
-  std::vector<double> around(lattice.size(), 0.0);
-  for_each_index(Index<3>{}, lattice.own_cells(), [&](const Index<3>& cell) {
-    const double shear = cells.shear[cells.kind_of.row_at(cell[1], cell[2])[cell[0]]];
-    for (int n = 0; n < Shape::nodes; ++n) {
-      auto node = Shape::corner(n);
-      for (std::size_t axis = 0; axis < 3; ++axis) node[axis] = (node[axis] + cell[axis]) % lattice.nodes[axis];
-      around[lattice.arrays.row_at(node[1], node[2]) + static_cast<std::size_t>(node[0])] += shear / Shape::nodes;
-    }
-  });
-  return around;
-}
 
 /// Calls work(node, its index) for the nodes of this process; the third index of a node counts from its first plane.
 template <class Work>

@@ -11,9 +11,6 @@
 
 namespace breccia::quasistatic {
 
-/// The mean shear modulus of the cells around each node of a periodic box [Pa], by entry of a component.
-[[nodiscard]] std::vector<double> shear_around_nodes(const NodeLattice& lattice, const CellModuli& cells);
-
 /// Small sets of nodes that move nearly as rigid bodies: the nodes of this process in a cube of nodes that are joined
 /// by cells as stiff as the mean around these nodes. The rigid motions of all sets span a coarse space by plain
 /// aggregation (Vanek, Mandel and Brezina 1996). A cell that is softer must not join nodes: what hangs on it would

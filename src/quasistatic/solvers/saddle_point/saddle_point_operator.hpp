@@ -53,6 +53,8 @@ class SaddlePointOperator {
   [[nodiscard]] const CellModuli& similar_cells() const noexcept { return similar_; }
   /// The moduli k [Pa] by kind of cell.
   [[nodiscard]] const std::vector<double>& bulk_of_pressures() const noexcept { return bulk_of_pressures_; }
+  /// Whether a cell of this process has a gap, so that its volume change is not that of its nodes.
+  [[nodiscard]] bool has_gap(std::size_t cell) const noexcept { return has_no_gap_[kinds()[cell]] == 0.0; }
   /// The kinds of the cells of this process.
   [[nodiscard]] const std::uint32_t* kinds() const noexcept { return similar_.kind_of.first; }
 

@@ -8,22 +8,16 @@
 #include <Eigen/Eigenvalues>
 
 #include "discretisation/cell_shape.hpp"
+#include "quasistatic/solvers/saddle_point/around_nodes.hpp"
 
 namespace breccia::quasistatic {
 namespace {
 
 using Shape = CellShape<3>;
 
-/// The stiffness of a cell with unit shear modulus, or with unit bulk modulus, alone.
-Shape::Stiffness unit_stiffness(const Moduli& moduli) {
-  Shape::PointModuli of_points;
-  of_points.fill(moduli);
-  return Shape::stiffness(of_points, Volumetric::averaged);
-}
-
 /// The largest eigenvalue of the stiffness of a cell over its diagonal. That of all cells together is not larger.
 double largest_eigenvalue(const Moduli& moduli) {
-  const auto stiffness = unit_stiffness(moduli);
+  const auto stiffness = stiffness_of_cube(moduli);
   const Eigen::VectorXd scale = stiffness.diagonal().cwiseSqrt().cwiseInverse();
   const Eigen::MatrixXd scaled = scale.asDiagonal() * stiffness * scale.asDiagonal();
   return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled).eigenvalues().maxCoeff();
@@ -51,25 +45,8 @@ TwoLevelPreconditioner::TwoLevelPreconditioner(SaddlePointOperator& saddle)
   make_coarse();
 }
 
-/// All components of all nodes of a cell have the same entry on the diagonal of its stiffness.
 void TwoLevelPreconditioner::find_scale() {
-  const double of_shear = unit_stiffness({.bulk = 0.0, .shear = 1.0})(0, 0);
-  const double of_bulk = unit_stiffness({.bulk = 1.0, .shear = 0.0})(0, 0);
-  const auto& lattice = saddle_->lattice();
-  const auto& cells = saddle_->similar_cells();
-  auto diagonal = NodalField(lattice);
-  for_each_index(Index<3>{}, lattice.own_cells(), [&](const Index<3>& cell) {
-    const auto kind = cells.kind_of.row_at(cell[1], cell[2])[cell[0]];
-    const double of_cell = of_shear * cells.shear[kind] + of_bulk * cells.bulk[kind];
-    for (int node = 0; node < Shape::nodes; ++node) {
-      const auto corner = Shape::corner(node);
-      diagonal.component(0)[lattice.arrays.row_at(cell[1] + corner[1], cell[2] + corner[2]) +
-                            static_cast<std::size_t>(cell[0] + corner[0])] += of_cell;
-    }
-  });
-  auto boundary = LatticeBoundary(lattice);
-  boundary.collect(diagonal);
-  scale_.assign(diagonal.component(0), diagonal.component(1));
+  scale_ = diagonal_of_nodes(saddle_->lattice(), saddle_->similar_cells());
   for (double& value : scale_) value = value > 0.0 ? 1.0 / value : 0.0;
 }
 
@@ -78,7 +55,8 @@ void TwoLevelPreconditioner::make_coarse() {
   using Block = Eigen::Matrix<double, 6, 6>;
   const auto& lattice = saddle_->lattice();
   const auto& cells = saddle_->similar_cells();
-  const auto shear = unit_stiffness({.bulk = 0.0, .shear = 1.0}), bulk = unit_stiffness({.bulk = 1.0, .shear = 0.0});
+  const auto shear = stiffness_of_cube({.bulk = 0.0, .shear = 1.0}),
+             bulk = stiffness_of_cube({.bulk = 1.0, .shear = 0.0});
   struct Unknowns {
     int first, count;
   };

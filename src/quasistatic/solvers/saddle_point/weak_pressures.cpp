@@ -1,0 +1,116 @@
+#include "quasistatic/solvers/saddle_point/weak_pressures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "breccia/error.hpp"
+
+#include "quasistatic/solvers/saddle_point/around_nodes.hpp"
+
+namespace breccia::quasistatic {
+namespace {
+
+using Shape = CellShape<3>;
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+/// Calls action(index of a cell, cell) for the cells of this process.
+template <class Action>
+void for_cells(const SaddlePointOperator& saddle, const Action& action) {
+  int index = 0;
+  for_each_index(Index<3>{}, saddle.lattice().own_cells(), [&](const Index<3>& cell) { action(index++, cell); });
+}
+
+Eigen::Map<const Eigen::VectorXd> pressures_of(const NodalField& field, std::size_t first, Eigen::Index count) {
+  return {field.all().data() + first, count};
+}
+
+}  // namespace
+
+WeakPressures::WeakPressures(const SaddlePointOperator& saddle) : first_pressure_(saddle.first_pressure()) {
+  find_amplitudes(saddle);
+  Eigen::VectorXd compliance(static_cast<Eigen::Index>(saddle.cells()));
+  for (Eigen::Index cell = 0; cell < compliance.size(); ++cell) {
+    compliance[cell] = 1.0 / saddle.bulk_of_pressures()[saddle.kinds()[cell]];
+  }
+  compliance_of_uniform_ = compliance.sum();
+  // S = 1/k + B A^-1 B', with the diagonal of A, which is enough where neighbours move against one another.
+  const auto diagonal = diagonal_of_nodes(saddle.lattice(), saddle.similar_cells());
+  const Matrix forces = forces_of_cells(saddle) * alternating_;
+  Eigen::VectorXd mobility = Eigen::VectorXd::Zero(forces.rows());
+  for (std::size_t entry = 0; entry < saddle.first_gap(); ++entry) {
+    const double stiffness = diagonal[entry % saddle.lattice().size()];
+    if (stiffness > 0.0) mobility[static_cast<Eigen::Index>(entry)] = 1.0 / stiffness;
+  }
+  const Matrix of_forces = forces.transpose() * (mobility.asDiagonal() * forces).eval();
+  Matrix schur = of_forces + Matrix(alternating_.transpose() * (compliance.asDiagonal() * alternating_).eval());
+  // An amplitude without cells has no pressure.
+  for (Eigen::Index amplitude = 0; amplitude < schur.rows(); ++amplitude) {
+    auto& entry = schur.coeffRef(amplitude, amplitude);
+    if (entry == 0.0) entry = 1.0;
+  }
+  of_amplitudes_.compute(schur);
+  if (of_amplitudes_.info() == Eigen::Success && of_amplitudes_.vectorD().minCoeff() > 0.0) return;
+  throw NumericalError(
+      "quasi-static solver: the pressures that alternate from cell to cell cannot be factorised: a modulus may be "
+      "zero, or the contrast beyond what numbers hold");
+}
+
+/// The amplitudes are trilinear between places some cells apart.
+void WeakPressures::find_amplitudes(const SaddlePointOperator& saddle) {
+  constexpr int cells_between = 3, most_along_an_axis = 16;
+  const auto cells = saddle.lattice().own_cells();
+  Index<3> places{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    places[axis] = std::clamp(cells[axis] / cells_between, 1, most_along_an_axis);
+  }
+  Triplets entries;
+  for_cells(saddle, [&](int index, const Index<3>& cell) {
+    if (saddle.has_gap(static_cast<std::size_t>(index))) return;
+    for (int corner = 0; corner < Shape::nodes; ++corner) {
+      const auto is_upper = Shape::corner(corner);
+      double weight = (cell[0] + cell[1] + cell[2]) % 2 == 0 ? 1.0 : -1.0;
+      Index<3> place{};
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double at = (cell[axis] + 0.5) * places[axis] / cells[axis], lower = std::floor(at);
+        weight *= is_upper[axis] == 1 ? at - lower : 1.0 - (at - lower);
+        place[axis] = (static_cast<int>(lower) + is_upper[axis]) % places[axis];
+      }
+      entries.emplace_back(index, place[0] + places[0] * (place[1] + places[1] * place[2]), weight);
+    }
+  });
+  alternating_.resize(static_cast<Eigen::Index>(saddle.cells()), places[0] * places[1] * places[2]);
+  alternating_.setFromTriplets(entries.begin(), entries.end());
+}
+
+/// The forces on the nodes, by entry of a field, of the pressures of cells without gaps.
+WeakPressures::Matrix WeakPressures::forces_of_cells(const SaddlePointOperator& saddle) const {
+  constexpr double of_face = 0.25;  // each node of a face has a quarter of the force on it
+  const auto& lattice = saddle.lattice();
+  Triplets entries;
+  entries.reserve(saddle.cells() * Shape::dofs);
+  for_cells(saddle, [&](int index, const Index<3>& cell) {
+    if (saddle.has_gap(static_cast<std::size_t>(index))) return;
+    for (int node = 0; node < Shape::nodes; ++node) {
+      const auto is_upper = Shape::corner(node);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        entries.emplace_back(static_cast<int>(axis * lattice.size() + index_of_node(lattice, cell, node)), index,
+                             is_upper[axis] == 1 ? of_face : -of_face);
+      }
+    }
+  });
+  Matrix forces(static_cast<Eigen::Index>(saddle.first_gap()), static_cast<Eigen::Index>(saddle.cells()));
+  forces.setFromTriplets(entries.begin(), entries.end());
+  return forces;
+}
+
+void WeakPressures::add_to(const NodalField& right, NodalField& solution) const {
+  const auto cells = alternating_.rows();
+  const auto volumes = pressures_of(right, first_pressure_, cells);
+  const Eigen::VectorXd amplitudes = of_amplitudes_.solve(alternating_.transpose() * volumes);
+  Eigen::Map<Eigen::VectorXd> pressures(solution.all().data() + first_pressure_, cells);
+  pressures += alternating_ * amplitudes;
+  pressures.array() += volumes.sum() / compliance_of_uniform_;
+}
+
+}  // namespace breccia::quasistatic
