@@ -25,6 +25,35 @@ Eigen::Map<const Eigen::VectorXd> pressures_of(const NodalField& field, std::siz
   return {field.all().data() + first, count};
 }
 
+/// The entry of a node that is repeated behind the end of its row.
+std::size_t without_repetition(const SaddlePointOperator& saddle, std::size_t entry) {
+  if (entry >= saddle.first_gap()) return entry;
+  const auto& lattice = saddle.lattice();
+  const auto in_row = entry % lattice.arrays.row;
+  return in_row == static_cast<std::size_t>(lattice.nodes[0]) ? entry - in_row : entry;
+}
+
+/// The inverse of the diagonal of A, by entry of a field before the pressures; zero for entries without stiffness.
+Eigen::VectorXd mobility_of_entries(const SaddlePointOperator& saddle) {
+  Eigen::VectorXd mobility = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(saddle.first_pressure()));
+  const auto of_nodes = diagonal_of_nodes(saddle.lattice(), saddle.similar_cells());
+  for (std::size_t component = 0; component < 3; ++component) {
+    std::ranges::copy(of_nodes, mobility.data() + component * of_nodes.size());
+  }
+  const auto add_terms_of_gaps = [&](const SquareTerms& terms, const std::vector<double>& stiffness) {
+    for (std::size_t term = 0; term < terms.count(); ++term) {
+      terms.forms.for_parts(term, [&](std::size_t entry, double weight) {
+        if (entry >= saddle.first_gap())
+          mobility[static_cast<Eigen::Index>(entry)] += stiffness[term] * weight * weight;
+      });
+    }
+  };
+  add_terms_of_gaps(saddle.forms().slopes, saddle.stiffness_of_slopes());
+  add_terms_of_gaps(saddle.forms().flows, saddle.stiffness_of_flows());
+  for (double& value : mobility) value = value > 0.0 ? 1.0 / value : 0.0;
+  return mobility;
+}
+
 }  // namespace
 
 WeakPressures::WeakPressures(const SaddlePointOperator& saddle) : first_pressure_(saddle.first_pressure()) {
@@ -35,19 +64,15 @@ WeakPressures::WeakPressures(const SaddlePointOperator& saddle) : first_pressure
   }
   compliance_of_uniform_ = compliance.sum();
   // S = 1/k + B A^-1 B', with the diagonal of A, which is enough where neighbours move against one another.
-  const auto diagonal = diagonal_of_nodes(saddle.lattice(), saddle.similar_cells());
+  const auto mobility = mobility_of_entries(saddle);
   const Matrix forces = forces_of_cells(saddle) * alternating_;
-  Eigen::VectorXd mobility = Eigen::VectorXd::Zero(forces.rows());
-  for (std::size_t entry = 0; entry < saddle.first_gap(); ++entry) {
-    const double stiffness = diagonal[entry % saddle.lattice().size()];
-    if (stiffness > 0.0) mobility[static_cast<Eigen::Index>(entry)] = 1.0 / stiffness;
-  }
   const Matrix of_forces = forces.transpose() * (mobility.asDiagonal() * forces).eval();
   Matrix schur = of_forces + Matrix(alternating_.transpose() * (compliance.asDiagonal() * alternating_).eval());
-  // An amplitude without cells has no pressure.
+  // An amplitude without cells has no pressure, and those that share few cells depend on one another.
+  constexpr double little = 1e-8;
   for (Eigen::Index amplitude = 0; amplitude < schur.rows(); ++amplitude) {
-    auto& entry = schur.coeffRef(amplitude, amplitude);
-    if (entry == 0.0) entry = 1.0;
+    auto& own = schur.coeffRef(amplitude, amplitude);
+    own = own > 0.0 ? (1.0 + little) * own : 1.0;
   }
   of_amplitudes_.compute(schur);
   if (of_amplitudes_.info() == Eigen::Success && of_amplitudes_.vectorD().minCoeff() > 0.0) return;
@@ -66,7 +91,6 @@ void WeakPressures::find_amplitudes(const SaddlePointOperator& saddle) {
   }
   Triplets entries;
   for_cells(saddle, [&](int index, const Index<3>& cell) {
-    if (saddle.has_gap(static_cast<std::size_t>(index))) return;
     for (int corner = 0; corner < Shape::nodes; ++corner) {
       const auto is_upper = Shape::corner(corner);
       double weight = (cell[0] + cell[1] + cell[2]) % 2 == 0 ? 1.0 : -1.0;
@@ -83,7 +107,7 @@ void WeakPressures::find_amplitudes(const SaddlePointOperator& saddle) {
   alternating_.setFromTriplets(entries.begin(), entries.end());
 }
 
-/// The forces on the nodes, by entry of a field, of the pressures of cells without gaps.
+/// The forces B' of the pressures of cells, by entry of a field.
 WeakPressures::Matrix WeakPressures::forces_of_cells(const SaddlePointOperator& saddle) const {
   constexpr double of_face = 0.25;  // each node of a face has a quarter of the force on it
   const auto& lattice = saddle.lattice();
@@ -99,7 +123,14 @@ WeakPressures::Matrix WeakPressures::forces_of_cells(const SaddlePointOperator& 
       }
     }
   });
-  Matrix forces(static_cast<Eigen::Index>(saddle.first_gap()), static_cast<Eigen::Index>(saddle.cells()));
+  const auto& forms = saddle.forms();
+  for (std::size_t gap = 0; gap < forms.cells.size(); ++gap) {
+    forms.volumes.for_parts(gap, [&](std::size_t entry, double weight) {
+      entries.emplace_back(static_cast<int>(without_repetition(saddle, entry)), static_cast<int>(forms.cells[gap]),
+                           weight);
+    });
+  }
+  Matrix forces(static_cast<Eigen::Index>(saddle.first_pressure()), static_cast<Eigen::Index>(saddle.cells()));
   forces.setFromTriplets(entries.begin(), entries.end());
   return forces;
 }

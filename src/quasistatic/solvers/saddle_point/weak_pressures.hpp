@@ -8,8 +8,8 @@ namespace breccia::quasistatic {
 
 /// The pressures that the nodes of a periodic box hardly resist, as a coarse space Z for the Schur complement S of the
 /// pressures: those that change their sign from cell to cell along all three axes, with an amplitude that varies slowly
-/// (Boland and Nicolaides 1985), in cells without gaps; and the uniform pressure, which nothing resists but the bulk
-/// modulus. An approximate inverse of S takes them as any others, and an iteration finds them last.
+/// (Boland and Nicolaides 1985); and the uniform pressure, which nothing resists but the bulk modulus. An approximate
+/// inverse of S takes them as any others, and an iteration finds them last.
 class WeakPressures {
  public:
   /// Takes the present moduli of the operator.
