@@ -131,6 +131,15 @@ TEST(GridError, OfFilmsIsOfTheSizeOfMeasuredErrors) {
   EXPECT_EQ(error_rule_of_films().cells_for(0.5), 2.4);
 }
 
+TEST(GridError, GrowsWithTheSteepestFallOfTheMatrix) {
+  const TimeWindow times = {1e-3, 0.1};
+  EXPECT_EQ(steepest_fall(PronySeries(5.0), times), 0.0);
+  EXPECT_NEAR(steepest_fall(PronySeries(0.0, {{1e-2, 5.0}}), times), 10.0, 1e-12) << "exp(-t / 10 ms)";
+  // t/tau e^-x / (1 + e^-x) is largest near x = 1.28, with 0.278.
+  EXPECT_NEAR(steepest_fall(PronySeries(5.0, {{1e-2, 5.0}}), times), 0.278, 0.005);
+  EXPECT_NEAR(steepest_fall(PronySeries(0.0, {{1e-2, 5.0}, {1e-4, 50.0}}), {1.0, 1e3}), 1e5, 1e-6);
+}
+
 /// The largest error of the shear modulus [-] of periodic boxes of equal spheres at 40 % between 10 ns and 10 ms, by
 /// the cells across a sphere; from docs/verification.md, "Cells across a sphere".
 TEST(GridError, OfSpheresIsOfTheSizeOfMeasuredErrors) {

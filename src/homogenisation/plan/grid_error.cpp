@@ -104,6 +104,23 @@ std::optional<ErrorRule> error_rule_of_spheres(double fraction) {
   return ErrorRule{0.63 / (jammed - fraction), 1.65, 4.5};
 }
 
+double steepest_fall(const PronySeries& modulus, const TimeWindow& window) {
+  constexpr int per_decade = 10;
+  double steepest = 0.0;
+  for (const double time : logarithmic_times(window, per_decade)) {
+    double fall = 0.0;
+    for (const auto& [tau, strength] : modulus.terms()) fall += strength * time / tau * std::exp(-time / tau);
+    const double left = modulus.at(time);
+    if (left > 0.0) {
+      steepest = std::max(steepest, fall / left);
+    } else if (!modulus.is_elastic()) {
+      // Less than numbers hold is left, of the slowest term, which is the first.
+      steepest = std::max(steepest, time / modulus.terms().front().relaxation_time);
+    }
+  }
+  return steepest;
+}
+
 std::optional<GridPlan> plan_of_grid(const Stage& stage, const StageMicrostructure& packed, Mixing mixing) {
   const bool is_extrapolated = mixing == Mixing::points && !stage.coarser_cells.empty();
   // Between grains no rule is known for points, which take far more cells.

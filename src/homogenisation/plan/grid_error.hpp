@@ -5,6 +5,8 @@
 #include "breccia/discretisation/mixture.hpp"
 #include "breccia/homogenisation/plan.hpp"
 #include "breccia/homogenisation/stage_microstructure.hpp"
+#include "breccia/virtual_test/curve.hpp"
+#include "breccia/viscoelasticity/prony_series.hpp"
 
 namespace breccia {
 
@@ -22,6 +24,10 @@ ErrorRule error_rule_of_films();
 /// across a sphere of the mean diameter, which is six times the whole volume over the whole surface (theory, Eq. 43c).
 /// Returns nothing for fractions close to jamming.
 std::optional<ErrorRule> error_rule_of_spheres(double fraction);
+
+/// The steepest fall -d ln G / d ln t of a relaxation modulus in a window of times [-]. The relative error of a modulus
+/// that falls faster than 1/t is larger by this factor (theory, Eq. 43f); for an elastic modulus it is 0.
+double steepest_fall(const PronySeries& modulus, const TimeWindow& window);
 
 /// The finest grid of a stage of particles or grains that is computed with cells; nothing where no rule applies to its
 /// error.

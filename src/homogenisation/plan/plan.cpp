@@ -23,6 +23,7 @@
 #include "homogenisation/plan/measured_costs.hpp"
 #include "homogenisation/plan/test_plans.hpp"
 #include "homogenisation/stage_warnings.hpp"
+#include "study/chain.hpp"
 #include "study/identity.hpp"
 #include "study/test_rules.hpp"
 
@@ -92,6 +93,10 @@ class Planner {
       }
     }
     plan.grid = plan_of_grid(stage, packed, as_computed.tests.mixing);
+    if (plan.grid && plan.grid->rule) {
+      const TimeWindow times{study.tests.first_time, study.tests.last_time};
+      plan.grid->rule->error_of_one *= std::max(1.0, steepest_fall(binder_of(study, stage).shear, times));
+    }
     return plan;
   }
 
