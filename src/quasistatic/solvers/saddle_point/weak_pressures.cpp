@@ -21,10 +21,6 @@ void for_cells(const SaddlePointOperator& saddle, const Action& action) {
   for_each_index(Index<3>{}, saddle.lattice().own_cells(), [&](const Index<3>& cell) { action(index++, cell); });
 }
 
-Eigen::Map<const Eigen::VectorXd> pressures_of(const NodalField& field, std::size_t first, Eigen::Index count) {
-  return {field.all().data() + first, count};
-}
-
 /// The entry of a node that is repeated behind the end of its row.
 std::size_t without_repetition(const SaddlePointOperator& saddle, std::size_t entry) {
   if (entry >= saddle.first_gap()) return entry;
@@ -52,6 +48,35 @@ Eigen::VectorXd mobility_of_entries(const SaddlePointOperator& saddle) {
   add_terms_of_gaps(saddle.forms().flows, saddle.stiffness_of_flows());
   for (double& value : mobility) value = value > 0.0 ? 1.0 / value : 0.0;
   return mobility;
+}
+
+/// The forces B' of the pressures of cells, by entry of a field.
+Eigen::SparseMatrix<double> forces_of_cells(const SaddlePointOperator& saddle) {
+  constexpr double of_face = 0.25;  // each node of a face has a quarter of the force on it
+  const auto& lattice = saddle.lattice();
+  Triplets entries;
+  entries.reserve(saddle.cells() * Shape::dofs);
+  for_cells(saddle, [&](int index, const Index<3>& cell) {
+    if (saddle.has_gap(static_cast<std::size_t>(index))) return;
+    for (int node = 0; node < Shape::nodes; ++node) {
+      const auto is_upper = Shape::corner(node);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        entries.emplace_back(static_cast<int>(axis * lattice.size() + index_of_node(lattice, cell, node)), index,
+                             is_upper[axis] == 1 ? of_face : -of_face);
+      }
+    }
+  });
+  const auto& forms = saddle.forms();
+  for (std::size_t gap = 0; gap < forms.cells.size(); ++gap) {
+    forms.volumes.for_parts(gap, [&](std::size_t entry, double weight) {
+      entries.emplace_back(static_cast<int>(without_repetition(saddle, entry)), static_cast<int>(forms.cells[gap]),
+                           weight);
+    });
+  }
+  Eigen::SparseMatrix<double> forces(static_cast<Eigen::Index>(saddle.first_pressure()),
+                                     static_cast<Eigen::Index>(saddle.cells()));
+  forces.setFromTriplets(entries.begin(), entries.end());
+  return forces;
 }
 
 }  // namespace
@@ -107,37 +132,9 @@ void WeakPressures::find_amplitudes(const SaddlePointOperator& saddle) {
   alternating_.setFromTriplets(entries.begin(), entries.end());
 }
 
-/// The forces B' of the pressures of cells, by entry of a field.
-WeakPressures::Matrix WeakPressures::forces_of_cells(const SaddlePointOperator& saddle) const {
-  constexpr double of_face = 0.25;  // each node of a face has a quarter of the force on it
-  const auto& lattice = saddle.lattice();
-  Triplets entries;
-  entries.reserve(saddle.cells() * Shape::dofs);
-  for_cells(saddle, [&](int index, const Index<3>& cell) {
-    if (saddle.has_gap(static_cast<std::size_t>(index))) return;
-    for (int node = 0; node < Shape::nodes; ++node) {
-      const auto is_upper = Shape::corner(node);
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        entries.emplace_back(static_cast<int>(axis * lattice.size() + index_of_node(lattice, cell, node)), index,
-                             is_upper[axis] == 1 ? of_face : -of_face);
-      }
-    }
-  });
-  const auto& forms = saddle.forms();
-  for (std::size_t gap = 0; gap < forms.cells.size(); ++gap) {
-    forms.volumes.for_parts(gap, [&](std::size_t entry, double weight) {
-      entries.emplace_back(static_cast<int>(without_repetition(saddle, entry)), static_cast<int>(forms.cells[gap]),
-                           weight);
-    });
-  }
-  Matrix forces(static_cast<Eigen::Index>(saddle.first_pressure()), static_cast<Eigen::Index>(saddle.cells()));
-  forces.setFromTriplets(entries.begin(), entries.end());
-  return forces;
-}
-
 void WeakPressures::add_to(const NodalField& right, NodalField& solution) const {
   const auto cells = alternating_.rows();
-  const auto volumes = pressures_of(right, first_pressure_, cells);
+  const Eigen::Map<const Eigen::VectorXd> volumes(right.all().data() + first_pressure_, cells);
   const Eigen::VectorXd amplitudes = of_amplitudes_.solve(alternating_.transpose() * volumes);
   Eigen::Map<Eigen::VectorXd> pressures(solution.all().data() + first_pressure_, cells);
   pressures += alternating_ * amplitudes;

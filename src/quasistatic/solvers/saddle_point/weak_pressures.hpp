@@ -22,7 +22,6 @@ class WeakPressures {
   using Matrix = Eigen::SparseMatrix<double>;
 
   void find_amplitudes(const SaddlePointOperator& saddle);
-  [[nodiscard]] Matrix forces_of_cells(const SaddlePointOperator& saddle) const;
 
   std::size_t first_pressure_;
   Matrix alternating_;  ///< pressures of the cells that alternate, by amplitude
