@@ -50,7 +50,8 @@ std::string line_of_grid(const std::string& stage, const GridPlan& grid, const s
   const auto shown = fmt::format("{:.2g}", grid.cells());
   const auto width = fmt::format("{} {} {}", shown, shown == "1" ? "cell" : "cells", grid.place);
   if (!grid.rule) {
-    return fmt::format("  {}: {}; no rule tells the error of the grid for {}\n", stage, width, grid.without_rule);
+    return fmt::format("  {}: {}; no rule tells the error of the grid for {}; two grids measure it\n", stage, width,
+                       grid.without_rule);
   }
   std::vector<std::string> advice;
   advice.reserve(errors.size());

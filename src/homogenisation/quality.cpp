@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "homogenisation/narrow_gaps.hpp"
+#include "homogenisation/plan/grid_error.hpp"
 #include "io/display.hpp"
 #include "study/coatings.hpp"
 #include "study/filler_sizes.hpp"
@@ -113,7 +114,10 @@ std::string words_on_grid(const StageQuality& quality) {
   if (quality.grid_share) return fmt::format("grid: error up to {}", words_of(*quality.grid_share));
   if (quality.grids.size() > 1) return "grid: error unknown until every grid is tested";
   const int cells = quality.grids.back();
-  return fmt::format("grid: one grid, error unknown (give cells = [{}, {}])", cells, 2 * cells);
+  const auto error = quality.expected_grid_error
+                         ? fmt::format("up to about {} by a rule", words_of(*quality.expected_grid_error))
+                         : "unknown";
+  return fmt::format("grid: one grid, error {} (cells = [{}, {}] measures it)", error, (cells + 1) / 2, cells);
 }
 
 /// The largest ratio of the half band of a test to its modulus; nothing for a single grid.
@@ -206,6 +210,9 @@ StageQuality quality_of(const Study& study, const Stage& stage, const StageResul
   if (is_of_films) {
     quality.grids.clear();
     quality.gap_cells = std::numeric_limits<double>::infinity();
+  } else if (stage.grids().size() == 1) {
+    const auto grid = plan_of_grid(study, stage, packed);
+    if (grid) quality.expected_grid_error = grid->error();
   }
   if (const auto thickness = thinnest_coating(stage)) quality.coating_cells = *thickness / stage.cell_size();
   return quality;

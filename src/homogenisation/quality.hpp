@@ -45,7 +45,9 @@ struct StageQuality {
   bool has_films_along_walls = false;        ///< whether only the displacement boundary makes sense
   bool is_periodic = false;                  ///< whether a periodic test is finished, which gives no bound
   std::optional<double> grid_share;  ///< largest half band of a test over its modulus [-]; nothing for a single grid
-  std::vector<LoadQuality> loads;    ///< bounds of the finished tests
+  /// The largest relative error of a single grid to be expected by a rule (GridPlan) [-]; nothing where none applies.
+  std::optional<double> expected_grid_error = {};
+  std::vector<LoadQuality> loads;  ///< bounds of the finished tests
 
   /// The narrowest gap in cells of one of the grids, given by its cells per side.
   [[nodiscard]] double gap_cells_on(int grid) const { return gap_cells * grid / grids.back(); }
@@ -57,9 +59,10 @@ std::vector<LoadQuality> bounds_of_tests(const StageResult& result);
 /// The quality of a stage's results, from the tests that are finished so far.
 StageQuality quality_of(const Study& study, const Stage& stage, const StageResult& result);
 
-/// The quality in words: "bounds 18 % apart at 1 ms, 34 % at 100 s; grid: one grid, error unknown (give cells = [150,
-/// 300]); narrowest gap: 3 cells; packing: one seed, scatter unknown". For several loads or methods it reports the
-/// bounds that cross each other by most, or else the first ones, and names them. Empty for a box without particles.
+/// The quality in words: "bounds 18 % apart at 1 ms, 34 % at 100 s; grid: one grid, error unknown (cells = [75,
+/// 150] measures it); narrowest gap: 3 cells; packing: one seed, scatter unknown". For several loads or methods it
+/// reports the bounds that cross each other by most, or else the first ones, and names them. Empty for a box without
+/// particles.
 std::string summary_of(const StageQuality& quality);
 
 /// A warning, without the name of the stage, for each load and method whose upper bound is below the lower one beyond

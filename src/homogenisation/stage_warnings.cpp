@@ -97,7 +97,10 @@ std::optional<std::string> warning_of_small_balls(const Study& study, const Stag
   const double least = plan->rule->least_cells;
   return fmt::format(
       "the smallest {}, {}, is {:.2g} cells wide; below {:g} cells no rule gives the error of the grid{}",
-      stage.dimensions() == 2 ? "disc" : "sphere", display(plan->length, "m", 4), plan->cells(), least,
+      stage.dimensions() == 3                          ? "sphere"
+      : packed.content<Microstructure<2>>() != nullptr ? "disc"
+                                                       : "particle",
+      display(plan->length, "m", 4), plan->cells(), least,
       words_on_finer_grids(stage.grids(), std::ceil(least * stage.side / plan->length)));
 }
 

@@ -248,17 +248,18 @@ struct QualityEntry {
   std::optional<double> coating_cells = {};
   std::size_t grids = 0;
   std::optional<double> grid_error = {};
+  std::optional<double> expected_grid_error = {};
   std::optional<int> seeds = {};
   std::vector<LoadBoundsEntry> bounds = {};
 };
 template <>
-inline constexpr auto fields<QualityEntry> =
-    std::tuple(field("summary", &QualityEntry::summary), field("fraction_asked", &QualityEntry::fraction_asked),
-               field("narrowest_gap_cells", &QualityEntry::gap_cells),
-               field("narrowest_gap_cells_by_grid", &QualityEntry::gap_cells_by_grid),
-               field("thinnest_coating_cells", &QualityEntry::coating_cells), field("grids", &QualityEntry::grids),
-               field("grid_error", &QualityEntry::grid_error), field("seeds", &QualityEntry::seeds),
-               field("bounds", &QualityEntry::bounds));
+inline constexpr auto fields<QualityEntry> = std::tuple(
+    field("summary", &QualityEntry::summary), field("fraction_asked", &QualityEntry::fraction_asked),
+    field("narrowest_gap_cells", &QualityEntry::gap_cells),
+    field("narrowest_gap_cells_by_grid", &QualityEntry::gap_cells_by_grid),
+    field("thinnest_coating_cells", &QualityEntry::coating_cells), field("grids", &QualityEntry::grids),
+    field("grid_error", &QualityEntry::grid_error), field("expected_grid_error", &QualityEntry::expected_grid_error),
+    field("seeds", &QualityEntry::seeds), field("bounds", &QualityEntry::bounds));
 
 template <>
 inline constexpr auto fields<FillerShare> = std::tuple(field("material", &FillerShare::material),

@@ -132,7 +132,8 @@ QualityEntry entry_of(const StageQuality& quality) {
                      .gap_cells = if_finite(quality.gap_cells),
                      .coating_cells = quality.coating_cells,
                      .grids = quality.grids.size(),
-                     .grid_error = quality.grid_share};
+                     .grid_error = quality.grid_share,
+                     .expected_grid_error = quality.expected_grid_error};
   if (quality.is_random) entry.seeds = 1;
   for (const int grid : std::isfinite(quality.gap_cells) ? quality.grids : std::vector<int>()) {
     if (!entry.gap_cells_by_grid) entry.gap_cells_by_grid.emplace();

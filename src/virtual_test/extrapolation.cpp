@@ -29,15 +29,15 @@ Extrapolated extrapolate(std::span<const double> cell_sides, std::span<const dou
   return {value, std::max(std::abs(value - limit(0)), 0.25 * correction)};
 }
 
-std::vector<double> half_bands_of_mixed_cells(std::span<const double> coarse, std::span<const double> fine) {
+std::vector<double> largest_changes(std::span<const double> coarse, std::span<const double> fine) {
   if (coarse.size() != fine.size()) throw InputError("error band: expected two curves at the same times");
-  std::vector<double> half_bands;
+  std::vector<double> changes;
   double largest = 0.0;
   for (std::size_t i = 0; i < fine.size(); ++i) {
     largest = std::max(largest, std::abs(coarse[i] / fine[i] - 1.0));
-    half_bands.push_back(2.0 * largest * fine[i]);
+    changes.push_back(largest);
   }
-  return half_bands;
+  return changes;
 }
 
 }  // namespace breccia

@@ -18,10 +18,8 @@ struct Extrapolated {
 /// Throws InputError for other than two or three grids, or cell sides that do not fall.
 Extrapolated extrapolate(std::span<const double> cell_sides, std::span<const double> values);
 
-/// Half widths of the error band of a curve on the finer of two grids, in the unit of its values: twice the largest
-/// difference of the coarser grid up to each time, relative to the finer one, times the value. The rule is for mixed
-/// cells, whose error has either sign, so that the change at one time is not an estimate of it (theory, Eq. 43). Both
-/// curves have the same times, in rising order. Throws InputError when their lengths differ.
-std::vector<double> half_bands_of_mixed_cells(std::span<const double> coarse, std::span<const double> fine);
+/// The largest relative change of a curve up to each time from the coarser of two grids to the finer one [-] (theory,
+/// Eq. 43). Both curves have the same times, in rising order. Throws InputError when their lengths differ.
+std::vector<double> largest_changes(std::span<const double> coarse, std::span<const double> fine);
 
 }  // namespace breccia

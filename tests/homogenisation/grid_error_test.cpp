@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -118,7 +120,55 @@ TEST(GridError, OfFlowIsThatOfTheSmallestDisc) {
   EXPECT_NEAR(plan.cells(), 20.0, 1e-9);
   EXPECT_NEAR(plan.error().value(), 0.025, 1e-6);
   packed.box = Box<2>(ParticleBox{1e-3, Walls::hard, {{Ellipse{{2e-4, 1e-4}}, Pose({5e-4, 5e-4}, 0.0)}}});
-  EXPECT_FALSE(plan_of_grid(stage, packed, Mixing::flow).value().error()) << "nothing was measured";
+  EXPECT_NEAR(plan_of_grid(stage, packed, Mixing::flow).value().cells(), 10.0 * std::sqrt(2.0), 1e-9)
+      << "across a disc of the same area";
+}
+
+/// A study of one stage of two discs, in a matrix, by their shear moduli [Pa].
+Study study_of_discs(PronySeries matrix, double filler) {
+  Stage stage;
+  stage.name = "A";
+  stage.side = 1e-3;
+  stage.cells = 100;
+  stage.matrix = Material{.name = "binder", .density = 1e3, .bulk = PronySeries(1e9), .shear = std::move(matrix)};
+  stage.fillers = {
+      {.material = {.name = "filler", .density = 1e3, .bulk = PronySeries(1e9), .shear = PronySeries(filler)}}};
+  Study study;
+  study.stages = {stage};
+  study.tests.first_time = 1e-3;
+  study.tests.last_time = 0.1;
+  return study;
+}
+
+std::optional<GridPlan> plan_of_discs(const Study& study) {
+  StageMicrostructure packed;
+  packed.box = Box<2>(Microstructure<2>{1e-3, Walls::hard, {{{3e-4, 3e-4}, 4e-4}, {{7e-4, 7e-4}, 2e-4}}});
+  packed.gap = packed.wall_gap = 2e-5;
+  return plan_of_grid(study, study.stages.front(), packed);
+}
+
+TEST(GridError, OfSoftFillersIsThatOfTheSmallestDisc) {
+  const auto stiff = plan_of_discs(study_of_discs(PronySeries(1e6), 1e9)).value();
+  const auto soft = plan_of_discs(study_of_discs(PronySeries(1e6), 1e3)).value();
+  EXPECT_NEAR(stiff.cells(), 2.0, 1e-9) << "in the gap";
+  EXPECT_NEAR(soft.cells(), 20.0, 1e-9) << "across the disc";
+}
+
+TEST(GridError, IsUnknownWhereTheBinderFallsFasterThanItsTime) {
+  const auto slow = plan_of_discs(study_of_discs(PronySeries(1e5, {{1e-2, 1e5}}), 1e9)).value();
+  const auto steep = plan_of_discs(study_of_discs(PronySeries(0.0, {{1e-2, 1e5}}), 1e9)).value();
+  EXPECT_TRUE(slow.error());
+  EXPECT_FALSE(steep.error());
+  EXPECT_EQ(steep.without_rule, "a binder that falls faster than 1/t^2");
+}
+
+// The largest errors of grains whose films are narrower than 1.4 cells, docs/gaps-under-a-cell.md.
+TEST(GridError, OfNarrowFilmsIsNoLessThanMeasuredErrors) {
+  const auto rule = error_rule_of_narrow_films();
+  for (const auto& [cells, error] : {std::array{1.2, 0.058}, {0.87, 0.105}, {0.63, 0.087}, {0.38, 0.127}}) {
+    EXPECT_GE(rule.error_with(cells).value(), error) << cells;
+  }
+  EXPECT_FALSE(rule.error_with(0.29));
 }
 
 // The largest errors at any stiffness of the binder, from docs/verification.md, "Thin films".
@@ -131,7 +181,7 @@ TEST(GridError, OfFilmsIsOfTheSizeOfMeasuredErrors) {
   EXPECT_EQ(error_rule_of_films().cells_for(0.5), 2.4);
 }
 
-TEST(GridError, GrowsWithTheSteepestFallOfTheMatrix) {
+TEST(GridError, KnowsTheSteepestFallOfAMatrix) {
   const TimeWindow times = {1e-3, 0.1};
   EXPECT_EQ(steepest_fall(PronySeries(5.0), times), 0.0);
   EXPECT_NEAR(steepest_fall(PronySeries(0.0, {{1e-2, 5.0}}), times), 10.0, 1e-12) << "exp(-t / 10 ms)";

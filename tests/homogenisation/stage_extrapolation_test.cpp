@@ -98,6 +98,19 @@ TEST(ExtrapolateTests, TakesTheFinestGridOfMixedCells) {
   EXPECT_THAT(limits[0].half_bands.back(), DoubleNear(1.0 * 6.0, 1e-12));
 }
 
+// The bulk test changes by 1 %, a shear beside it by 10 %: by more than twice as much.
+TEST(ExtrapolateTests, TheBandOfABulkTestIsNoLessThanTheChangeOfAShearBesideIt) {
+  auto coarse = constant(20, 10.1), fine = constant(40, 10.0);
+  coarse.id.load = fine.id.load = Load::bulk;
+  const auto alone = limits_of({coarse, fine}, Mixing::series);
+  ASSERT_EQ(alone.size(), 1U);
+  EXPECT_THAT(alone[0].half_bands, Each(DoubleNear(0.2, 1e-12)));
+  const auto beside = limits_of({constant(20, 5.5), coarse, constant(40, 5.0), fine}, Mixing::series);
+  ASSERT_EQ(beside.size(), 2U);
+  EXPECT_THAT(beside[0].half_bands, Each(DoubleNear(1.0, 1e-12))) << "of the shear";
+  EXPECT_THAT(beside[1].half_bands, Each(DoubleNear(1.0, 1e-12))) << "of the bulk test";
+}
+
 TEST(ExtrapolateTests, IsOfSeveralGridsAlone) {
   EXPECT_THAT(limits_of({constant(20, 12.0)}, Mixing::points), IsEmpty());
 }

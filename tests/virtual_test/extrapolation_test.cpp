@@ -41,15 +41,15 @@ TEST(Extrapolation, ModelComposite) {
 }
 
 // The coarser grid differs from the finer one by a tenth, by a quarter, not at all, and by a factor of nine.
-TEST(HalfBandsOfMixedCells, AreTwiceTheLargestDifferenceSoFar) {
+TEST(LargestChanges, AreThoseUpToEachTime) {
   const std::vector coarse = {9.0, 5.0, 2.0, 10.0}, fine = {10.0, 4.0, 2.0, 1.0};
-  const auto half_bands = half_bands_of_mixed_cells(coarse, fine);
-  ASSERT_EQ(half_bands.size(), 4U);
-  EXPECT_NEAR(half_bands[0], 0.2 * 10.0, 1e-13);
-  EXPECT_NEAR(half_bands[1], 0.5 * 4.0, 1e-13);
-  EXPECT_NEAR(half_bands[2], 0.5 * 2.0, 1e-13);
-  EXPECT_NEAR(half_bands[3], 18.0 * 1.0, 1e-12);
-  EXPECT_THROW((void)half_bands_of_mixed_cells(coarse, std::vector{1.0}), InputError);
+  const auto changes = largest_changes(coarse, fine);
+  ASSERT_EQ(changes.size(), 4U);
+  EXPECT_NEAR(changes[0], 0.1, 1e-15);
+  EXPECT_NEAR(changes[1], 0.25, 1e-15);
+  EXPECT_NEAR(changes[2], 0.25, 1e-15);
+  EXPECT_NEAR(changes[3], 9.0, 1e-14);
+  EXPECT_THROW((void)largest_changes(coarse, std::vector{1.0}), InputError);
 }
 
 TEST(Extrapolation, RefusesOtherNumbersOfGrids) {

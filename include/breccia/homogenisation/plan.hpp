@@ -46,12 +46,11 @@ struct ErrorRule {
 
 /// The finest grid of a stage and the error to be expected of it.
 struct GridPlan {
-  double cell_size = 0.0;       ///< [m]
-  double side = 0.0;            ///< side of the box [m]
-  double length = 0.0;          ///< characteristic length, on whose number of cells the error depends [m]
-  std::string_view place = {};  ///< location of this length: "in the narrowest gap"
-  /// Rule for the error, times the steepest fall of the binder (theory, Eq. 43f); nothing where no rule is known.
-  std::optional<ErrorRule> rule = {};
+  double cell_size = 0.0;              ///< [m]
+  double side = 0.0;                   ///< side of the box [m]
+  double length = 0.0;                 ///< characteristic length, on whose number of cells the error depends [m]
+  std::string_view place = {};         ///< location of this length: "in the narrowest gap"
+  std::optional<ErrorRule> rule = {};  ///< rule for the error; nothing where no rule is known
   std::string_view without_rule = {};  ///< name of the content for which there is no rule: "ellipsoids"
 
   /// Number of cells along the characteristic length [-].

@@ -6,7 +6,12 @@
 #include <limits>
 #include <string_view>
 
+#include "breccia/homogenisation/stage_discretisation.hpp"
+
+#include "discretisation/contrast.hpp"
 #include "homogenisation/narrow_gaps.hpp"
+#include "homogenisation/run/test_requests.hpp"
+#include "study/chain.hpp"
 
 namespace breccia {
 namespace {
@@ -37,9 +42,9 @@ ResolvedLength length_of_spheres(const Stage& stage, const StageMicrostructure& 
   return {diameter, place, rule, "spheres close to jamming"};
 }
 
-/// The length of particles with flow through the gaps between them. Nothing was measured for other shapes than discs
-/// and spheres.
-struct LengthOfFlow {
+/// The smallest particle of discs, spheres or particles of other shapes: a visitor of the content of a box. Nothing for
+/// another content.
+struct SmallestParticle {
   template <int dim>
   std::optional<ResolvedLength> operator()(const Microstructure<dim>& balls) const {
     double smallest = std::numeric_limits<double>::infinity();
@@ -52,7 +57,7 @@ struct LengthOfFlow {
   std::optional<ResolvedLength> operator()(const ParticleBox& box) const {
     double smallest = std::numeric_limits<double>::infinity();
     for (const auto& particle : box.particles) smallest = std::min(smallest, equivalent_diameter(particle.shape));
-    return ResolvedLength{smallest, "across the smallest particle", {}, "particles of other shapes than discs"};
+    return ResolvedLength{smallest, "across the smallest particle", error_rule_of_flow(2)};
   }
   template <class Other>
   std::optional<ResolvedLength> operator()(const Other&) const {
@@ -66,11 +71,11 @@ constexpr std::size_t fewest_of_packing = 8;
 ResolvedLength resolved_length(const Stage& stage, const StageMicrostructure& packed, Mixing mixing) {
   const double gap = std::min(packed.gap, packed.wall_gap);
   if (packed.grains() != nullptr) {
-    if (mixing == Mixing::flow) return {gap, "across a film", {}, "films narrower than 1.4 cells"};
+    if (mixing == Mixing::flow) return {gap, "across a film", error_rule_of_narrow_films()};
     return {gap, "across a film", error_rule_of_films()};
   }
   if (mixing == Mixing::flow) {
-    if (auto length = visit_nested(LengthOfFlow(), packed.box)) {
+    if (auto length = visit_nested(SmallestParticle(), packed.box)) {
       const bool is_regular = stage.packed_by<LatticePacking>() != nullptr || packed.particles() < fewest_of_packing;
       if (stage.dimensions() == 2 || !is_regular) return *length;
       return {length->length, "across the smallest sphere", {}, "lattices and a few spheres with flow through gaps"};
@@ -81,6 +86,18 @@ ResolvedLength resolved_length(const Stage& stage, const StageMicrostructure& pa
   if (mixing == Mixing::points) return {gap, in_a_gap, {}, "points in three dimensions"};
   if (packed.content<Microstructure<3>>() == nullptr) return {gap, in_a_gap, {}, "ellipsoids"};
   return length_of_spheres(stage, packed);
+}
+
+/// The plan of the finest grid, by the cells along a length; nothing without such a length.
+std::optional<GridPlan> plan_along(const ResolvedLength& resolved, const Stage& stage) {
+  const auto& [length, place, rule, without_rule] = resolved;
+  if (!std::isfinite(length) || !(length > 0.0)) return std::nullopt;
+  return GridPlan{.cell_size = stage.cell_size(),
+                  .side = stage.side,
+                  .length = length,
+                  .place = place,
+                  .rule = rule,
+                  .without_rule = rule ? std::string_view() : without_rule};
 }
 
 }  // namespace
@@ -95,6 +112,10 @@ ErrorRule error_rule_of_flow(int dimensions) {
 
 ErrorRule error_rule_of_films() {
   return {0.15, 1.25, 2.4};
+}
+
+ErrorRule error_rule_of_narrow_films() {
+  return {0.1, 1.0, 0.3, 1.4};
 }
 
 // The error of the grid grows as the spheres come closer to jamming.
@@ -126,14 +147,24 @@ std::optional<GridPlan> plan_of_grid(const Stage& stage, const StageMicrostructu
   // Between grains no rule is known for points, which take far more cells.
   const bool has_no_rule = mixing == Mixing::points && packed.grains() != nullptr;
   if (is_extrapolated || has_no_rule) return std::nullopt;
-  const auto [length, place, rule, without_rule] = resolved_length(stage, packed, mixing);
-  if (!std::isfinite(length) || !(length > 0.0)) return std::nullopt;
-  return GridPlan{.cell_size = stage.cell_size(),
-                  .side = stage.side,
-                  .length = length,
-                  .place = place,
-                  .rule = rule,
-                  .without_rule = rule ? std::string_view() : without_rule};
+  return plan_along(resolved_length(stage, packed, mixing), stage);
+}
+
+std::optional<GridPlan> plan_of_grid(const Study& study, const Stage& stage, const StageMicrostructure& packed) {
+  const auto mixing = mixing_of(study, stage, packed);
+  const bool are_soft = are_softer_than_matrix(materials_of(stage, expected_matrix(study, stage)));
+  const bool are_soft_in_plane = stage.dimensions() == 2 && has_mixed_cells(mixing) && are_soft;
+  const auto particle = are_soft_in_plane ? visit_nested(SmallestParticle(), packed.box) : std::nullopt;
+  auto plan = particle ? plan_along(*particle, stage) : plan_of_grid(stage, packed, mixing);
+  if (!plan || !plan->rule) return plan;
+  constexpr double steepest_with_rule = 2.0;
+  const double fall = steepest_fall(binder_of(study, stage).shear, {study.tests.first_time, study.tests.last_time});
+  plan->rule->error_of_one *= std::max(1.0, fall);
+  if (fall > steepest_with_rule) {
+    plan->rule.reset();
+    plan->without_rule = "a binder that falls faster than 1/t^2";
+  }
+  return plan;
 }
 
 }  // namespace breccia

@@ -92,11 +92,7 @@ class Planner {
         std::ranges::move(plans_of_tests(as_computed, stage, packed, method, cells), std::back_inserter(plan.tests));
       }
     }
-    plan.grid = plan_of_grid(stage, packed, as_computed.tests.mixing);
-    if (plan.grid && plan.grid->rule) {
-      const TimeWindow times{study.tests.first_time, study.tests.last_time};
-      plan.grid->rule->error_of_one *= std::max(1.0, steepest_fall(binder_of(study, stage).shear, times));
-    }
+    plan.grid = plan_of_grid(study, stage, packed);
     return plan;
   }
 

@@ -65,13 +65,36 @@ std::vector<double> moduli_of(const TestResult& test) {
   return moduli;
 }
 
-/// The test on the finest grid, with the error band that follows from the next coarser one.
-TestResult finest_with_band(const std::vector<const TestResult*>& grids) {
+/// The largest changes up to each time from the next coarser grid to the finest one [-].
+std::vector<double> changes_of(const std::vector<const TestResult*>& grids) {
+  return largest_changes(moduli_of(*grids[grids.size() - 2]), moduli_of(*grids.back()));
+}
+
+/// The largest change up to each time among the shear loads that were tested beside a bulk test [-]; 0 without any.
+std::vector<double> changes_beside(const TestResult& bulk, const std::vector<TestResult>& tests) {
+  std::vector<double> largest(bulk.modulus.size(), 0.0);
+  for (const auto& shear : tests) {
+    auto beside = bulk.id;
+    beside.load = shear.id.load;
+    if (shear.id.load == Load::bulk || !(shear.id == beside) || shear.modulus.size() != largest.size()) continue;
+    const auto changes = changes_of(same_on_all_grids(shear, tests));
+    std::ranges::transform(largest, changes, largest.begin(),
+                           [](double one, double other) { return std::max(one, other); });
+  }
+  return largest;
+}
+
+/// The test on the finest grid, with the error band that follows from the next coarser one (theory, Eq. 43).
+TestResult finest_with_band(const std::vector<const TestResult*>& grids, const std::vector<TestResult>& tests) {
   const auto& finest = *grids.back();
   TestResult result{
       .id = finest.id, .modulus = finest.modulus, .compliance = finest.compliance, .series = finest.series};
   result.id.grid = TestGrid::extrapolated();
-  result.half_bands = half_bands_of_mixed_cells(moduli_of(*grids[grids.size() - 2]), moduli_of(finest));
+  const auto own = changes_of(grids);
+  const auto beside = finest.id.load == Load::bulk ? changes_beside(finest, tests) : std::vector(own.size(), 0.0);
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    result.half_bands.push_back(std::max(2.0 * own[i], beside[i]) * finest.modulus[i].modulus);
+  }
   result.record = record_of(grids);
   return result;
 }
@@ -112,8 +135,9 @@ std::vector<TestResult> extrapolate_tests(const std::string& stage, double side,
     if (grids.size() < 2 || grids.back() != &test) continue;
     const auto name =
         fmt::format("{} {} {} {}", stage, name_of(test.id.load), bound_of(test.id.boundary), name_of(test.id.method));
-    extrapolated.push_back(name_errors(
-        name, [&] { return has_mixed_cells(mixing) ? finest_with_band(grids) : extrapolate_test(side, grids); }));
+    extrapolated.push_back(name_errors(name, [&] {
+      return has_mixed_cells(mixing) ? finest_with_band(grids, tests) : extrapolate_test(side, grids);
+    }));
   }
   return extrapolated;
 }

@@ -54,12 +54,15 @@ function textWithoutResult() {
   return study.stages.some(({tests}) => tests.length > 0) ? "No relaxation modulus was tested." : "Packed, not tested.";
 }
 
-/// A text on the error of the grid of curves; none for grains and films, which have no grid.
+/// A text on the error of the grid of curves: that of several grids, that of a rule for one, or that there is none; empty
+/// for films, which have no grid.
 function textOnError(result, stage) {
   const shares = result.filter(({band}) => band !== undefined).flatMap(({y, band}) => band.map((half, i) => half / y[i]))
     .filter(Number.isFinite);
   if (shares.length > 0) return `± ${percent(Math.max(...shares))} by the grid`;
-  return gridsOf(stage)[0] === "films" ? "" : "the discretisation error is not known";
+  if (gridsOf(stage)[0] === "films") return "";
+  const expected = expectedErrorOf(stage);
+  return expected === undefined ? "the discretisation error is not known" : `the grid may err by ${percent(expected)}`;
 }
 
 /// The warnings of all stages, those of one kind together.
@@ -77,6 +80,11 @@ function textOnWarnings() {
 
 function gridsOf(stage) {
   return study.stages.find(({name}) => name === stage).cells;
+}
+
+/// The largest error of one grid by a rule; undefined where there is none.
+function expectedErrorOf(stage) {
+  return study.stages.find(({name}) => name === stage).quality?.expected_grid_error ?? undefined;
 }
 
 /// The name of a stage, with a remark if the run has not reached the end of its chain.
@@ -188,6 +196,9 @@ function modulusText({x, y, band}, time) {
 function noteOnErrors(result, stage) {
   const grid = result.some(({band}) => band !== undefined) ? "± is the error of the grid, from the grids of the run."
     : gridsOf(stage)[0] === "films" ? ""
-      : "Of one grid: its error is not known; another, such as half the cells, would tell it.";
+      : expectedErrorOf(stage) === undefined
+        ? "Of one grid: its error is not known; another, such as half the cells, would tell it."
+        : `Of one grid, whose error is up to about ${percent(expectedErrorOf(stage))} by a rule; another, such as ` +
+          "half the cells, would measure it.";
   return `${grid} The scatter from one packing to another is not in it.`.trim();
 }

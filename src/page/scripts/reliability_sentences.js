@@ -62,9 +62,16 @@ function cellsText(cells) {
   return number === "1" ? "1 cell" : `${number} cells`;
 }
 
+function onOneGrid(expectedError) {
+  return Number.isFinite(expectedError)
+    ? `The grid: one, with an error of ${percent(expectedError)} at most by a rule. A second one, coarser by half, ` +
+      "measures it."
+    : "The grid: one, so its error is not known. A second one, coarser by half, tells it.";
+}
+
 function onGrids({cells, quality}) {
   if (cells[0] === "films") return "";
-  if (cells.length < 2) return "The grid: one, so its error is not known. A second one, coarser by half, tells it.";
+  if (cells.length < 2) return onOneGrid(quality?.expected_grid_error);
   const error = quality?.grid_error;
   return `The grid: ${listed(cells.map(String))} cells a side` +
     (Number.isFinite(error) ? `, which tell an error of ${percent(error)} at most.` : ".");

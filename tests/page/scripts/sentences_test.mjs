@@ -127,6 +127,8 @@ test("the reliability of a stage, from the error estimates of the run", () => {
     "one, so its error is not known", "40 particles, placed at random once", "B is 4 times as large"]) {
     assert.ok(text.includes(words), `${words} in ${text}`);
   }
+  const byRule = {...stage, quality: {...stage.quality, expected_grid_error: 0.03}};
+  assert.ok(sentencesOnReliability(study, byRule).join("\n").includes("one, with an error of 3 % at most by a rule"));
   const withFlow = {...stage, tests: [{boundary: "displacement", mixing: "flow"}]};
   assert.ok(sentencesOnReliability(study, withFlow).join("\n").includes("flows through gaps narrower than a cell"));
   const image = {...stage, fillers: [{}], microstructure: {...stage.microstructure, pixels: [10, 10]}};
