@@ -183,16 +183,19 @@ def test_overrides_are_named_as_arguments():
 
 
 def test_a_plan_has_time_memory_and_the_error_of_the_grid(command):
-    study = breccia.read_study(MODEL, {"tests.method": "quasistatic"})
+    # A binder that falls to nothing, as that of the deck, has no rule for the error.
+    keys = {"tests.method": "quasistatic", "materials.binder.shear.equilibrium": "0.1 MPa"}
+    study = breccia.read_study(MODEL, keys)
     plan = breccia.plan(study)
     (stage,) = plan.stages
     assert plan.seconds == pytest.approx(sum(test.seconds for test in stage.tests))
     assert plan.memory == max(test.memory for test in stage.tests)
     assert plan["model"].cells_for(0.01) > plan["model"].cells_for(0.05)
-    finer = breccia.plan(breccia.read_study(MODEL, {"tests.method": "quasistatic", "stages.model.cells": 96}))
+    finer = breccia.plan(breccia.read_study(MODEL, keys | {"stages.model.cells": 96}))
     assert finer.seconds > plan.seconds and finer.memory > plan.memory
-    resolved = {"tests.method": "quasistatic", "stages.model.cells": math.ceil(plan["model"].cells_for(0.05))}
+    resolved = keys | {"stages.model.cells": math.ceil(plan["model"].cells_for(0.05))}
     assert breccia.plan(breccia.read_study(MODEL, resolved))["model"].grid_error <= 0.05
+    assert breccia.plan(breccia.read_study(MODEL, {"tests.method": "quasistatic"}))["model"].grid_error is None
     with pytest.raises(KeyError):
         plan["another"]
     with pytest.raises(breccia.InputError, match="between 0 and 1"):
