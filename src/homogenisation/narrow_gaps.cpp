@@ -22,6 +22,10 @@ bool has_spheres_that_almost_touch(const Stage& stage, const StageMicrostructure
          packed.gap < share_of_diameter * packed.mean_diameter();
 }
 
+bool has_soft_fillers(const Study& study, const Stage& stage) {
+  return !stage.fillers.empty() && are_softer_than_matrix(materials_of(stage, expected_matrix(study, stage)));
+}
+
 Mixing mixing_of(const Study& study, const Stage& stage, const StageMicrostructure& packed) {
   if (study.tests.mixing != Mixing::flow) return study.tests.mixing;
   if (model_of(study.tests, stage) == Model::films) return Mixing::series;

@@ -16,6 +16,10 @@ inline constexpr double cells_in_narrow_gaps = 1.5;
 /// measured (theory, Eq. 43c): below a cell of the finest grid and below 3 % of the mean diameter.
 [[nodiscard]] bool has_spheres_that_almost_touch(const Stage& stage, const StageMicrostructure& packed);
 
+/// Whether all fillers of a stage, and their coatings, are softer than its matrix at all times. The matrix need not be
+/// squeezed out of the gaps between them, which carry load like films.
+[[nodiscard]] bool has_soft_fillers(const Study& study, const Stage& stage);
+
 /// The mixing that the cells of a stage are expected to have: Mixing::flow is Mixing::series where gaps are wide, and
 /// where a filler or a coating is not stiffer than the matrix at all times.
 [[nodiscard]] Mixing mixing_of(const Study& study, const Stage& stage, const StageMicrostructure& packed);

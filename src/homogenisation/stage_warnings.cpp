@@ -82,24 +82,27 @@ NarrowGap film_of(const StageMicrostructure& packed, Mixing mixing) {
 std::optional<std::string> warning_of_missing_flow(const Study& study, const Stage& stage,
                                                    const StageMicrostructure& packed) {
   const bool lacks_flow = study.tests.mixing == Mixing::flow && mixing_of(study, stage, packed) != Mixing::flow;
-  if (stage.fillers.empty() || !lacks_flow || !has_narrow_gaps(stage, packed)) return std::nullopt;
+  if (stage.fillers.empty() || !lacks_flow || !has_narrow_gaps(stage, packed) || has_soft_fillers(study, stage)) {
+    return std::nullopt;
+  }
   return "its cells are in series, without flow through gaps: a filler or a coating is not stiffer in shear than the "
          "matrix at all times";
 }
 
-/// A warning about discs or spheres, with flow through the gaps between them, of so few cells that no rule gives the
-/// error of the grid.
-std::optional<std::string> warning_of_small_balls(const Study& study, const Stage& stage,
-                                                  const StageMicrostructure& packed) {
-  if (mixing_of(study, stage, packed) != Mixing::flow) return std::nullopt;
+/// A warning about particles, with flow through the gaps between them, of so few cells that no rule gives the error of
+/// the grid.
+std::optional<std::string> warning_of_small_particles(const Study& study, const Stage& stage,
+                                                      const StageMicrostructure& packed) {
+  if (mixing_of(study, stage, packed) != Mixing::flow || packed.grains() != nullptr) return std::nullopt;
   const auto plan = plan_of_grid(stage, packed, Mixing::flow);
   if (!plan || !plan->rule || plan->error()) return std::nullopt;
   const double least = plan->rule->least_cells;
+  const bool are_discs = packed.content<Microstructure<2>>() != nullptr;
   return fmt::format(
       "the smallest {}, {}, is {:.2g} cells wide; below {:g} cells no rule gives the error of the grid{}",
-      stage.dimensions() == 3                          ? "sphere"
-      : packed.content<Microstructure<2>>() != nullptr ? "disc"
-                                                       : "particle",
+      are_discs                 ? "disc"
+      : stage.dimensions() == 2 ? "particle"
+                                : "sphere",
       display(plan->length, "m", 4), plan->cells(), least,
       words_on_finer_grids(stage.grids(), std::ceil(least * stage.side / plan->length)));
 }
@@ -148,6 +151,7 @@ struct NarrowestGap {
 
 std::optional<std::string> warning_of_narrow_gaps(const Stage& stage, const StageMicrostructure& packed,
                                                   const Study& study) {
+  if (has_mixed_cells(study.tests.mixing) && has_soft_fillers(study, stage)) return std::nullopt;
   const auto narrow = visit_nested(NarrowestGap{packed, study.tests, mixing_of(study, stage, packed)}, packed.box);
   if (!narrow) return std::nullopt;
   const auto& [name, gap, rule] = *narrow;
@@ -363,7 +367,7 @@ std::vector<std::string> warnings_on(const Study& study, const Stage& stage,
                                    : warning_of_narrow_gaps(stage, microstructure, study);
   for (const auto& warning :
        {warning_of_separation(study, stage, microstructure), warning_of_thin_coatings(stage, study.tests.mixing),
-        warning_of_missing_flow(study, stage, microstructure), warning_of_small_balls(study, stage, microstructure),
+        warning_of_missing_flow(study, stage, microstructure), warning_of_small_particles(study, stage, microstructure),
         warning_of_gaps, warning_of_gaps_between_spheres(study, stage, microstructure),
         warning_of_touching_spheres(study, stage, microstructure),
         warning_of_small_spheres(stage, microstructure, mixing_of(study, stage, microstructure)),

@@ -6,11 +6,7 @@
 #include <limits>
 #include <string_view>
 
-#include "breccia/homogenisation/stage_discretisation.hpp"
-
-#include "discretisation/contrast.hpp"
 #include "homogenisation/narrow_gaps.hpp"
-#include "homogenisation/run/test_requests.hpp"
 #include "study/chain.hpp"
 
 namespace breccia {
@@ -152,8 +148,7 @@ std::optional<GridPlan> plan_of_grid(const Stage& stage, const StageMicrostructu
 
 std::optional<GridPlan> plan_of_grid(const Study& study, const Stage& stage, const StageMicrostructure& packed) {
   const auto mixing = mixing_of(study, stage, packed);
-  const bool are_soft = are_softer_than_matrix(materials_of(stage, expected_matrix(study, stage)));
-  const bool are_soft_in_plane = stage.dimensions() == 2 && has_mixed_cells(mixing) && are_soft;
+  const bool are_soft_in_plane = stage.dimensions() == 2 && has_mixed_cells(mixing) && has_soft_fillers(study, stage);
   const auto particle = are_soft_in_plane ? visit_nested(SmallestParticle(), packed.box) : std::nullopt;
   auto plan = particle ? plan_along(*particle, stage) : plan_of_grid(stage, packed, mixing);
   if (!plan || !plan->rule) return plan;
