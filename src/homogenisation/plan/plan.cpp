@@ -23,7 +23,6 @@
 #include "homogenisation/plan/measured_costs.hpp"
 #include "homogenisation/plan/test_plans.hpp"
 #include "homogenisation/stage_warnings.hpp"
-#include "study/chain.hpp"
 #include "study/identity.hpp"
 #include "study/test_rules.hpp"
 
