@@ -4,9 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include <fmt/format.h>
-
 #include "quasistatic/solvers/direct/breakdown.hpp"
+#include "quasistatic/solvers/direct/solver_options.hpp"
 #include "quasistatic/solvers/direct/sparse_factors.hpp"
 
 namespace breccia::quasistatic {
@@ -14,14 +13,6 @@ namespace {
 
 /// Prefix of the PETSc options of this solver, by which users replace them on the command line.
 constexpr const char* prefix = "quasistatic_";
-
-void set_default(const char* option, const char* value) {
-  PetscBool is_set = PETSC_FALSE;
-  check(PetscOptionsHasName(nullptr, prefix, option, &is_set), "reading PETSc's options");
-  if (is_set == PETSC_TRUE) return;
-  const auto name = fmt::format("-{}{}", prefix, option + 1);
-  check(PetscOptionsSetValue(nullptr, name.c_str(), value), "setting PETSc's options");
-}
 
 }  // namespace
 
@@ -50,8 +41,8 @@ void AssembledSolver<dim>::set_up() {
   } else {
     check(PCSetType(preconditioner, PCGAMG), what);
     this->elastic_operator().attach_rigid_motions(matrix_.get());
-    set_default("-pc_gamg_threshold", "0.02");
-    set_default("-mg_levels_ksp_max_it", "4");
+    set_default_option(prefix, "pc_gamg_threshold", "0.02");
+    set_default_option(prefix, "mg_levels_ksp_max_it", "4");
   }
   check(KSPSetFromOptions(solver_.get()), what);
 }

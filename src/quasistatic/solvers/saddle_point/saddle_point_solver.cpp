@@ -34,6 +34,7 @@ void SaddlePointSolver::update_stiffness(std::span<const Moduli> moduli) {
   of_displacements_.emplace(saddle_);
   of_slopes_.emplace(saddle_);
   of_flows_.emplace(saddle_);
+  of_pressures_.emplace(saddle_, of_flows_->diagonal());
   of_weak_pressures_.emplace(saddle_);
   count_factorisation();
 }
@@ -63,6 +64,7 @@ void SaddlePointSolver::precondition(const NodalField& right, NodalField& soluti
   saddle_.boundary().repeat_first_nodes(solution);
   of_slopes_->recover(right, solution);
   of_flows_->apply(right, solution);
+  of_pressures_->apply(right, solution);
   of_weak_pressures_->add_to(right, solution);
 }
 

@@ -8,6 +8,7 @@
 #include "quasistatic/solvers/elastic_solver.hpp"
 #include "quasistatic/solvers/lattice/nodal_field.hpp"
 #include "quasistatic/solvers/saddle_point/flow_factors.hpp"
+#include "quasistatic/solvers/saddle_point/pressure_multigrid.hpp"
 #include "quasistatic/solvers/saddle_point/saddle_point_operator.hpp"
 #include "quasistatic/solvers/saddle_point/slope_elimination.hpp"
 #include "quasistatic/solvers/saddle_point/two_level_preconditioner.hpp"
@@ -16,9 +17,9 @@
 namespace breccia::quasistatic {
 
 /// MINRES (Paige and Saunders 1975) for periodic boxes of cubes with gaps on one process, as a saddle point with a
-/// preconditioner for each block: two levels for the displacements, elimination of the slopes, sparse factors for flows
-/// and pressures, and a coarse space of pressures that nodes hardly resist. The number of iterations hardly grows with
-/// the contrast of the moduli (docs/gaps-in-space.md).
+/// preconditioner for each block: two levels for the displacements, elimination of the slopes, sparse factors for
+/// flows, multigrid for pressures, and a coarse space of pressures that nodes hardly resist. The number of iterations
+/// hardly grows with the contrast of the moduli (docs/gaps-in-space.md).
 class SaddlePointSolver final : public ElasticSolver<3> {
  public:
   /// Throws InputError for several processes and for boundaries that are not periodic.
@@ -55,6 +56,7 @@ class SaddlePointSolver final : public ElasticSolver<3> {
   std::optional<TwoLevelPreconditioner> of_displacements_;
   std::optional<SlopeElimination> of_slopes_;
   std::optional<FlowFactors> of_flows_;
+  std::optional<PressureMultigrid> of_pressures_;
   std::optional<WeakPressures> of_weak_pressures_;
   NodalField condensed_, preconditioned_;
 };
