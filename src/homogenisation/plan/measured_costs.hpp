@@ -41,8 +41,8 @@ struct IterationsOfCube {
 };
 inline constexpr IterationsOfCube periodic_cube = {6.5, 29e-9}, held_cube = {7.0, 30e-9}, drawn_cube = {13.0, 33e-9};
 /// Minimal residuals on a cube with flow through gaps: the number of iterations over the cells a side to the power 1.5,
-/// the time of an iteration [s], and the memory with the factors of the coarse space [B], of many small spheres. Of a few
-/// large ones it is half as much.
+/// the time of an iteration [s], and the memory with the factors of the coarse space [B], of many small spheres. Of a
+/// few large ones it is half as much.
 inline constexpr double iterations_with_flow = 1.5, seconds_with_flow = 3.0e-7, saddle_point_of_cube = 4.2e3;
 /// Memory of sparse factors of a cube with flow through gaps, 24 000 to 140 000 unknowns [B] (docs/gaps-in-space.md).
 inline constexpr double factors_of_cube_with_flow = 27e3;
