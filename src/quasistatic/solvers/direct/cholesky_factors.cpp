@@ -13,7 +13,7 @@ int CholeskyFactors::first_of_process(int owned) {
   return parallel::rank() == 0 ? 0 : before;  // MPI leaves the value undefined on the first process
 }
 
-CholeskyFactors::CholeskyFactors(int owned, SymmetricEntries entries, const char* what) : owned_(owned), what_(what) {
+CholeskyFactors::CholeskyFactors(int owned, MatrixEntries entries, const char* what) : owned_(owned), what_(what) {
   constexpr const char* doing = "factorising a sparse matrix";
   check(MatCreate(PETSC_COMM_WORLD, matrix_.put()), doing);
   check(MatSetSizes(matrix_.get(), owned, owned, PETSC_DETERMINE, PETSC_DETERMINE), doing);

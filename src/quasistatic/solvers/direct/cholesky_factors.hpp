@@ -1,23 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
+#include "quasistatic/operator/matrix_entries.hpp"
 #include "quasistatic/operator/petsc_handle.hpp"
 
 namespace breccia::quasistatic {
-
-/// Entries of one triangle of a sparse symmetric matrix, or of its diagonal. Entries at the same place add up.
-struct SymmetricEntries {
-  std::vector<int> rows, columns;
-  std::vector<double> values;
-
-  void add(int row, int column, double value) {
-    rows.push_back(row);
-    columns.push_back(column);
-    values.push_back(value);
-  }
-};
 
 /// The Cholesky factors (MUMPS) of a sparse symmetric positive definite matrix, distributed over the processes.
 class CholeskyFactors {
@@ -25,10 +13,10 @@ class CholeskyFactors {
   /// The number of the first of the `owned` unknowns of this process among those of all processes.
   [[nodiscard]] static int first_of_process(int owned);
 
-  /// This process has `owned` rows. The entries that all processes give, numbered among all rows, are added up. `what`
-  /// names the matrix in messages. Throws NumericalError when it cannot be factorised, because memory runs out or it is
-  /// not positive definite; so does solve().
-  CholeskyFactors(int owned, SymmetricEntries entries, const char* what);
+  /// This process has `owned` rows. The entries of one triangle that all processes give, numbered among all rows, are
+  /// added up. `what` names the matrix in messages. Throws NumericalError when it cannot be factorised, because memory
+  /// runs out or it is not positive definite; so does solve().
+  CholeskyFactors(int owned, MatrixEntries entries, const char* what);
 
   /// Finds the unknowns of this process, from their right sides.
   void solve(const double* right, double* solution) const;

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "discretisation/cell_shape.hpp"
+#include "quasistatic/operator/matrix_entries.hpp"
 #include "quasistatic/solvers/direct/breakdown.hpp"
 #include "quasistatic/solvers/direct/solver_options.hpp"
 #include "quasistatic/solvers/saddle_point/around_nodes.hpp"
@@ -12,20 +13,8 @@ namespace {
 
 using Shape = CellShape<3>;
 
-/// Entries of a matrix. Those at the same place add up.
-struct PressureEntries {
-  std::vector<PetscInt> rows, columns;
-  std::vector<double> values;
-
-  void add(PetscInt row, PetscInt column, double value) {
-    rows.push_back(row);
-    columns.push_back(column);
-    values.push_back(value);
-  }
-};
-
 /// Adds 1/k + a/G. The nodes of a cell resist a pressure as the stiffer cells around them do.
-void add_compliance_of_cells(const SaddlePointOperator& saddle, PressureEntries& entries) {
+void add_compliance_of_cells(const SaddlePointOperator& saddle, MatrixEntries& entries) {
   // For a pressure that varies slowly it is 1/(4/3 + 2/3), for one that alternates much less.
   constexpr double of_shear = 0.1;
   const auto& lattice = saddle.lattice();
@@ -44,7 +33,7 @@ void add_compliance_of_cells(const SaddlePointOperator& saddle, PressureEntries&
 
 /// Adds B_q diag(H)^-1 B_q'.
 void add_conductance_of_flows(const SaddlePointOperator& saddle, const std::vector<double>& resistance,
-                              PressureEntries& entries) {
+                              MatrixEntries& entries) {
   // The cells on both sides of the face of each flow, with the weights of the flow in their volume changes.
   struct Side {
     PetscInt cell = -1;
@@ -74,7 +63,7 @@ PressureMultigrid::PressureMultigrid(const SaddlePointOperator& saddle, const st
     : first_pressure_(saddle.first_pressure()), cells_(static_cast<PetscInt>(saddle.cells())) {
   constexpr const char* doing = "setting up multigrid for pressures";
   constexpr const char* prefix = "pressures_";
-  PressureEntries entries;
+  MatrixEntries entries;
   add_compliance_of_cells(saddle, entries);
   add_conductance_of_flows(saddle, resistance, entries);
   check(MatCreate(PETSC_COMM_SELF, schur_complement_.put()), doing);

@@ -90,7 +90,7 @@ void TwoLevelPreconditioner::make_coarse() {
       }
     }
   });
-  SymmetricEntries entries;
+  MatrixEntries entries;
   for (const auto& [place, block] : blocks) {
     for (int i = 0; i < counts[place.first]; ++i) {
       for (int j = place.first == place.second ? i : 0; j < counts[place.second]; ++j) {

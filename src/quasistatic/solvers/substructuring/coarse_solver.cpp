@@ -15,10 +15,10 @@ std::vector<int> numbers_in_all(int owned, int unknowns, const SharedValues& sha
 }
 
 /// The entries of the sum of the small matrices of this process.
-SymmetricEntries add_up(int owned, int unknowns, const SharedValues& shared,
-                        const std::vector<CoarseSolver::Part>& parts, double stiffness_of_held) {
+MatrixEntries add_up(int owned, int unknowns, const SharedValues& shared, const std::vector<CoarseSolver::Part>& parts,
+                     double stiffness_of_held) {
   const auto numbers = numbers_in_all(owned, unknowns, shared);
-  SymmetricEntries entries;
+  MatrixEntries entries;
   std::vector<double> is_stiff(static_cast<std::size_t>(unknowns), 0.0);
   for (const auto& [indices, matrix] : parts) {
     for (std::size_t i = 0; i < indices.size(); ++i) {
