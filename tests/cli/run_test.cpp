@@ -21,7 +21,10 @@ using test::model_deck;
 using test::modulus_at;
 using test::read_curve;
 using test::StudyDirectory;
+using testing::AllOf;
+using testing::Contains;
 using testing::HasSubstr;
+using testing::Not;
 
 /// Quasi-static values of the model composite from an independent computation with standard points.
 struct Known {
@@ -151,6 +154,47 @@ TEST(Run, ResultsGoToADirectoryNamedAfterTheDeck) {
   const auto run = test::run_breccia(study.path(), {"run", "deck.toml", "--set", "stages.A.cells=8"});
   EXPECT_EQ(run.exit_code, 0) << run.errors;
   EXPECT_TRUE(std::filesystem::exists(study.path() / "results" / "deck" / "curves.csv"));
+}
+
+// A table of polygons that stayed would list particles that the new box does not have.
+TEST(Run, ReplacesTheFilesOfParticlesOfAnotherShape) {
+  constexpr std::string_view deck = R"(
+[materials.binder]
+density = "1.48 g/cm^3"
+bulk    = "3.6 GPa"
+shear   = "1 MPa"
+
+[materials.crystal]
+density = "1.85 g/cm^3"
+bulk    = "13.4 GPa"
+shear   = "5.84 GPa"
+
+[[stages]]
+name    = "A"
+matrix  = "binder"
+box     = "6 mm"
+cells   = 12
+filler  = { material = "crystal", fraction = 0.2, sizes = { diameter = "2 mm" }, shape = { polygon = "triangle.csv" } }
+packing = { method = "random-sequential", walls = true, seed = 1 }
+
+[tests]
+times  = ["1 us", "1 ms"]
+fields = "none"
+)";
+  const StudyDirectory study(deck);
+  study.write("triangle.csv", "x_mm,y_mm\n0,0\n3,0\n1,3\n");
+  const auto polygons = study.breccia("run");
+  ASSERT_EQ(polygons.exit_code, 0) << polygons.errors;
+  EXPECT_THAT(study.results(), AllOf(Contains("A/polygons.csv"), Not(Contains("A/microstructure.csv"))));
+
+  const auto ellipses = study.breccia("run", {"--set", "stages.A.filler.shape={ aspect = 1.5 }", "--overwrite"});
+  ASSERT_EQ(ellipses.exit_code, 0) << ellipses.errors;
+  EXPECT_THAT(study.results(), AllOf(Contains("A/microstructure.csv"), Not(Contains("A/polygons.csv"))));
+
+  const auto once_more = study.breccia("run", {"--overwrite"});
+  ASSERT_EQ(once_more.exit_code, 0) << once_more.errors;
+  EXPECT_THAT(study.results(), AllOf(Contains("A/polygons.csv"), Not(Contains("A/microstructure.csv")),
+                                     Not(Contains(HasSubstr("unfinished")))));
 }
 
 TEST(Examples, ModelCompositeAgreesWithTheQuasiStaticLimit) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -8,6 +9,7 @@
 #include "breccia/homogenisation/stage_discretisation.hpp"
 
 #include "results/microstructure_files.hpp"
+#include "results/result_files.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia {
@@ -55,6 +57,9 @@ coating = { material = "binder", thickness = "20 um" }
 )");
   const auto packed = make_microstructure(stage);
   write_microstructure(directory.path(), stage, packed);
+  for (const auto* name : {"microstructure.csv", "polygons.csv"}) {
+    EXPECT_TRUE(std::filesystem::exists(directory.path() / name) && is_file_of_a_stage(name)) << name;
+  }
   const auto listed_stage = stage_of(directory, R"(
 packing = { method = "explicit", walls = false, particles = "microstructure.csv", polygons = "polygons.csv" }
 [[stages.filler]]
