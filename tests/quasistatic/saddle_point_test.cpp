@@ -9,8 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "breccia/error.hpp"
+
+#include "messages.hpp"
 #include "parallel/session.hpp"
 #include "quasistatic/operator/cube_forces.hpp"
 #include "quasistatic/operator/vector_values.hpp"
@@ -130,6 +134,15 @@ TEST(SaddlePointOperator, IsTheStiffnessMatrixWhenPressuresAreEliminated) {
   difference.add(-1.0, expected);
   EXPECT_LT(std::sqrt(quasistatic::product(difference, difference)),
             1e-12 * std::sqrt(quasistatic::product(expected, expected)));
+}
+
+TEST(SaddlePointOperator, TakesNoBoxWithWalls) {
+  auto problem = packing(1e3);
+  problem.discretisation.set_particles_with_gaps(nullptr);  // which walls do not have in space
+  problem.boundary = Boundary::displacement;
+  const auto elastic_operator = operator_of(problem);
+  EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(SaddlePointOperator(elastic_operator)); }),
+              testing::HasSubstr("expected one process and a periodic boundary"));
 }
 
 /// A field of nodes whose sum vanishes, as that of the forces on a periodic box.

@@ -9,7 +9,7 @@ using Shape = CellShape<3>;
 template <class Value>
 std::vector<double> sum_around_nodes(const NodeLattice& lattice, const CellModuli& cells, const Value& value_of_kind) {
   std::vector<double> sum(lattice.size(), 0.0);
-  for_each_index(Index<3>{}, lattice.own_cells(), [&](const Index<3>& cell) {
+  for_each_index(Index<3>{}, lattice.cells, [&](const Index<3>& cell) {
     const double value = value_of_kind(cells.kind_of.row_at(cell[1], cell[2])[cell[0]]);
     for (int node = 0; node < Shape::nodes; ++node) sum[index_of_node(lattice, cell, node)] += value;
   });

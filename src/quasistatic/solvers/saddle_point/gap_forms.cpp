@@ -15,13 +15,13 @@ class Entries {
   Entries(const ElasticOperator<3>& elastic_operator, const NodeLattice& lattice)
       : layout_(elastic_operator.gap_layout()), lattice_(lattice) {}
 
-  [[nodiscard]] std::array<std::size_t, gaps::unknowns_of_cell<3>> of(const Index<3>& among_own,
+  [[nodiscard]] std::array<std::size_t, gaps::unknowns_of_cell<3>> of(const Index<3>& cell,
                                                                       const gaps::GapCell<3>& gap) const {
     std::array<std::size_t, gaps::unknowns_of_cell<3>> entries{};
     for (int node = 0; node < Shape::nodes; ++node) {
       const auto corner = Shape::corner(node);
-      const auto index = lattice_.arrays.row_at(among_own[1] + corner[1], among_own[2] + corner[2]) +
-                         static_cast<std::size_t>(among_own[0] + corner[0]);
+      const auto index = lattice_.arrays.row_at(cell[1] + corner[1], cell[2] + corner[2]) +
+                         static_cast<std::size_t>(cell[0] + corner[0]);
       for (std::size_t axis = 0; axis < 3; ++axis) {
         entries[static_cast<std::size_t>(gaps::displacement_of<3>(node, axis))] = axis * lattice_.size() + index;
       }
@@ -51,9 +51,9 @@ bool is_of_flows(const gaps::LinearForm<3>& form) {
 }  // namespace
 
 GapForms::GapForms(const ElasticOperator<3>& elastic_operator, const NodeLattice& lattice) {
-  const auto& own = elastic_operator.nodes().cells();
+  const auto& box = elastic_operator.nodes().cells();
   const Entries all_entries(elastic_operator, lattice);
-  int plane = own.begin[2];
+  int plane = 0;
   const auto begin_plane = [&] {
     slopes.of_plane.push_back(slopes.count());
     flows.of_plane.push_back(flows.count());
@@ -64,9 +64,7 @@ GapForms::GapForms(const ElasticOperator<3>& elastic_operator, const NodeLattice
     for (; plane < cell[2]; ++plane) begin_plane();
     const auto* gap = elastic_operator.gap_cell(cell);
     if (gap == nullptr) return;
-    auto among_own = cell;
-    for (std::size_t axis = 0; axis < among_own.size(); ++axis) among_own[axis] -= own.begin[axis];
-    const auto entries = all_entries.of(among_own, *gap);
+    const auto entries = all_entries.of(cell, *gap);
     for (const auto& [phase, factor, form] : gap->terms) {
       auto& terms = is_of_flows(form) ? flows : slopes;
       form.for_parts(
@@ -80,9 +78,9 @@ GapForms::GapForms(const ElasticOperator<3>& elastic_operator, const NodeLattice
       if (weight != 0.0) volumes.add(entries[unknown], weight);
     }
     volumes.end();
-    cells.push_back(static_cast<std::uint32_t>(own.place_of(cell)));
+    cells.push_back(static_cast<std::uint32_t>(box.place_of(cell)));
   });
-  for (; plane < own.end[2]; ++plane) begin_plane();
+  for (; plane < box.end[2]; ++plane) begin_plane();
 }
 
 }  // namespace breccia::quasistatic

@@ -17,21 +17,21 @@ struct SquareTerms {
   LinearForms forms;
   std::vector<PhaseIndex> phases;     ///< by form
   std::vector<double> factors;        ///< by form
-  std::vector<std::size_t> of_plane;  ///< first form by plane of cells of this process, and their number
+  std::vector<std::size_t> of_plane;  ///< first form by plane of cells, and their number
 
   [[nodiscard]] std::size_t count() const noexcept { return phases.size(); }
 };
 
-/// What the cells of this process with gaps (GapCell) have beyond the stiffness of their nodes, as forms of the entries
-/// of a field: components of nodal displacements, then the values of gaps that this process sees (GapLayout), then
-/// the pressures of its cells.
+/// What cells with gaps (GapCell) have beyond the stiffness of their nodes, as forms of the entries of a field:
+/// components of nodal displacements, then the values of gaps (GapLayout), then the pressures of cells. All cells of
+/// the box are on this process.
 struct GapForms {
   GapForms(const ElasticOperator<3>& elastic_operator, const NodeLattice& lattice);
 
   SquareTerms slopes;  ///< the ties of the slopes
   SquareTerms flows;
   LinearForms volumes;                ///< volume changes of the cells with gaps
-  std::vector<std::uint32_t> cells;   ///< the places of these cells among those of this process
+  std::vector<std::uint32_t> cells;   ///< the places of these cells among all cells
   std::vector<std::size_t> of_plane;  ///< first of these cells by plane of cells, and their number
 };
 

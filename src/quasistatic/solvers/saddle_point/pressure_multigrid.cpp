@@ -20,7 +20,7 @@ void add_compliance_of_cells(const SaddlePointOperator& saddle, MatrixEntries& e
   const auto& lattice = saddle.lattice();
   const auto around = shear_around_nodes(lattice, saddle.similar_cells());
   PetscInt index = 0;
-  for_each_index(Index<3>{}, lattice.own_cells(), [&](const Index<3>& cell) {
+  for_each_index(Index<3>{}, lattice.cells, [&](const Index<3>& cell) {
     double of_nodes = 0.0;
     for (int node = 0; node < Shape::nodes; ++node) {
       of_nodes += 1.0 / (Shape::nodes * around[index_of_node(lattice, cell, node)]);

@@ -49,11 +49,10 @@ class DisjointSets {
 
 }  // namespace
 
-/// Calls work(node, its index) for the nodes of this process; the third index of a node counts from its first plane.
+/// Calls work(node, its index) for all nodes.
 template <class Work>
 void RigidAggregates::for_nodes(const Work& work) const {
-  for_each_index(Index<3>{}, Index<3>{lattice_.nodes[0], lattice_.nodes[1], lattice_.planes},
-                 [&](const Index<3>& node) { work(node, index_of(node)); });
+  for_each_index(Index<3>{}, lattice_.nodes, [&](const Index<3>& node) { work(node, index_of(node)); });
 }
 
 RigidAggregates::RigidAggregates(const NodeLattice& lattice, const CellModuli& cells, int side)
@@ -65,7 +64,6 @@ RigidAggregates::RigidAggregates(const NodeLattice& lattice, const CellModuli& c
 /// Joins the nodes of a cell that is as stiff as the mean around them.
 void RigidAggregates::join(const CellModuli& cells, int side) {
   constexpr double least = 0.99;  // the mean itself, up to rounding
-  const auto own = lattice_.own_cells();
   const auto nodes_of = [&](const Index<3>& cell) {
     std::array<Index<3>, Shape::nodes> nodes{};
     for (int n = 0; n < Shape::nodes; ++n) {
@@ -81,7 +79,6 @@ void RigidAggregates::join(const CellModuli& cells, int side) {
   };
   const auto around = shear_around_nodes(lattice_, cells);
   const auto cube_of = [&](Index<3> node) {
-    node[2] += lattice_.first_plane;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const int cubes = (lattice_.nodes[axis] + side - 1) / side;
       node[axis] = node[axis] * cubes / lattice_.nodes[axis];
@@ -89,14 +86,14 @@ void RigidAggregates::join(const CellModuli& cells, int side) {
     return node;
   };
   DisjointSets sets(lattice_.size());
-  for_each_index(Index<3>{}, own, [&](const Index<3>& cell) {
+  for_each_index(Index<3>{}, lattice_.cells, [&](const Index<3>& cell) {
     const auto nodes = nodes_of(cell);
     const double shear = shear_of(cell);
     for (std::size_t a = 0; a < nodes.size(); ++a) {
       for (std::size_t b = a + 1; b < nodes.size(); ++b) {
-        // Nodes across the end of a periodic box, or of other processes, are in other cubes.
-        const bool is_own = nodes[a][2] < lattice_.planes && nodes[b][2] < lattice_.planes;
-        if (!is_own || cube_of(nodes[a]) != cube_of(nodes[b])) continue;
+        // Nodes across the end of the box are in other cubes, and its first plane is joined by the cells above alone.
+        const bool is_across_end = nodes[a][2] == lattice_.nodes[2] || nodes[b][2] == lattice_.nodes[2];
+        if (is_across_end || cube_of(nodes[a]) != cube_of(nodes[b])) continue;
         const auto first = index_of(nodes[a]), second = index_of(nodes[b]);
         const double mean = std::sqrt(around[first] * around[second]);
         if (shear >= least * mean) sets.join(static_cast<std::int32_t>(first), static_cast<std::int32_t>(second));

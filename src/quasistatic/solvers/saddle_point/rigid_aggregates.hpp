@@ -11,7 +11,7 @@
 
 namespace breccia::quasistatic {
 
-/// Small sets of nodes that move nearly as rigid bodies: the nodes of this process in a cube of nodes that are joined
+/// Small sets of nodes of a periodic box that move nearly as rigid bodies: the nodes in a cube of nodes that are joined
 /// by cells as stiff as the mean around these nodes. The rigid motions of all sets span a coarse space by plain
 /// aggregation (Vanek, Mandel and Brezina 1996). A cell that is softer must not join nodes: what hangs on it would
 /// swing like a door, with little energy.
@@ -23,12 +23,12 @@ class RigidAggregates {
   /// `side` is the number of nodes along the edge of a cube, `cells` are the moduli of the cells.
   RigidAggregates(const NodeLattice& lattice, const CellModuli& cells, int side);
 
-  /// Number of the unknowns of this process: the motions of its aggregates, up to six each.
+  /// Number of the unknowns: the motions of the aggregates, up to six each.
   [[nodiscard]] int unknowns() const noexcept { return unknowns_; }
-  /// Index of the first unknown of a node of this process, and their number.
+  /// Index of the first unknown of a node, and their number.
   [[nodiscard]] int first_unknown(std::size_t node) const noexcept { return of(node).first; }
   [[nodiscard]] int motions_of(std::size_t node) const noexcept { return of(node).motions; }
-  /// The motions of a node of this process; columns behind motions_of() are zero.
+  /// The motions of a node; columns behind motions_of() are zero.
   [[nodiscard]] Motions motions(const Index<3>& node) const noexcept;
 
   /// The forces on the unknowns of nodal forces.

@@ -5,10 +5,19 @@
 
 #include "breccia/error.hpp"
 
+#include "parallel/session.hpp"
 #include "quasistatic/operator/cube_forces.hpp"
 
 namespace breccia::quasistatic {
 namespace {
+
+/// The operator, if its box is one that a saddle point serves.
+const ElasticOperator<3>& whole_periodic_box(const ElasticOperator<3>& elastic_operator) {
+  if (parallel::ranks() > 1 || elastic_operator.boundary() != Boundary::periodic) {
+    throw InputError("quasi-static solver: expected one process and a periodic boundary for a saddle point");
+  }
+  return elastic_operator;
+}
 
 /// The rows of nodes along the edges of a row of cells, in the arrays of a field.
 template <class Value, class Field>
@@ -43,13 +52,13 @@ std::vector<double> stiffness_of(const SquareTerms& terms, std::span<const Modul
 }  // namespace
 
 SaddlePointOperator::SaddlePointOperator(const ElasticOperator<3>& elastic_operator)
-    : elastic_operator_(&elastic_operator),
+    : elastic_operator_(&whole_periodic_box(elastic_operator)),
       lattice_(elastic_operator.nodes()),
       boundary_(lattice_),
-      sweep_(lattice_.own_cells(), lattice_.arrays),
+      sweep_(lattice_.cells, lattice_.arrays),
       forms_(elastic_operator, lattice_) {
-  const auto own = lattice_.own_cells();
-  cells_ = static_cast<std::size_t>(own[0]) * static_cast<std::size_t>(own[1]) * static_cast<std::size_t>(own[2]);
+  cells_ = 1;
+  for (const int along_axis : lattice_.cells) cells_ *= static_cast<std::size_t>(along_axis);
   const auto& kinds = elastic_operator.kinds();
   for (std::size_t kind = 0; kind < kinds.count(); ++kind) has_no_gap_.push_back(kinds.has_gaps(kind) ? 0.0 : 1.0);
 }
@@ -76,15 +85,13 @@ void SaddlePointOperator::set_moduli(std::span<const Moduli> moduli) {
 
 void SaddlePointOperator::multiply(NodalField& field, NodalField& product) {
   boundary_.repeat_first_nodes(field);
-  layout().copy_from_owners(gaps(field));
   std::ranges::fill(product.all(), 0.0);
   sweep_.add_forces(moduli_, std::as_const(field).components(), product.components(), threads());
-  std::vector<CellVolumes> rows(static_cast<std::size_t>(threads()), CellVolumes(lattice_.own_cells()[0]));
+  std::vector<CellVolumes> rows(static_cast<std::size_t>(threads()), CellVolumes(lattice_.cells[0]));
   sweep_.for_slabs(threads(), [&](int thread, int first_plane, int end_plane) {
     add_slab(first_plane, end_plane, field, product, rows[static_cast<std::size_t>(thread)]);
   });
   boundary_.collect(product);
-  layout().add_to_owners(gaps(product));
 }
 
 void SaddlePointOperator::add_slab(int first_plane, int end_plane, const NodalField& field, NodalField& product,
@@ -95,10 +102,9 @@ void SaddlePointOperator::add_slab(int first_plane, int end_plane, const NodalFi
   add_terms(forms_.flows, stiffness_of_flows_, first_plane, end_plane, values, products);
   const double* pressure = values + first_pressure();
   double* volume = products + first_pressure();
-  const auto own = lattice_.own_cells();
-  std::vector<double> of_nodes(static_cast<std::size_t>(own[0]));  // the pressures of cells without gaps
+  std::vector<double> of_nodes(static_cast<std::size_t>(lattice_.cells[0]));  // the pressures of cells without gaps
   for (int third = first_plane; third < end_plane; ++third) {
-    for (int second = 0; second < own[1]; ++second) {
+    for (int second = 0; second < lattice_.cells[1]; ++second) {
       const auto* kinds = moduli_.kind_of.row_at(second, third);
       const auto first = static_cast<std::size_t>(kinds - moduli_.kind_of.first);
       const auto& strains = row.strains(edge_rows<const double>(lattice_.arrays, field, second, third));

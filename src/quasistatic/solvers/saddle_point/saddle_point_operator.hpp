@@ -20,9 +20,11 @@ namespace breccia::quasistatic {
 ///     A w + B' p = f,   B w - p / k = g.
 ///
 /// B gives the volume changes of the cells, p is positive in tension, and k is their bulk modulus without what A has
-/// of it: 2/3 of the shear modulus, in cells without gaps. With the pressures eliminated, and g = 0, it is K w = f.
+/// of it: 2/3 of the shear modulus, in cells without gaps. With the pressures eliminated, and g = 0, it is K w = f. The
+/// box is periodic, and all of it is on one process.
 class SaddlePointOperator {
  public:
+  /// Throws InputError for several processes and for boundaries that are not periodic.
   explicit SaddlePointOperator(const ElasticOperator<3>& elastic_operator);
 
   /// Takes moduli [Pa], by material. Throws InputError for cells of several materials that are not mixed.
@@ -38,7 +40,6 @@ class SaddlePointOperator {
   [[nodiscard]] std::size_t first_gap() const noexcept { return 3 * lattice_.size(); }
   [[nodiscard]] std::size_t first_pressure() const noexcept { return first_gap() + layout().seen(); }
   [[nodiscard]] std::size_t cells() const noexcept { return cells_; }
-  /// The values of the gaps that this process sees, its own first.
   [[nodiscard]] std::span<double> gaps(NodalField& field) const { return field.further().first(layout().seen()); }
   [[nodiscard]] std::span<double> pressures(NodalField& field) const { return field.further().last(cells_); }
   [[nodiscard]] std::span<const double> pressures(const NodalField& field) const {
@@ -53,12 +54,12 @@ class SaddlePointOperator {
   [[nodiscard]] const CellModuli& similar_cells() const noexcept { return similar_; }
   /// The moduli k [Pa] by kind of cell.
   [[nodiscard]] const std::vector<double>& bulk_of_pressures() const noexcept { return bulk_of_pressures_; }
-  /// Whether a cell of this process has a gap, so that its volume change is not that of its nodes.
+  /// Whether a cell has a gap, so that its volume change is not that of its nodes.
   [[nodiscard]] bool has_gap(std::size_t cell) const noexcept { return has_no_gap_[kinds()[cell]] == 0.0; }
-  /// The kinds of the cells of this process.
+  /// The kinds of the cells.
   [[nodiscard]] const std::uint32_t* kinds() const noexcept { return similar_.kind_of.first; }
 
-  /// product = (A w + B' p, B w - p / k); sets the entries of `field` that belong to other processes.
+  /// product = (A w + B' p, B w - p / k); sets the repeated nodes of `field`.
   void multiply(NodalField& field, NodalField& product);
   /// product = A w of nodes for a box without gaps that is similar; further values are left out.
   void multiply_similar(NodalField& field, NodalField& product);

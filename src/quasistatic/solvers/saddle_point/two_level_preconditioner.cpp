@@ -62,7 +62,7 @@ void TwoLevelPreconditioner::make_coarse() {
   };
   std::map<std::pair<int, int>, Block> blocks;
   std::map<int, int> counts;
-  for_each_index(Index<3>{}, lattice.own_cells(), [&](const Index<3>& cell) {
+  for_each_index(Index<3>{}, lattice.cells, [&](const Index<3>& cell) {
     std::array<Unknowns, Shape::nodes> unknowns{};
     std::array<RigidAggregates::Motions, Shape::nodes> motions;
     bool is_rigid = true;

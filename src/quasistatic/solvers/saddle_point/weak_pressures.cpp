@@ -14,11 +14,11 @@ namespace {
 using Shape = CellShape<3>;
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-/// Calls action(index of a cell, cell) for the cells of this process.
+/// Calls action(index of a cell, cell) for all cells.
 template <class Action>
 void for_cells(const SaddlePointOperator& saddle, const Action& action) {
   int index = 0;
-  for_each_index(Index<3>{}, saddle.lattice().own_cells(), [&](const Index<3>& cell) { action(index++, cell); });
+  for_each_index(Index<3>{}, saddle.lattice().cells, [&](const Index<3>& cell) { action(index++, cell); });
 }
 
 /// The entry of a node that is repeated behind the end of its row.
@@ -109,7 +109,7 @@ WeakPressures::WeakPressures(const SaddlePointOperator& saddle) : first_pressure
 /// The amplitudes are trilinear between places some cells apart.
 void WeakPressures::find_amplitudes(const SaddlePointOperator& saddle) {
   constexpr int cells_between = 3, most_along_an_axis = 16;
-  const auto cells = saddle.lattice().own_cells();
+  const auto cells = saddle.lattice().cells;
   Index<3> places{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     places[axis] = std::clamp(cells[axis] / cells_between, 1, most_along_an_axis);
