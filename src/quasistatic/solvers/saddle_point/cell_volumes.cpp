@@ -5,12 +5,12 @@
 namespace breccia::quasistatic {
 namespace {
 
-/// The strain is the sum over the nodes of their displacements along an axis, outwards, divided by the four edges.
-constexpr double of_edge = 0.25;
+/// The weight of the upper node of an edge along the row, which its lower one has with the other sign.
+constexpr double of_edge = weight_in_volume(1, 0);
 
-/// The direction out of the cells at a row of nodes, along an axis that is not that of the row.
-constexpr double outwards(std::size_t edge, std::size_t axis) noexcept {
-  return ((edge >> (axis - 1)) & 1U) != 0U ? of_edge : -of_edge;
+/// The weight of a row of nodes, along an axis that is not that of the row.
+constexpr double of_row(std::size_t edge, std::size_t axis) noexcept {
+  return weight_in_volume(2 * edge, axis);
 }
 
 }  // namespace
@@ -21,7 +21,7 @@ const std::vector<double>& CellVolumes::strains(const EdgeRows<const double>& di
   const std::size_t cells = strains_.size();
   for (std::size_t edge = 0; edge < 4; ++edge) {
     const double *x = displacement[0][edge], *y = displacement[1][edge], *z = displacement[2][edge];
-    const double along_y = outwards(edge, 1), along_z = outwards(edge, 2);
+    const double along_y = of_row(edge, 1), along_z = of_row(edge, 2);
 #pragma omp simd
     for (std::size_t cell = 0; cell < cells; ++cell) {
       strains[cell] +=
@@ -35,7 +35,7 @@ void CellVolumes::add_forces(const double* stress, const EdgeRows<double>& force
   const std::size_t cells = strains_.size();
   for (std::size_t edge = 0; edge < 4; ++edge) {
     double *x = forces[0][edge], *y = forces[1][edge], *z = forces[2][edge];
-    const double along_y = outwards(edge, 1), along_z = outwards(edge, 2);
+    const double along_y = of_row(edge, 1), along_z = of_row(edge, 2);
     // One side of the cells after the other, so that no entry depends on the one before.
 #pragma omp simd
     for (std::size_t cell = 0; cell < cells; ++cell) {

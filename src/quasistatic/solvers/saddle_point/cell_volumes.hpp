@@ -7,6 +7,12 @@
 
 namespace breccia::quasistatic {
 
+/// The weight of the displacement of a node of a cubic cell along an axis in the mean volumetric strain of the cell, in
+/// units of the cell side: that of a quarter of its face, outwards. Nodes are in the order of CellShape.
+[[nodiscard]] constexpr double weight_in_volume(std::size_t node, std::size_t axis) noexcept {
+  return ((node >> axis) & 1U) != 0U ? 0.25 : -0.25;
+}
+
 /// The mean volumetric strains of a row of cubic cells that follows the first axis, and the forces of their pressures,
 /// in units of the cell side.
 class CellVolumes {

@@ -4,15 +4,13 @@
 
 namespace breccia::quasistatic {
 
-FlowFactors::FlowFactors(const SaddlePointOperator& saddle)
-    : diagonal_(saddle.first_pressure() - saddle.first_gap(), 0.0) {
+FlowFactors::FlowFactors(const SaddlePointOperator& saddle) {
   const auto& terms = saddle.forms().flows;
   const auto& stiffness = saddle.stiffness_of_flows();
-  std::vector<int> rows(diagonal_.size(), -1);
+  std::vector<int> rows(saddle.layout().seen(), -1);
   const auto row_of = [&](std::size_t entry) -> int& { return rows[entry - saddle.first_gap()]; };
   for (std::size_t term = 0; term < terms.count(); ++term) {
-    terms.forms.for_parts(term, [&](std::size_t entry, double weight) {
-      diagonal_[entry - saddle.first_gap()] += stiffness[term] * weight * weight;
+    terms.forms.for_parts(term, [&](std::size_t entry, double) {
       if (row_of(entry) >= 0) return;
       row_of(entry) = static_cast<int>(flows_.size());
       flows_.push_back(entry);

@@ -15,15 +15,11 @@ class FlowFactors {
   /// Takes the present moduli of the operator.
   explicit FlowFactors(const SaddlePointOperator& saddle);
 
-  /// The diagonal of H by value of a gap; zero for those that are no flow.
-  [[nodiscard]] const std::vector<double>& diagonal() const noexcept { return diagonal_; }
-
   /// Finds flows, as entries of a field.
   void apply(const NodalField& right, NodalField& solution) const;
 
  private:
   std::vector<std::size_t> flows_;  ///< entries of the flows
-  std::vector<double> diagonal_;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors_;
 };
 

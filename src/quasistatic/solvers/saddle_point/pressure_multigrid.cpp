@@ -32,8 +32,8 @@ void add_compliance_of_cells(const SaddlePointOperator& saddle, MatrixEntries& e
 }
 
 /// Adds B_q diag(H)^-1 B_q'.
-void add_conductance_of_flows(const SaddlePointOperator& saddle, const std::vector<double>& resistance,
-                              MatrixEntries& entries) {
+void add_conductance_of_flows(const SaddlePointOperator& saddle, MatrixEntries& entries) {
+  const auto& resistance = saddle.diagonal_of_flows();
   // The cells on both sides of the face of each flow, with the weights of the flow in their volume changes.
   struct Side {
     PetscInt cell = -1;
@@ -59,13 +59,13 @@ void add_conductance_of_flows(const SaddlePointOperator& saddle, const std::vect
 
 }  // namespace
 
-PressureMultigrid::PressureMultigrid(const SaddlePointOperator& saddle, const std::vector<double>& resistance)
+PressureMultigrid::PressureMultigrid(const SaddlePointOperator& saddle)
     : first_pressure_(saddle.first_pressure()), cells_(static_cast<PetscInt>(saddle.cells())) {
   constexpr const char* doing = "setting up multigrid for pressures";
   constexpr const char* prefix = "pressures_";
   MatrixEntries entries;
   add_compliance_of_cells(saddle, entries);
-  add_conductance_of_flows(saddle, resistance, entries);
+  add_conductance_of_flows(saddle, entries);
   check(MatCreate(PETSC_COMM_SELF, schur_complement_.put()), doing);
   check(MatSetSizes(schur_complement_.get(), cells_, cells_, cells_, cells_), doing);
   check(MatSetType(schur_complement_.get(), MATSEQAIJ), doing);

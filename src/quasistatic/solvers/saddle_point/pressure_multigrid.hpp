@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
 
 #include "quasistatic/operator/petsc_handle.hpp"
 #include "quasistatic/solvers/saddle_point/saddle_point_operator.hpp"
@@ -17,8 +16,8 @@ namespace breccia::quasistatic {
 /// algebraic multigrid (PETSc's GAMG), so that its cost is proportional to the number of cells.
 class PressureMultigrid {
  public:
-  /// Takes the present moduli of the operator, and the diagonal of H by value of a gap, zero for values without one.
-  PressureMultigrid(const SaddlePointOperator& saddle, const std::vector<double>& resistance);
+  /// Takes the present moduli of the operator.
+  explicit PressureMultigrid(const SaddlePointOperator& saddle);
 
   /// Finds pressures from volume changes, as entries of a field.
   void apply(const NodalField& right, NodalField& solution) const;

@@ -81,6 +81,19 @@ void SaddlePointOperator::set_moduli(std::span<const Moduli> moduli) {
   }
   stiffness_of_slopes_ = stiffness_of(forms_.slopes, moduli);
   stiffness_of_flows_ = stiffness_of(forms_.flows, moduli);
+  diagonal_of_slopes_ = diagonal_of(forms_.slopes, stiffness_of_slopes_);
+  diagonal_of_flows_ = diagonal_of(forms_.flows, stiffness_of_flows_);
+}
+
+std::vector<double> SaddlePointOperator::diagonal_of(const SquareTerms& terms,
+                                                     const std::vector<double>& stiffness) const {
+  std::vector<double> diagonal(layout().seen(), 0.0);
+  for (std::size_t term = 0; term < terms.count(); ++term) {
+    terms.forms.for_parts(term, [&](std::size_t entry, double weight) {
+      if (entry >= first_gap()) diagonal[entry - first_gap()] += stiffness[term] * weight * weight;
+    });
+  }
+  return diagonal;
 }
 
 void SaddlePointOperator::multiply(NodalField& field, NodalField& product) {

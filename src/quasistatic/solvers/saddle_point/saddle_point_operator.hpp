@@ -50,6 +50,9 @@ class SaddlePointOperator {
   /// The stiffness of each term [Pa].
   [[nodiscard]] const std::vector<double>& stiffness_of_slopes() const noexcept { return stiffness_of_slopes_; }
   [[nodiscard]] const std::vector<double>& stiffness_of_flows() const noexcept { return stiffness_of_flows_; }
+  /// The diagonals of the slopes and of the flows by value of a gap [Pa]; zero for values of the other kind.
+  [[nodiscard]] const std::vector<double>& diagonal_of_slopes() const noexcept { return diagonal_of_slopes_; }
+  [[nodiscard]] const std::vector<double>& diagonal_of_flows() const noexcept { return diagonal_of_flows_; }
   /// The moduli of cells without gaps that are like A.
   [[nodiscard]] const CellModuli& similar_cells() const noexcept { return similar_; }
   /// The moduli k [Pa] by kind of cell.
@@ -65,6 +68,7 @@ class SaddlePointOperator {
   void multiply_similar(NodalField& field, NodalField& product);
 
  private:
+  [[nodiscard]] std::vector<double> diagonal_of(const SquareTerms& terms, const std::vector<double>& stiffness) const;
   void add_slab(int first_plane, int end_plane, const NodalField& field, NodalField& product, CellVolumes& row) const;
 
   const ElasticOperator<3>* elastic_operator_;
@@ -76,6 +80,7 @@ class SaddlePointOperator {
   std::vector<double> has_no_gap_;  ///< by kind: 1 for cells without gaps, whose volume change is that of their nodes
   CellModuli moduli_, similar_;
   std::vector<double> bulk_of_pressures_, stiffness_of_slopes_, stiffness_of_flows_;
+  std::vector<double> diagonal_of_slopes_, diagonal_of_flows_;
 };
 
 }  // namespace breccia::quasistatic

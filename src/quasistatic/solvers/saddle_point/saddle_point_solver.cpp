@@ -28,7 +28,7 @@ void SaddlePointSolver::update_stiffness(std::span<const Moduli> moduli) {
   of_displacements_.emplace(saddle_);
   of_slopes_.emplace(saddle_);
   of_flows_.emplace(saddle_);
-  of_pressures_.emplace(saddle_, of_flows_->diagonal());
+  of_pressures_.emplace(saddle_);
   of_weak_pressures_.emplace(saddle_);
   count_factorisation();
 }

@@ -8,7 +8,7 @@ SlopeElimination::SlopeElimination(const SaddlePointOperator& saddle)
     : saddle_(&saddle),
       slope_of_term_(saddle.forms().slopes.count()),
       weight_of_slope_(saddle.forms().slopes.count()),
-      compliance_(saddle.first_pressure() - saddle.first_gap(), 0.0) {
+      compliance_(saddle.diagonal_of_slopes()) {
   const auto& terms = saddle.forms().slopes;
   const auto first_gap = saddle.first_gap();
   for (std::size_t term = 0; term < terms.count(); ++term) {
@@ -16,7 +16,6 @@ SlopeElimination::SlopeElimination(const SaddlePointOperator& saddle)
       if (entry < first_gap) return;
       slope_of_term_[term] = entry;
       weight_of_slope_[term] = weight;
-      compliance_[entry - first_gap] += saddle.stiffness_of_slopes()[term] * weight * weight;
     });
   }
   for (double& value : compliance_) value = value > 0.0 ? 1.0 / value : 0.0;

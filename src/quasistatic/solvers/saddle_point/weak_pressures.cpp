@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include "breccia/error.hpp"
 
 #include "quasistatic/solvers/saddle_point/around_nodes.hpp"
+#include "quasistatic/solvers/saddle_point/cell_volumes.hpp"
 
 namespace breccia::quasistatic {
 namespace {
@@ -36,33 +38,24 @@ Eigen::VectorXd mobility_of_entries(const SaddlePointOperator& saddle) {
   for (std::size_t component = 0; component < 3; ++component) {
     std::ranges::copy(of_nodes, mobility.data() + component * of_nodes.size());
   }
-  const auto add_terms_of_gaps = [&](const SquareTerms& terms, const std::vector<double>& stiffness) {
-    for (std::size_t term = 0; term < terms.count(); ++term) {
-      terms.forms.for_parts(term, [&](std::size_t entry, double weight) {
-        if (entry >= saddle.first_gap())
-          mobility[static_cast<Eigen::Index>(entry)] += stiffness[term] * weight * weight;
-      });
-    }
-  };
-  add_terms_of_gaps(saddle.forms().slopes, saddle.stiffness_of_slopes());
-  add_terms_of_gaps(saddle.forms().flows, saddle.stiffness_of_flows());
+  // A value of a gap is a slope or a flow.
+  std::ranges::transform(saddle.diagonal_of_slopes(), saddle.diagonal_of_flows(), mobility.data() + saddle.first_gap(),
+                         std::plus<>{});
   for (double& value : mobility) value = value > 0.0 ? 1.0 / value : 0.0;
   return mobility;
 }
 
-/// The forces B' of the pressures of cells, by entry of a field.
+/// The forces B' of the pressures of cells, by entry of a field: the weights of entries in their volume changes.
 Eigen::SparseMatrix<double> forces_of_cells(const SaddlePointOperator& saddle) {
-  constexpr double of_face = 0.25;  // each node of a face has a quarter of the force on it
   const auto& lattice = saddle.lattice();
   Triplets entries;
   entries.reserve(saddle.cells() * Shape::dofs);
   for_cells(saddle, [&](int index, const Index<3>& cell) {
     if (saddle.has_gap(static_cast<std::size_t>(index))) return;
     for (int node = 0; node < Shape::nodes; ++node) {
-      const auto is_upper = Shape::corner(node);
       for (std::size_t axis = 0; axis < 3; ++axis) {
         entries.emplace_back(static_cast<int>(axis * lattice.size() + index_of_node(lattice, cell, node)), index,
-                             is_upper[axis] == 1 ? of_face : -of_face);
+                             weight_in_volume(static_cast<std::size_t>(node), axis));
       }
     }
   });
