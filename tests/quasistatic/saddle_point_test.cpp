@@ -153,7 +153,7 @@ NodalField random_forces(const NodeLattice& lattice) {
   for (double* component : field.components()) {
     double sum = 0.0;
     for_each_index(Index<3>{}, lattice.nodes, [&](const Index<3>& node) {
-      const auto index = lattice.arrays.row_at(node[1], node[2]) + static_cast<std::size_t>(node[0]);
+      const auto index = lattice.index_of(node);
       sum += component[index] = uniform(generator);
     });
     component[0] -= sum;
@@ -213,9 +213,7 @@ TEST(RigidAggregates, MoveAsRigidBodiesWithOrthonormalUnknowns) {
   // A translation of all nodes is among their motions.
   NodalField translation(lattice), again(lattice);
   const auto everywhere = [&](const auto& action) {
-    for_each_index(Index<3>{}, lattice.nodes, [&](const Index<3>& node) {
-      action(lattice.arrays.row_at(node[1], node[2]) + static_cast<std::size_t>(node[0]));
-    });
+    for_each_index(Index<3>{}, lattice.nodes, [&](const Index<3>& node) { action(lattice.index_of(node)); });
   };
   everywhere([&](std::size_t index) { translation.component(1)[index] = 1.0; });
   aggregates.restrict_to(back, translation);

@@ -37,6 +37,7 @@ struct KindsOfCells {
   [[nodiscard]] const std::uint32_t* row_at(int second, int third) const noexcept {
     return first + static_cast<std::size_t>(second) * row + static_cast<std::size_t>(third) * plane;
   }
+  [[nodiscard]] std::uint32_t of(const Index<3>& cell) const noexcept { return row_at(cell[1], cell[2])[cell[0]]; }
 };
 
 /// The moduli of the cells of a box, by kind of cell; there are few kinds compared with the number of cells.

@@ -7,15 +7,10 @@
 
 namespace breccia::quasistatic {
 
-std::size_t LatticeBoundary::index_of(const Index<3>& node) const noexcept {
-  return static_cast<std::size_t>(node[0]) + static_cast<std::size_t>(node[1]) * lattice_.arrays.row +
-         static_cast<std::size_t>(node[2]) * lattice_.arrays.plane;
-}
-
 std::size_t LatticeBoundary::corner(std::size_t axis) const noexcept {
   Index<3> node{};
   node[axis] = lattice_.cells[axis];
-  return index_of(node);
+  return lattice_.index_of(node);
 }
 
 /// Calls work(second index, third index, index of the first node) for all rows of nodes of this process.
@@ -23,7 +18,7 @@ template <class Work>
 void LatticeBoundary::for_rows(const Work& work) const {
   for (int plane = 0; plane < lattice_.planes; ++plane) {
     for (int second = 0; second < lattice_.nodes[1]; ++second) {
-      work(second, lattice_.first_plane + plane, index_of({0, second, plane}));
+      work(second, lattice_.first_plane + plane, lattice_.index_of({0, second, plane}));
     }
   }
 }

@@ -34,8 +34,6 @@ class LatticeBoundary {
  private:
   /// Whether this process has the lowest plane, with the held corners.
   [[nodiscard]] bool has_corners() const noexcept { return lattice_.first_plane == 0; }
-  /// Index of a node of this process; its third index counts from the first plane of the process.
-  [[nodiscard]] std::size_t index_of(const Index<3>& node) const noexcept;
   /// The corner of the box at the end of the first or second axis.
   [[nodiscard]] std::size_t corner(std::size_t axis) const noexcept;
   template <class Work>

@@ -25,6 +25,12 @@ struct NodeLattice {
   [[nodiscard]] bool is_periodic() const noexcept { return boundary == Boundary::periodic; }
   /// Whether there is a plane of the process above, behind those of this process.
   [[nodiscard]] bool has_plane_above() const noexcept { return arrays.nodes[2] > planes; }
+  /// Index of a node of this process among the entries of a component; its third index counts from the first plane of
+  /// the process.
+  [[nodiscard]] std::size_t index_of(const Index<3>& node) const noexcept {
+    return static_cast<std::size_t>(node[0]) + static_cast<std::size_t>(node[1]) * arrays.row +
+           static_cast<std::size_t>(node[2]) * arrays.plane;
+  }
   /// Number of cells of this process along each axis.
   [[nodiscard]] Index<3> own_cells() const noexcept;
 

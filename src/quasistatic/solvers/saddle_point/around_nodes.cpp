@@ -10,7 +10,7 @@ template <class Value>
 std::vector<double> sum_around_nodes(const NodeLattice& lattice, const CellModuli& cells, const Value& value_of_kind) {
   std::vector<double> sum(lattice.size(), 0.0);
   for_each_index(Index<3>{}, lattice.cells, [&](const Index<3>& cell) {
-    const double value = value_of_kind(cells.kind_of.row_at(cell[1], cell[2])[cell[0]]);
+    const double value = value_of_kind(cells.kind_of.of(cell));
     for (int node = 0; node < Shape::nodes; ++node) sum[index_of_node(lattice, cell, node)] += value;
   });
   return sum;
@@ -18,10 +18,14 @@ std::vector<double> sum_around_nodes(const NodeLattice& lattice, const CellModul
 
 }  // namespace
 
-std::size_t index_of_node(const NodeLattice& lattice, const Index<3>& cell, int node) noexcept {
+Index<3> node_of_cell(const NodeLattice& lattice, const Index<3>& cell, int node) noexcept {
   auto place = Shape::corner(node);
   for (std::size_t axis = 0; axis < 3; ++axis) place[axis] = (place[axis] + cell[axis]) % lattice.nodes[axis];
-  return lattice.arrays.row_at(place[1], place[2]) + static_cast<std::size_t>(place[0]);
+  return place;
+}
+
+std::size_t index_of_node(const NodeLattice& lattice, const Index<3>& cell, int node) noexcept {
+  return lattice.index_of(node_of_cell(lattice, cell, node));
 }
 
 Shape::Stiffness stiffness_of_cube(const Moduli& moduli) {

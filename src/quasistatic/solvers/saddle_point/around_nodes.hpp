@@ -11,7 +11,10 @@
 
 namespace breccia::quasistatic {
 
-/// The index of a node of a cell of a periodic box in the arrays of a component.
+/// A node of a cell of a periodic box: behind the last node along an axis comes the first one.
+[[nodiscard]] Index<3> node_of_cell(const NodeLattice& lattice, const Index<3>& cell, int node) noexcept;
+
+/// The index of a node of a cell of a periodic box among the entries of a component.
 [[nodiscard]] std::size_t index_of_node(const NodeLattice& lattice, const Index<3>& cell, int node) noexcept;
 
 /// The stiffness [Pa] of a cube of side 1 with averaged volumetric strains.

@@ -23,6 +23,17 @@ RigidAggregates::Motions rigid_motions(const Eigen::Vector3d& place) {
   return motions;
 }
 
+/// The cube with a node of a cell, among cubes of `side` nodes or fewer along an edge. A node across the end of the
+/// box, which is one of the first ones, is in a cube behind the last one.
+Index<3> cube_at(const NodeLattice& lattice, const Index<3>& cell, int node, int side) {
+  auto cube = Shape::corner(node);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const int cubes = (lattice.nodes[axis] + side - 1) / side;
+    cube[axis] = (cube[axis] + cell[axis]) * cubes / lattice.nodes[axis];
+  }
+  return cube;
+}
+
 /// Disjoint sets of numbers, which are joined one by one.
 class DisjointSets {
  public:
@@ -52,7 +63,7 @@ class DisjointSets {
 /// Calls work(node, its index) for all nodes.
 template <class Work>
 void RigidAggregates::for_nodes(const Work& work) const {
-  for_each_index(Index<3>{}, lattice_.nodes, [&](const Index<3>& node) { work(node, index_of(node)); });
+  for_each_index(Index<3>{}, lattice_.nodes, [&](const Index<3>& node) { work(node, lattice_.index_of(node)); });
 }
 
 RigidAggregates::RigidAggregates(const NodeLattice& lattice, const CellModuli& cells, int side)
@@ -64,39 +75,25 @@ RigidAggregates::RigidAggregates(const NodeLattice& lattice, const CellModuli& c
 /// Joins the nodes of a cell that is as stiff as the mean around them.
 void RigidAggregates::join(const CellModuli& cells, int side) {
   constexpr double least = 0.99;  // the mean itself, up to rounding
-  const auto nodes_of = [&](const Index<3>& cell) {
-    std::array<Index<3>, Shape::nodes> nodes{};
-    for (int n = 0; n < Shape::nodes; ++n) {
-      auto& node = nodes[static_cast<std::size_t>(n)] = Shape::corner(n);
-      for (std::size_t axis = 0; axis < 3; ++axis) node[axis] += cell[axis];
-      // The first node of a periodic row is repeated behind the last one.
-      if (node[0] == lattice_.nodes[0]) node[0] = 0;
-    }
-    return nodes;
-  };
-  const auto shear_of = [&](const Index<3>& cell) {
-    return cells.shear[cells.kind_of.row_at(cell[1], cell[2])[cell[0]]];
-  };
   const auto around = shear_around_nodes(lattice_, cells);
-  const auto cube_of = [&](Index<3> node) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const int cubes = (lattice_.nodes[axis] + side - 1) / side;
-      node[axis] = node[axis] * cubes / lattice_.nodes[axis];
-    }
-    return node;
+  // The nodes of the first plane are joined by the cells above it, and not by those at the other end of the box.
+  const auto is_in_first_plane_from_below = [&](const Index<3>& cell, std::size_t node) {
+    return cell[2] + Shape::corner(static_cast<int>(node))[2] == lattice_.nodes[2];
   };
   DisjointSets sets(lattice_.size());
   for_each_index(Index<3>{}, lattice_.cells, [&](const Index<3>& cell) {
-    const auto nodes = nodes_of(cell);
-    const double shear = shear_of(cell);
+    std::array<Index<3>, Shape::nodes> cubes{};
+    std::array<std::size_t, Shape::nodes> nodes{};
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      cubes[n] = cube_at(lattice_, cell, static_cast<int>(n), side);
+      nodes[n] = index_of_node(lattice_, cell, static_cast<int>(n));
+    }
+    const double shear = cells.shear[cells.kind_of.of(cell)];
     for (std::size_t a = 0; a < nodes.size(); ++a) {
       for (std::size_t b = a + 1; b < nodes.size(); ++b) {
-        // Nodes across the end of the box are in other cubes, and its first plane is joined by the cells above alone.
-        const bool is_across_end = nodes[a][2] == lattice_.nodes[2] || nodes[b][2] == lattice_.nodes[2];
-        if (is_across_end || cube_of(nodes[a]) != cube_of(nodes[b])) continue;
-        const auto first = index_of(nodes[a]), second = index_of(nodes[b]);
-        const double mean = std::sqrt(around[first] * around[second]);
-        if (shear >= least * mean) sets.join(static_cast<std::int32_t>(first), static_cast<std::int32_t>(second));
+        if (cubes[a] != cubes[b] || is_in_first_plane_from_below(cell, a)) continue;
+        const double mean = std::sqrt(around[nodes[a]] * around[nodes[b]]);
+        if (shear >= least * mean) sets.join(static_cast<std::int32_t>(nodes[a]), static_cast<std::int32_t>(nodes[b]));
       }
     }
   });
@@ -142,7 +139,7 @@ void RigidAggregates::find_motions() {
 }
 
 RigidAggregates::Motions RigidAggregates::motions(const Index<3>& node) const noexcept {
-  const auto& aggregate = of(index_of(node));
+  const auto& aggregate = of(lattice_.index_of(node));
   return rigid_motions(Eigen::Vector3d(node[0], node[1], node[2]) - aggregate.centre) * aggregate.motions_by_unknown;
 }
 

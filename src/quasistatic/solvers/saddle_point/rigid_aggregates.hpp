@@ -46,9 +46,6 @@ class RigidAggregates {
   [[nodiscard]] const Aggregate& of(std::size_t node) const noexcept {
     return aggregates_[static_cast<std::size_t>(of_node_[node])];
   }
-  [[nodiscard]] std::size_t index_of(const Index<3>& node) const noexcept {
-    return lattice_.arrays.row_at(node[1], node[2]) + static_cast<std::size_t>(node[0]);
-  }
   void join(const CellModuli& cells, int side);
   void find_motions();
   template <class Work>

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "quasistatic/solvers/direct/cholesky_factors.hpp"
@@ -22,7 +21,6 @@ class TwoLevelPreconditioner {
 
  private:
   void find_scale();
-  void make_coarse();
   /// Reduces the error of a displacement by a polynomial; `residual` is that of the displacement, and out of date
   /// afterwards.
   void smooth(NodalField& residual, NodalField& displacement);
@@ -33,7 +31,7 @@ class TwoLevelPreconditioner {
   RigidAggregates aggregates_;
   double largest_;             ///< a bound of the eigenvalues of the scaled operator
   std::vector<double> scale_;  ///< inverse of the diagonal by entry of one component; zero for entries without a node
-  std::optional<CholeskyFactors> coarse_;
+  CholeskyFactors coarse_;
   std::vector<double> coarse_forces_, coarse_motions_;
   NodalField residual_, step_, work_;
 };
