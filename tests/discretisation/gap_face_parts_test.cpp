@@ -103,6 +103,17 @@ ChangesInCell changes_in_cube(const Plane& plane) {
   return changes;
 }
 
+/// The changes of owner on a face of the cube.
+ChangesOfOwner changes_on_face(const ChangesInCell& changes, std::size_t face) {
+  ChangesOfOwner on_face;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    for (std::size_t node = 0; node < 4; ++node) {
+      on_face[edge_from(node, axis)] = changes[edge_of_cell(node_of_face(face, node), axis_of_face(face, axis))];
+    }
+  }
+  return on_face;
+}
+
 /// What flows out of the cube through its faces.
 double volume_change(const Plane& plane, const Motion& motion) {
   const auto changes = changes_in_cube(plane);

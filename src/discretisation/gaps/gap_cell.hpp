@@ -81,8 +81,7 @@ struct SquareTerm {
 };
 
 /// A cell that the surface of a particle crosses, or on whose faces there is binder (theory, Eqs. 42c to 42h;
-/// docs/gaps-in-space.md). Its
-/// deviators are those of its nodes; its phases are in series.
+/// docs/gaps-in-space.md). Its deviators are those of its nodes; its phases are in series.
 template <int dim>
 struct GapCell {
   Mixture mixture;                     ///< its phases, with their shares of its volume

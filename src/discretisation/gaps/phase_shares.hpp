@@ -13,7 +13,6 @@ namespace breccia::gaps {
 struct CellShares {
   Mixture mixture;
   std::vector<VolumeAndShear> shares;
-  bool is_one_phase = false;  ///< whether one phase fills the cell, and has it for itself
 };
 
 /// A particle in a cell.

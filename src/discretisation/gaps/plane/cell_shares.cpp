@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "microstructure/vector_algebra.hpp"
 
@@ -100,7 +101,7 @@ CellShares shares_of_channel(const GapGeometry<2>& geometry, const CellPlace& pl
                    {channel.area, of_sliding / std::max(channel.slenderness, least_slenderness)});
 }
 
-CellShares shares_of_cell(const GapGeometry<2>& geometry, const CellPlace& place) {
+SharesOutsideChannels shares_of_cell(const GapGeometry<2>& geometry, const CellPlace& place) {
   const auto images = particles_in(geometry, place);
   std::vector<ParticleShare> particles;
   particles.reserve(images.size() + 1);
@@ -108,15 +109,16 @@ CellShares shares_of_cell(const GapGeometry<2>& geometry, const CellPlace& place
     particles.push_back(geometry.with_share(image, share_of(geometry, place, image), place.corner()));
   }
   if (place.has_one_owner() && place.owner(0) != walls && is_beside_chain(geometry, place)) {
-    return in_series(geometry.matrix, std::array{geometry.with_share(place.owner(0), 1.0, place.corner())}, {0.0, 0.0});
+    return {
+        in_series(geometry.matrix, std::array{geometry.with_share(place.owner(0), 1.0, place.corner())}, {0.0, 0.0})};
   }
   double in_particles = 0.0;
   for (const auto& one : particles) in_particles += one.share;
   const double binder = std::max(1.0 - in_particles, 0.0);
   if (binder <= rounding) {
     auto filled = in_series(geometry.matrix, particles, {0.0, 0.0});
-    filled.is_one_phase = filled.mixture.size() == 1;
-    return filled;
+    const bool is_one_phase = filled.mixture.size() == 1;
+    return {std::move(filled), is_one_phase};
   }
   VolumeAndShear shares(binder, binder);
   if (particles.size() == 1 && !has_owned_binder(geometry, place)) {
@@ -134,9 +136,7 @@ CellShares shares_of_cell(const GapGeometry<2>& geometry, const CellPlace& place
     const auto image = nearest.first != walls ? nearest.first : nearest.second;
     particles.push_back(geometry.with_share(image, rounding, place.corner()));
   }
-  auto cell = in_series(geometry.matrix, particles, shares);
-  cell.is_one_phase = is_binder;
-  return cell;
+  return {in_series(geometry.matrix, particles, shares), is_binder};
 }
 
 }  // namespace breccia::gaps

@@ -40,23 +40,23 @@ std::optional<GapCell<2>> make_gap_cell(const GapGeometry<2>& geometry, const In
     std::ranges::copy(geometry.faces.unknowns(place.face_place(face)),
                       cell.gap_unknowns.begin() + unknowns_of_face * face);
   }
-  CellShares shares;
+  SharesOutsideChannels found;
   tie_slopes(geometry, place, cell.terms);
   if (place.is_in_chain()) {
     const auto ends = ends_of_channel(place);
     const auto channel = make_channel(geometry.images, place.owner(0), place.second_owner(),
                                       middle_of(place, ends.begin), middle_of(place, ends.end));
-    shares = shares_of_channel(geometry, place, channel);
+    found.shares = shares_of_channel(geometry, place, channel);
     add_flow_along(geometry, place, channel, cell.terms);
     add_corner_of_particle(geometry, place, cell.terms);
   } else {
-    shares = shares_of_cell(geometry, place);
+    found = shares_of_cell(geometry, place);
     add_flow(geometry, place, cell.terms);
   }
   const auto has_none = std::ranges::all_of(cell.gap_unknowns, [](auto number) { return number == GapCell<2>::none; });
-  if (has_none && shares.is_one_phase) return std::nullopt;
-  cell.mixture = std::move(shares.mixture);
-  cell.shares = std::move(shares.shares);
+  if (has_none && found.is_one_phase) return std::nullopt;
+  cell.mixture = std::move(found.shares.mixture);
+  cell.shares = std::move(found.shares.shares);
   cell.volume = volume_change(place);
   return cell;
 }

@@ -155,14 +155,15 @@ class CubeCrossing {
   /// Conductance of the pieces of binder on a face with free nodes: the integral of h^2 / 12 over the binder, with h
   /// the part of its width on the face, by lines along both axes, which count as shares_of_axes().
   [[nodiscard]] double conductance_of_pieces() const {
-    const bool is_end = is_end_of_gap();
+    // At the end of a gap the flow turns into the face.
+    const double part_of_normal = is_end_of_gap() ? 0.5 : 0.0;
     double conductance = 0.0;
     for_lines([&](const GridLine<3>& line, double weight) {
       for (const auto& piece : images_.binder_on(line)) {
         const auto point = line.at(0.5 * (piece.begin + piece.end));
         const auto nearest = images_.nearest_two(point);
         const bool is_in_gap = is_between(nearest, point);
-        const double along = is_in_gap ? share_across(nearest, point, line.axis, is_end) : 1.0;
+        const double along = is_in_gap ? share_across(nearest, point, line.axis, part_of_normal) : 1.0;
         const double share = is_in_gap ? shares_of_axes(point)[place_.axis(0) == line.axis ? 0 : 1] : 0.5;
         const double across = std::min(piece.length() * along, nearest.gap());
         conductance += share * weight * piece.length() * across * across / 12.0;
@@ -171,13 +172,13 @@ class CubeCrossing {
     return conductance;
   }
 
-  /// The share of a piece of binder along an axis of the face that is across the gap. At the end of a gap the flow
-  /// turns into the face.
+  /// The share of a piece of binder along an axis of the face that is across the gap: the cosine of their angle, with a
+  /// part of the square of that of the normal of the face.
   [[nodiscard]] double share_across(const NearestTwo& nearest, const Vector<3>& point, std::size_t axis,
-                                    bool is_end) const {
+                                    double part_of_normal) const {
     const auto across = images_.across(nearest.first, nearest.second, point);
-    const double along = across[axis], normal = is_end ? across[place_.normal] : 0.0;
-    return std::sqrt(along * along + 0.5 * normal * normal);
+    const double along = across[axis], normal = across[place_.normal];
+    return std::sqrt(along * along + part_of_normal * normal * normal);
   }
 
   /// Whether a narrow gap ends on the face: a node in binder that belongs to a particle is beside a free one.

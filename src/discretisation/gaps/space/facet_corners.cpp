@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "discretisation/gaps/space/face_parts.hpp"
+
 namespace breccia::gaps {
 namespace {
 
@@ -54,12 +56,6 @@ std::optional<std::vector<Side>> sides_on_faces(const ChangesInCell& changes) {
 }
 
 }  // namespace
-
-ChangesOfOwner changes_on_face(const ChangesInCell& changes, std::size_t face) {
-  ChangesOfOwner on_face;
-  std::ranges::transform(edges_of_face(face), on_face.begin(), [&](std::size_t edge) { return changes[edge]; });
-  return on_face;
-}
 
 std::optional<FacetCorners> corners_of_facet(const ChangesInCell& changes) {
   auto sides = sides_on_faces(changes);

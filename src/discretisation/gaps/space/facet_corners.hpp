@@ -7,8 +7,6 @@
 
 #include "breccia/microstructure/vector.hpp"
 
-#include "discretisation/gaps/space/face_parts.hpp"
-
 namespace breccia::gaps {
 
 // Places and lengths are in units of the cell side, from the lowest node of a cell. Nodes are in the order of
@@ -35,9 +33,6 @@ using ChangesInCell = std::array<std::optional<double>, 12>;
 [[nodiscard]] constexpr std::size_t axis_of_face(std::size_t face, std::size_t axis) noexcept {
   return axis < face / 2 ? axis : axis + 1;
 }
-
-/// The changes of owner on a face of a cell.
-[[nodiscard]] ChangesOfOwner changes_on_face(const ChangesInCell& changes, std::size_t face);
 
 /// The polygon in the middle of the gap between two particles in a cell.
 struct FacetCorners {
