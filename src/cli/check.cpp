@@ -45,12 +45,12 @@ std::string lines_of_test(const std::string& stage, const TestPlan& test) {
                      test.size, test.unknowns, memory(test.bytes), display_duration(test.seconds, 1));
 }
 
-/// The error of a grid, and the cells per side for errors of these sizes [-].
+/// The error of the finest grid of a stage, by its name, and the cells per side for errors of these sizes [-].
 std::string line_of_grid(const std::string& stage, const GridPlan& grid, const std::vector<double>& errors) {
   const auto shown = fmt::format("{:.2g}", grid.cells());
   const auto width = fmt::format("{} {} {}", shown, shown == "1" ? "cell" : "cells", grid.place);
   if (!grid.rule) {
-    return fmt::format("  {}: {}; no rule tells the error of the grid for {}; two grids measure it\n", stage, width,
+    return fmt::format("  {}: {}; no rule gives the error of the grid, nor cells for an error: {}\n", stage, width,
                        grid.without_rule);
   }
   std::vector<std::string> advice;
@@ -60,11 +60,13 @@ std::string line_of_grid(const std::string& stage, const GridPlan& grid, const s
     if (cells) advice.push_back(fmt::format("{:.0f} for {:.2g} %", *cells, 100.0 * error));
   }
   const auto expected = grid.error();
-  return fmt::format("  {}: {}, error of the grid {}; {}\n", stage, width,
-                     expected ? fmt::format("up to about {:.2g} %", 100.0 * *expected) : "of any size",
-                     advice.empty()
-                         ? fmt::format("no grid was measured to have {:.2g} %", 100.0 * std::ranges::max(errors))
-                         : fmt::format("cells = {}", fmt::join(advice, ", ")));
+  const auto error = expected ? fmt::format("is up to about {:.2g} % by a rule{}{}", 100.0 * *expected,
+                                            grid.caveat.empty() ? "" : " ", grid.caveat)
+                              : "may be of any size";
+  const auto cells = advice.empty()
+                         ? fmt::format("no number of cells is known for {:.2g} %", 100.0 * std::ranges::max(errors))
+                         : fmt::format("cells = {}", fmt::join(advice, ", "));
+  return fmt::format("  {}: {}, the error of the grid {}; {}\n", stage, width, error, cells);
 }
 
 /// Time and memory of all tests of a study, whose dynamic tests take several cores.
@@ -75,8 +77,15 @@ std::string costs_of(const Study& study, double seconds, double bytes) {
 }
 
 /// A line about the least time and memory of each of several processes.
-std::string line_of_processes(int processes, double seconds, double bytes) {
+std::string line_of_processes(int processes, const Study& study, const StudyPlan& plan, double seconds) {
   if (processes == 1) return {};
+  const double bytes = plan.bytes();
+  if (const auto factors = memory_of_factors(study, plan)) {
+    return fmt::format(
+        "on {} processes: spheres with flow through gaps take sparse factors there, about {} of memory together, and "
+        "more time than on one process\n",
+        processes, memory(*factors));
+  }
   return fmt::format("on {0} processes with a core each at best 1/{0} of the time, {1}, and {2} of memory a process\n",
                      processes, display_duration(seconds / processes), memory(memory_of_process(bytes, processes)));
 }
@@ -98,7 +107,7 @@ void print(const Study& study, const StudyPlan& plan, const std::vector<double>&
     fillers.push_back(stage.fillers);
   }
   fmt::print("{}together {}\n{}", filler_summary(study, fillers), costs_of(study, plan.seconds(), plan.bytes()),
-             line_of_processes(processes, plan.seconds(), plan.bytes()));
+             line_of_processes(processes, study, plan, plan.seconds()));
 }
 
 void check_study(const Study& study, const std::vector<double>& errors, int processes) {
@@ -146,7 +155,8 @@ void check_sweep(const Sweep& sweep, const std::vector<double>& errors, int proc
   }
   const auto& largest = plan.largest();
   fmt::print("\nall {} tasks {}, in {}\n{}", sweep.tasks.size(), costs_of(study, plan.seconds(), largest.plan.bytes()),
-             name_of(sweep, largest), line_of_processes(processes, plan.seconds(), largest.plan.bytes()));
+             name_of(sweep, largest),
+             line_of_processes(processes, sweep.tasks[largest.tasks.front()].study, largest.plan, plan.seconds()));
   if (!failures.empty()) throw NumericalError(fmt::format("{}", fmt::join(failures, "\n")));
   if (processes == 1) require_memory(sweep, parallel::available_memory());
 }

@@ -211,7 +211,7 @@ std::string describe(Mixing mixing) {
       case Mixing::series:
         return "mixed in series";
       case Mixing::flow:
-        return "mixed in series, with flow through narrow gaps,";
+        return "mixed in series, with flow through gaps below 1.5 cells between stiffer fillers,";
       case Mixing::points:
         return "each point of the phase at its place";
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "deck/filler.hpp"
 #include "deck/image.hpp"
@@ -41,7 +42,7 @@ StageMatrix read_matrix(const Section& section, const std::vector<Stage>& earlie
   return {};
 }
 
-/// Reads the cells per side of several grids for extrapolation.
+/// Reads the cells per side of several grids, of which the finest gives the result and the others its error.
 std::vector<int> read_grids(const Section& section) {
   std::vector<int> grids;
   for (const auto cells : section.integers("cells", allowed::cells)) {
@@ -50,7 +51,10 @@ std::vector<int> read_grids(const Section& section) {
   // An empty list has been reported already.
   if (grids.empty()) return {static_cast<int>(allowed::cells.lower)};
   if (!can_be_extrapolated(grids)) {
-    section.report("cells", "expected an integer, or two or three rising ones to extrapolate from, such as [100, 200]");
+    section.report("cells",
+                   fmt::format("expected an integer, or two or three rising ones, such as [100, 200], of which "
+                               "the finest gives the result and the others its error, got [{}]",
+                               fmt::join(grids, ", ")));
     return {static_cast<int>(allowed::cells.lower)};
   }
   return grids;

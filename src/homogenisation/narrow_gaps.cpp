@@ -17,9 +17,18 @@ bool has_narrow_gaps(const Stage& stage, const StageMicrostructure& packed) {
 }
 
 bool has_spheres_that_almost_touch(const Stage& stage, const StageMicrostructure& packed) {
-  constexpr double cells = 1.0, share_of_diameter = 0.03;
+  constexpr double cells = 1.0, share_of_diameter = 0.1;
   return packed.content<Microstructure<3>>() != nullptr && packed.gap < cells * stage.cell_size() &&
          packed.gap < share_of_diameter * packed.mean_diameter();
+}
+
+double narrowest_tested_gap(int dimensions) {
+  return dimensions == 2 ? 0.002 : 0.003;
+}
+
+bool has_particles_that_touch(const Stage& stage, const StageMicrostructure& packed) {
+  constexpr double rounding = 1e-6;
+  return packed.gap < narrowest_tested_gap(stage.dimensions()) * packed.mean_diameter() * (1.0 - rounding);
 }
 
 bool has_soft_fillers(const Study& study, const Stage& stage) {

@@ -12,9 +12,16 @@ inline constexpr double cells_in_narrow_gaps = 1.5;
 /// series: below one and a half cells between particles, below 1.4 cells between grains (docs/gaps-under-a-cell.md).
 [[nodiscard]] bool has_narrow_gaps(const Stage& stage, const StageMicrostructure& packed);
 
-/// Whether gaps between spheres are narrower than those with which the rule for the error of cells in series was
-/// measured (theory, Eq. 43c): below a cell of the finest grid and below 3 % of the mean diameter.
+/// Whether gaps between spheres are so narrow, below a cell of the finest grid and below a tenth of the mean diameter,
+/// that the error of cells in series has no rule (theory, Eq. 43c).
 [[nodiscard]] bool has_spheres_that_almost_touch(const Stage& stage, const StageMicrostructure& packed);
+
+/// The narrowest gap, over the mean diameter of the particles [-], with which flow through gaps was tested.
+[[nodiscard]] double narrowest_tested_gap(int dimensions);
+
+/// Whether the gaps between particles are narrower than those with which flow was tested. Moduli of particles that
+/// touch do not converge with finer grids.
+[[nodiscard]] bool has_particles_that_touch(const Stage& stage, const StageMicrostructure& packed);
 
 /// Whether all fillers of a stage, and their coatings, are softer than its matrix at all times. The matrix need not be
 /// squeezed out of the gaps between them, which carry load like films.

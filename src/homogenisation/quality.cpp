@@ -109,15 +109,38 @@ std::string words_on_bounds(const StageQuality& quality) {
                      display_time(times.front().time), later, display_time(times.back().time));
 }
 
+/// The error of one grid by a rule, or the reason why no rule gives it.
+std::string words_on_expected_error(const StageQuality& quality) {
+  const auto error = quality.one_grid ? quality.one_grid->error() : std::nullopt;
+  if (error) {
+    const auto words = words_of(*error);
+    const auto caveat = quality.one_grid->caveat;
+    return fmt::format("{}{} by a rule{}{}", words.starts_with("less") ? "" : "up to about ", words,
+                       caveat.empty() ? "" : " ", caveat);
+  }
+  if (quality.one_grid && !quality.one_grid->rule)
+    return fmt::format("unknown, no rule for {}", quality.one_grid->without_rule);
+  return quality.one_grid ? "unknown, too few cells for a rule" : "unknown";
+}
+
+/// The grids that measure the error of one: a second one of half the cells or, where these are few, of twice the cells.
+/// The change between two grids does not show the error of flow between spheres.
+std::string words_on_second_grid(const StageQuality& quality) {
+  if (quality.has_flow && quality.dimensions == 3) return "";
+  constexpr int few = 16;
+  const int cells = quality.grids.back();
+  return cells < few ? fmt::format(" (cells = [{}, {}] measures it)", cells, 2 * cells)
+                     : fmt::format(" (cells = [{}, {}] measures it)", (cells + 1) / 2, cells);
+}
+
 std::string words_on_grid(const StageQuality& quality) {
   if (quality.grids.empty()) return "films: error of the mesh unknown (tests.films.face_share = 0.15 halves it)";
+  if (quality.grid_share && *quality.grid_share >= 1.0) {
+    return "grid: error of any size, since the grids differ too much, or have nearly as many cells";
+  }
   if (quality.grid_share) return fmt::format("grid: error up to {}", words_of(*quality.grid_share));
   if (quality.grids.size() > 1) return "grid: error unknown until every grid is tested";
-  const int cells = quality.grids.back();
-  const auto error = quality.expected_grid_error
-                         ? fmt::format("up to about {} by a rule", words_of(*quality.expected_grid_error))
-                         : "unknown";
-  return fmt::format("grid: one grid, error {} (cells = [{}, {}] measures it)", error, (cells + 1) / 2, cells);
+  return fmt::format("grid: one grid, error {}{}", words_on_expected_error(quality), words_on_second_grid(quality));
 }
 
 /// The largest ratio of the half band of a test to its modulus; nothing for a single grid.
@@ -187,7 +210,8 @@ std::vector<LoadQuality> bounds_of_tests(const StageResult& result) {
 
 StageQuality quality_of(const Study& study, const Stage& stage, const StageResult& result) {
   const auto& packed = result.microstructure;
-  StageQuality quality{.matrix_stage = {},
+  StageQuality quality{.dimensions = stage.dimensions(),
+                       .matrix_stage = {},
                        .particles = packed.particles(),
                        .fraction = packed.fraction,
                        .fraction_asked = {},
@@ -211,8 +235,7 @@ StageQuality quality_of(const Study& study, const Stage& stage, const StageResul
     quality.grids.clear();
     quality.gap_cells = std::numeric_limits<double>::infinity();
   } else if (stage.grids().size() == 1) {
-    const auto grid = plan_of_grid(study, stage, packed);
-    if (grid) quality.expected_grid_error = grid->error();
+    quality.one_grid = plan_of_grid(study, stage, packed);
   }
   if (const auto thickness = thinnest_coating(stage)) quality.coating_cells = *thickness / stage.cell_size();
   return quality;

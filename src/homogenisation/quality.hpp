@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "breccia/homogenisation/plan.hpp"
 #include "breccia/homogenisation/study_result.hpp"
 #include "breccia/study/study.hpp"
 
@@ -32,6 +33,7 @@ struct LoadQuality {
 
 /// Measures of the accuracy of a stage's results that follow from the run itself.
 struct StageQuality {
+  int dimensions = 2;
   std::string matrix_stage;  ///< the earlier stage that is the matrix; empty if the matrix is a material
   std::size_t particles = 0;
   double fraction = 0.0;                 ///< area fraction of the particles [-]
@@ -45,8 +47,8 @@ struct StageQuality {
   bool has_films_along_walls = false;        ///< whether only the displacement boundary makes sense
   bool is_periodic = false;                  ///< whether a periodic test is finished, which gives no bound
   std::optional<double> grid_share;  ///< largest half band of a test over its modulus [-]; nothing for a single grid
-  /// The largest relative error of a single grid to be expected by a rule (GridPlan) [-]; nothing where none applies.
-  std::optional<double> expected_grid_error = {};
+  /// The error of a single grid to be expected by a rule; nothing for several grids, and for films.
+  std::optional<GridPlan> one_grid = {};
   std::vector<LoadQuality> loads;  ///< bounds of the finished tests
 
   /// The narrowest gap in cells of one of the grids, given by its cells per side.
@@ -59,10 +61,10 @@ std::vector<LoadQuality> bounds_of_tests(const StageResult& result);
 /// The quality of a stage's results, from the tests that are finished so far.
 StageQuality quality_of(const Study& study, const Stage& stage, const StageResult& result);
 
-/// The quality in words: "bounds 18 % apart at 1 ms, 34 % at 100 s; grid: one grid, error unknown (cells = [75,
-/// 150] measures it); narrowest gap: 3 cells; packing: one seed, scatter unknown". For several loads or methods it
-/// reports the bounds that cross each other by most, or else the first ones, and names them. Empty for a box without
-/// particles.
+/// The quality in words: "bounds 18 % apart at 1 ms, 34 % at 100 s; grid: one grid, error up to about 4 % by a
+/// rule (cells = [75, 150] measures it); narrowest gap: 3 cells; packing: one seed, scatter unknown". For several loads
+/// or methods it reports the bounds that cross each other by most, or else the first ones, and names them. Empty for a
+/// box without particles.
 std::string summary_of(const StageQuality& quality);
 
 /// A warning, without the name of the stage, for each load and method whose upper bound is below the lower one beyond

@@ -131,8 +131,11 @@ std::vector<std::string> expected_by_flow(const Tests& tests, const Stage& stage
     if (stage.has_grains() || stage.has_image() || may_have_ellipsoids(stage)) {
       expected.emplace_back("in three dimensions: expected spheres");
     }
-    if (!stage.fillers.empty() && (!stage.is_periodic() || !std::ranges::all_of(tests.boundaries, is_periodic))) {
-      expected.emplace_back(R"(in three dimensions: expected a periodic box under the boundary "periodic")");
+    if (!stage.fillers.empty() && !stage.is_periodic()) {
+      expected.emplace_back("in three dimensions: expected a periodic box (packing.walls = false)");
+    }
+    if (!stage.fillers.empty() && !std::ranges::all_of(tests.boundaries, is_periodic)) {
+      expected.emplace_back(R"(in three dimensions: expected tests.boundaries = ["periodic"])");
     }
     return expected;
   }
@@ -142,24 +145,6 @@ std::vector<std::string> expected_by_flow(const Tests& tests, const Stage& stage
   }
   if (stage.has_cut_grains()) expected.emplace_back(R"(expected packing.walls other than "cut")");
   return expected;
-}
-
-/// The requests that cells with flow through gaps do not support, a line each.
-std::vector<std::string> lacking_in_flow(const Study& study) {
-  const auto& tests = study.tests;
-  std::vector<std::string> mistakes;
-  const auto lacks = [&](const std::string& what) {
-    mistakes.push_back(
-        fmt::format(R"(mixing "{}": {}, or mixing "{}")", name_of(Mixing::flow), what, name_of(Mixing::series)));
-  };
-  for (const auto& stage : study.stages) {
-    if (model_of(tests, stage) == Model::films) continue;
-    for (const auto& expected : expected_by_flow(tests, stage))
-      lacks(fmt::format("stage {}: {}", stage.name, expected));
-  }
-  if (uses(tests, Method::dynamic)) lacks(R"(expected method "quasistatic", since the flow has no inertia)");
-  if (!tests.varied.empty()) lacks("expected no quasistatic.vary of other moduli than those of the matrix");
-  return mistakes;
 }
 
 /// Whether series are fits, for which there may be too few times. All series are fits, except those of the reduced
@@ -232,8 +217,22 @@ bool has_fields(const Tests& tests, const Stage& stage) {
   return model_of(tests, stage) != Model::films || !tests.films.layers;
 }
 
-bool supports_flow(const Study& study) {
-  return lacking_in_flow(study).empty();
+std::vector<std::string> obstacles_to_flow(const Study& study) {
+  const auto& tests = study.tests;
+  std::vector<std::string> obstacles;
+  for (const auto& stage : study.stages) {
+    if (model_of(tests, stage) == Model::films) continue;
+    for (const auto& expected : expected_by_flow(tests, stage)) {
+      obstacles.push_back(fmt::format("stage {}: {}", stage.name, expected));
+    }
+  }
+  if (uses(tests, Method::dynamic)) {
+    obstacles.emplace_back(R"(expected method "quasistatic", since the flow has no inertia)");
+  }
+  if (!tests.varied.empty()) {
+    obstacles.emplace_back("expected no quasistatic.vary of other moduli than those of the matrix");
+  }
+  return obstacles;
 }
 
 Mixing default_mixing(const Study& study) {
@@ -242,7 +241,7 @@ Mixing default_mixing(const Study& study) {
   if (!study.stages.empty() && study.stages.front().dimensions() == 3) return Mixing::series;
   const auto is_of_cells = [&study](const Stage& stage) { return model_of(study.tests, stage) == Model::cells; };
   const bool has_cells = std::ranges::any_of(study.stages, is_of_cells);
-  return has_cells && supports_flow(study) ? Mixing::flow : Mixing::series;
+  return has_cells && obstacles_to_flow(study).empty() ? Mixing::flow : Mixing::series;
 }
 
 std::vector<std::string> contradictions(const Study& study) {
@@ -253,8 +252,10 @@ std::vector<std::string> contradictions(const Study& study) {
     std::ranges::move(mistakes_of_loads(study.tests.loads, study.stages.front().dimensions()),
                       std::back_inserter(mistakes));
   }
-  if (study.tests.mixing == Mixing::flow) {
-    std::ranges::move(lacking_in_flow(study), std::back_inserter(mistakes));
+  for (const auto& obstacle :
+       study.tests.mixing == Mixing::flow ? obstacles_to_flow(study) : std::vector<std::string>()) {
+    mistakes.push_back(
+        fmt::format(R"(mixing "{}": {}, or mixing "{}")", name_of(Mixing::flow), obstacle, name_of(Mixing::series)));
   }
   if (auto mistake = mixing_of_points(study.tests)) mistakes.push_back(*std::move(mistake));
   if (auto mistake = vary_without_samples(study.tests)) mistakes.push_back(*std::move(mistake));

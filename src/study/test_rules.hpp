@@ -36,8 +36,9 @@ Model model_of(const Tests& tests, const Stage& stage);
 /// Whether tests of the stage save fields: tests of cells and of thin films do, at the field times of the tests.
 bool has_fields(const Tests& tests, const Stage& stage);
 
-/// Whether cells with flow through gaps support all that the study requests.
-bool supports_flow(const Study& study);
+/// What keeps a study from cells with flow through gaps, a line each: 'stage A: expected packing.walls other than
+/// "cut"'. Empty where they support all that it requests.
+std::vector<std::string> obstacles_to_flow(const Study& study);
 
 /// The mixing of a study that names none: in two dimensions flow through gaps where it supports the study, cells in
 /// series otherwise and in three dimensions, and points with standard volumetric strains.

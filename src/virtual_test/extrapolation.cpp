@@ -29,15 +29,17 @@ Extrapolated extrapolate(std::span<const double> cell_sides, std::span<const dou
   return {value, std::max(std::abs(value - limit(0)), 0.25 * correction)};
 }
 
-std::vector<double> largest_changes(std::span<const double> coarse, std::span<const double> fine) {
+std::vector<double> largest_errors(std::span<const double> coarse, std::span<const double> fine, double ratio) {
   if (coarse.size() != fine.size()) throw InputError("error band: expected two curves at the same times");
-  std::vector<double> changes;
+  if (!(ratio > 1.0)) throw InputError("error band: expected a grid that is finer than the other");
+  const double of_change = 1.0 / (std::min(ratio, 2.0) - 1.0);
+  std::vector<double> errors;
   double largest = 0.0;
   for (std::size_t i = 0; i < fine.size(); ++i) {
-    largest = std::max(largest, std::abs(coarse[i] / fine[i] - 1.0));
-    changes.push_back(largest);
+    largest = std::max(largest, of_change * std::abs(coarse[i] / fine[i] - 1.0));
+    errors.push_back(largest);
   }
-  return changes;
+  return errors;
 }
 
 }  // namespace breccia

@@ -18,8 +18,11 @@ struct Extrapolated {
 /// Throws InputError for other than two or three grids, or cell sides that do not fall.
 Extrapolated extrapolate(std::span<const double> cell_sides, std::span<const double> values);
 
-/// The largest relative change of a curve up to each time from the coarser of two grids to the finer one [-] (theory,
-/// Eq. 43). Both curves have the same times, in rising order. Throws InputError when their lengths differ.
-std::vector<double> largest_changes(std::span<const double> coarse, std::span<const double> fine);
+/// The largest relative error of the finer of two grids up to each time [-], estimated from the change of a curve from
+/// the coarser one (theory, Eq. 43): an error of first order in the cell side is the change over `ratio` - 1, where
+/// `ratio` is the number of cells of the finer grid over that of the coarser one; a ratio beyond 2 counts as 2. Both
+/// curves have the same times, in rising order. Throws InputError when their lengths differ, or for a ratio of 1 and
+/// less.
+std::vector<double> largest_errors(std::span<const double> coarse, std::span<const double> fine, double ratio);
 
 }  // namespace breccia

@@ -197,10 +197,12 @@ TEST(Grains, TheirFilmsTellTheCellsForAnError) {
   const auto check = test::run_breccia(study.path(), {"check", "deck.toml", "--set", "tests.mixing=series"});
   ASSERT_EQ(check.exit_code, 0) << check.errors;
   // 9.375 um are 2.4 cells of 256 a side; 0.15 c^-1.25 is 5 % with 2.41 cells and 2 % with 5.01.
-  EXPECT_THAT(check.output, HasSubstr("grains: 2.4 cells across a film, error of the grid up to about 5 %; cells = 257 "
-                                      "for 5 %, 535 for 2 %"));
+  EXPECT_THAT(
+      check.output,
+      HasSubstr("grains: 2.4 cells across a film, the error of the grid is up to about 5 % by a rule; cells = 257 "
+                "for 5 %, 535 for 2 %"));
   const auto points = test::run_breccia(study.path(), {"check", "deck.toml"});
-  EXPECT_THAT(points.output, testing::Not(HasSubstr("across a film, error of the grid")));
+  EXPECT_THAT(points.output, testing::Not(HasSubstr("across a film, the error of the grid")));
 }
 
 }  // namespace

@@ -66,7 +66,8 @@ TEST_F(Report, ShowsDateAndAccuracy) {
   EXPECT_DOUBLE_EQ(stage.at("microstructure").at("largest_diameter_m"), 2e-3);
   const auto& quality = stage.at("quality");
   EXPECT_THAT(quality.at("summary").get<std::string>(),
-              HasSubstr("grid: one grid, error unknown (cells = [4, 8] measures it)"));
+              HasSubstr("grid: one grid, error unknown, no rule for a binder that falls faster than 1/t^2 (cells = [8, "
+                        "16] measures it)"));
   EXPECT_EQ(quality.at("seeds"), nullptr) << "a regular packing has none";
   const auto curve = test::read_curve(study.result("curves.csv"), "A", "shear");
   const auto& bounds = quality.at("bounds").at(0);

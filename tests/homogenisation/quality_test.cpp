@@ -27,10 +27,10 @@ TestResult extrapolated(Boundary boundary, double modulus, double half_band) {
 }
 
 Stage random_stage() {
-  Filler filler;
+  Filler filler{.material = {.name = "filler", .density = 1e3, .bulk = PronySeries(1e9), .shear = PronySeries(1e9)}};
   filler.fraction = 0.35;
   return {.name = "A",
-          .matrix = Material{},
+          .matrix = Material{.name = "binder", .density = 1e3, .bulk = PronySeries(1e9), .shear = PronySeries(1e6)},
           .side = 1e-3,
           .cells = 100,
           .coarser_cells = {},
@@ -206,7 +206,7 @@ TEST(Quality, PeriodicTestsHaveAGridErrorAndNoBounds) {
   auto narrow = result_of({constant(Boundary::periodic, TestGrid(100), 100.0)});
   narrow.microstructure.wall_gap = 1e-5;
   EXPECT_THAT(summary_of(quality_of(Study{}, stage, narrow)),
-              HasSubstr("grid: one grid, error unknown (cells = [50, 100]"));
+              HasSubstr("grid: one grid, error unknown, too few cells for a rule (cells = [50, 100] measures it)"));
   stage.coarser_cells = {50};
   const auto periodic = quality_of(
       Study{}, stage,

@@ -20,7 +20,7 @@ using testing::IsEmpty;
 
 /// The limits of tests in a box of 1 mm.
 std::vector<TestResult> limits_of(const std::vector<TestResult>& tests, Mixing mixing) {
-  return extrapolate_tests("A", 1e-3, tests, mixing);
+  return extrapolate_tests("A", 1e-3, 2, tests, mixing);
 }
 
 /// A test with a constant modulus.
@@ -104,11 +104,27 @@ TEST(ExtrapolateTests, TheBandOfABulkTestIsNoLessThanTheChangeOfAShearBesideIt) 
   coarse.id.load = fine.id.load = Load::bulk;
   const auto alone = limits_of({coarse, fine}, Mixing::series);
   ASSERT_EQ(alone.size(), 1U);
-  EXPECT_THAT(alone[0].half_bands, Each(DoubleNear(0.2, 1e-12)));
+  EXPECT_THAT(alone[0].half_bands, Each(DoubleNear(0.4, 1e-12))) << "twice as wide as of a shear";
   const auto beside = limits_of({constant(20, 5.5), coarse, constant(40, 5.0), fine}, Mixing::series);
   ASSERT_EQ(beside.size(), 2U);
   EXPECT_THAT(beside[0].half_bands, Each(DoubleNear(1.0, 1e-12))) << "of the shear";
   EXPECT_THAT(beside[1].half_bands, Each(DoubleNear(1.0, 1e-12))) << "of the bulk test";
+}
+
+// From 30 to 40 cells an error of first order falls by a quarter: the change of 2 is a third of what is left.
+TEST(ExtrapolateTests, GridsOfNearlyAsManyCellsHaveAWideBand) {
+  const auto limits = limits_of({constant(30, 22.0), constant(40, 20.0)}, Mixing::series);
+  ASSERT_EQ(limits.size(), 1U);
+  EXPECT_THAT(limits[0].half_bands, Each(DoubleNear(2.0 * 3.0 * 2.0, 1e-12)));
+}
+
+// Two grids do not show the error of the model of flow between spheres.
+TEST(ExtrapolateTests, TheBandOfFlowInSpaceIsNoLessThanItsLargestError) {
+  const std::vector tests{constant(20, 10.1), constant(40, 10.0)};
+  const auto in_space = extrapolate_tests("A", 1e-3, 3, tests, Mixing::flow);
+  ASSERT_EQ(in_space.size(), 1U);
+  EXPECT_THAT(in_space[0].half_bands, Each(DoubleNear(1.4, 1e-12)));
+  EXPECT_THAT(limits_of(tests, Mixing::flow).front().half_bands, Each(DoubleNear(0.2, 1e-12))) << "in the plane";
 }
 
 TEST(ExtrapolateTests, IsOfSeveralGridsAlone) {

@@ -383,7 +383,7 @@ TEST(RequireSound, NamesWhatFlowThroughGapsDoesNotServe) {
   study.stages.back().packing = PackingMethod<3>();
   study.stages.back().fillers.front().shape = FillerShape{EllipticOutline{2.0}};
   EXPECT_THAT(mistakes_of(study),
-              AllOf(HasSubstr(R"(in three dimensions: expected a periodic box under the boundary "periodic")"),
+              AllOf(HasSubstr("in three dimensions: expected a periodic box (packing.walls = false)"),
                     HasSubstr("stage coarse: in three dimensions: expected spheres")));
 }
 

@@ -41,15 +41,24 @@ TEST(Extrapolation, ModelComposite) {
 }
 
 // The coarser grid differs from the finer one by a tenth, by a quarter, not at all, and by a factor of nine.
-TEST(LargestChanges, AreThoseUpToEachTime) {
+TEST(LargestErrors, OfTwiceTheCellsAreTheChangesUpToEachTime) {
   const std::vector coarse = {9.0, 5.0, 2.0, 10.0}, fine = {10.0, 4.0, 2.0, 1.0};
-  const auto changes = largest_changes(coarse, fine);
-  ASSERT_EQ(changes.size(), 4U);
-  EXPECT_NEAR(changes[0], 0.1, 1e-15);
-  EXPECT_NEAR(changes[1], 0.25, 1e-15);
-  EXPECT_NEAR(changes[2], 0.25, 1e-15);
-  EXPECT_NEAR(changes[3], 9.0, 1e-14);
-  EXPECT_THROW((void)largest_changes(coarse, std::vector{1.0}), InputError);
+  for (const double ratio : {2.0, 3.0}) {
+    const auto errors = largest_errors(coarse, fine, ratio);
+    ASSERT_EQ(errors.size(), 4U);
+    EXPECT_NEAR(errors[0], 0.1, 1e-15);
+    EXPECT_NEAR(errors[1], 0.25, 1e-15);
+    EXPECT_NEAR(errors[2], 0.25, 1e-15);
+    EXPECT_NEAR(errors[3], 9.0, 1e-14);
+  }
+  EXPECT_THROW((void)largest_errors(coarse, std::vector{1.0}, 2.0), InputError);
+  EXPECT_THROW((void)largest_errors(coarse, fine, 1.0), InputError);
+}
+
+// A modulus 100 (1 + h) with cell sides of 0.1 and 0.08: the error of the finer grid is 8 of 108.
+TEST(LargestErrors, AreThoseOfFirstOrder) {
+  const auto errors = largest_errors(std::vector{110.0}, std::vector{108.0}, 0.1 / 0.08);
+  EXPECT_NEAR(errors.at(0), 8.0 / 108.0, 1e-13);
 }
 
 TEST(Extrapolation, RefusesOtherNumbersOfGrids) {

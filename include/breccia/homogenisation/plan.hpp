@@ -51,7 +51,8 @@ struct GridPlan {
   double length = 0.0;                 ///< characteristic length, on whose number of cells the error depends [m]
   std::string_view place = {};         ///< location of this length: "in the narrowest gap"
   std::optional<ErrorRule> rule = {};  ///< rule for the error; nothing where no rule is known
-  std::string_view without_rule = {};  ///< name of the content for which there is no rule: "ellipsoids"
+  std::string_view caveat = {};        ///< range of the rule: "that is extrapolated from 30 to 50 % of spheres"
+  std::string_view without_rule = {};  ///< content for which there is no rule: "ellipsoids"
 
   /// Number of cells along the characteristic length [-].
   [[nodiscard]] double cells() const { return length / cell_size; }
@@ -102,6 +103,10 @@ struct SweepPlan {
 StudyPlan plan_of(const Study& study);
 SweepPlan plan_of(const Sweep& sweep);
 
+/// The memory [B] of all processes together for the largest test of spheres with flow through gaps, which several
+/// processes solve by sparse factors; nothing for a study without such a test.
+std::optional<double> memory_of_factors(const Study& study, const StudyPlan& plan);
+
 /// The least memory [B] that each of several processes needs for a test that takes `bytes` on a single process: its
 /// part of the data, and the program.
 double memory_of_process(double bytes, int processes);
@@ -113,7 +118,8 @@ class LackingMemory : public InputError {
 };
 
 /// Throws LackingMemory where a stage needs more than the available memory [B], with a line for every stage and method
-/// and the number of cells, or of grains with films, that would fit. It assumes a single process. Nothing is packed.
+/// and the number of cells, or of grains with films, that would fit. It assumes a single process. Nothing is packed;
+/// lattices and lists of particles are set up, whose errors are thrown (make_microstructure).
 void require_memory(const Study& study, double available);
 /// Overload for these tasks of a sweep. Where several tasks have equal lines, the message names the first of these
 /// tasks and counts the others.

@@ -38,8 +38,8 @@ struct StageMicrostructure {
   [[nodiscard]] const GrainStatistics* grains() const;
   /// Number of particles, or of grains that the films leave; 0 for an image.
   [[nodiscard]] std::size_t particles() const;
-  /// Diameter [m] of equal balls with the same volume and the same interface per volume of the box; infinite without an
-  /// interface. It is defined for boxes of three dimensions.
+  /// Diameter [m] of equal balls with the same volume and the same interface per volume of the box, or of equal discs
+  /// in two dimensions; infinite without an interface.
   [[nodiscard]] double mean_diameter() const;
   /// Largest difference between the drawn and the wanted size distribution of a filler [-]; nothing where no sizes were
   /// drawn.

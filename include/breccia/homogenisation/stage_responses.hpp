@@ -34,7 +34,7 @@ struct StageResponses {
   TimeWindow times;              ///< first and last time of the study's curves [s]
   int points_per_decade = 20;    ///< samples per decade of the study's curves
   SampledRange range = SampledRange::matrix;  ///< range of moduli over which the responses were sampled
-  Mixing mixing = Mixing::series;  ///< mixing of the study, which determines how results on several grids are combined
+  Mixing mixing = Mixing::series;  ///< mixing of the stage, which determines how results on several grids are combined
   /// Names of the materials of the stage's fillers, and the warnings about the stage in the study. A response file
   /// holds neither; they are read from `study.json`.
   std::vector<std::string> fillers = {}, warnings = {};

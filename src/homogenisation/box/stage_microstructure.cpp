@@ -63,8 +63,9 @@ std::size_t StageMicrostructure::particles() const {
 }
 
 double StageMicrostructure::mean_diameter() const {
-  // A ball has the volume d/6 for each unit of its surface.
-  return interface_per_area > 0.0 ? 6.0 * fraction / interface_per_area : std::numeric_limits<double>::infinity();
+  // A ball has the volume d/6 for each unit of its surface, a disc the area d/4 for each unit of its circumference.
+  const double ratio = std::holds_alternative<Box<3>>(box) ? 6.0 : 4.0;
+  return interface_per_area > 0.0 ? ratio * fraction / interface_per_area : std::numeric_limits<double>::infinity();
 }
 
 std::optional<double> StageMicrostructure::size_deviation() const {

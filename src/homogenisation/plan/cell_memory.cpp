@@ -7,10 +7,12 @@
 #include <vector>
 
 #include "breccia/homogenisation/stage_discretisation.hpp"
+#include "breccia/homogenisation/stage_microstructure.hpp"
 #include "breccia/microstructure/ball.hpp"
 #include "breccia/microstructure/ellipsoid.hpp"
 
 #include "discretisation/cell_shape.hpp"
+#include "discretisation/contrast.hpp"
 #include "homogenisation/narrow_gaps.hpp"
 #include "homogenisation/plan/expected_snapshots.hpp"
 #include "homogenisation/plan/measured_costs.hpp"
@@ -131,9 +133,12 @@ double bytes_of_square(const Study& study, const Stage& stage, double strains) {
 }  // namespace
 
 bool is_expected_to_have_flow(const Study& study, const Stage& stage) {
+  if (study.tests.mixing != Mixing::flow || stage.fillers.empty()) return false;
+  // The gaps of particles in a lattice or a list follow from their places.
+  if (!stage.has_seed()) return mixing_of(study, stage, make_microstructure(stage)) == Mixing::flow;
   const bool asks_for_narrow_gaps = std::ranges::any_of(
       stage.fillers, [&](const Filler& filler) { return filler.gap < cells_in_narrow_gaps * stage.cell_size(); });
-  return study.tests.mixing == Mixing::flow && asks_for_narrow_gaps;
+  return asks_for_narrow_gaps && are_stiffer_than_matrix(materials_of(stage, expected_matrix(study, stage)));
 }
 
 double quasistatic_unknowns(const Study& study, const Stage& stage, int cells) {

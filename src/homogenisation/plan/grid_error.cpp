@@ -5,9 +5,13 @@
 #include <cstddef>
 #include <limits>
 #include <string_view>
+#include <variant>
 
+#include "discretisation/contrast.hpp"
 #include "homogenisation/narrow_gaps.hpp"
+#include "homogenisation/run/test_requests.hpp"
 #include "study/chain.hpp"
+#include "study/coatings.hpp"
 
 namespace breccia {
 namespace {
@@ -17,8 +21,18 @@ struct ResolvedLength {
   double length;  ///< [m]
   std::string_view place;
   std::optional<ErrorRule> rule = {};
+  std::string_view caveat = {};
   std::string_view without_rule = {};
 };
+
+/// Whether particles were placed at random, as many at least as in the packings with which rules were measured.
+/// Lattices err more, and a few particles in a periodic box, or listed ones, may be a lattice.
+bool is_random_packing(const Stage& stage, const StageMicrostructure& packed) {
+  constexpr std::size_t fewest = 8;
+  return stage.has_seed() && packed.particles() >= fewest;
+}
+
+constexpr std::string_view other_than_random = "lattices, lists of particles and boxes of fewer than eight";
 
 /// Whether the rule of spheres was measured near this fraction [-]; otherwise it is extrapolated.
 bool is_measured(double fraction) {
@@ -27,42 +41,68 @@ bool is_measured(double fraction) {
 }
 
 ResolvedLength length_of_spheres(const Stage& stage, const StageMicrostructure& packed) {
-  const double diameter = packed.mean_diameter();
-  if (has_spheres_that_almost_touch(stage, packed)) {
-    return {diameter, "across the mean sphere", {}, "spheres that almost touch, in series"};
+  ResolvedLength resolved{packed.mean_diameter(), "across the mean sphere"};
+  if (!is_random_packing(stage, packed)) {
+    resolved.without_rule = other_than_random;
+  } else if (has_spheres_that_almost_touch(stage, packed)) {
+    resolved.without_rule = "spheres that almost touch, in series";
+  } else if (resolved.rule = error_rule_of_spheres(packed.fraction); !resolved.rule) {
+    resolved.without_rule = "spheres close to jamming";
+  } else if (!is_measured(packed.fraction)) {
+    resolved.caveat = "that is extrapolated from 30 to 50 % of spheres";
   }
-  const auto rule = error_rule_of_spheres(packed.fraction);
-  const auto* place = is_measured(packed.fraction)
-                          ? "across the mean sphere"
-                          : "across the mean sphere, by a rule that is extrapolated from 30 to 50 % of spheres";
-  return {diameter, place, rule, "spheres close to jamming"};
+  return resolved;
 }
 
 /// The smallest particle of discs, spheres or particles of other shapes: a visitor of the content of a box. Nothing for
 /// another content.
 struct SmallestParticle {
-  template <int dim>
-  std::optional<ResolvedLength> operator()(const Microstructure<dim>& balls) const {
-    double smallest = std::numeric_limits<double>::infinity();
-    for (const auto& ball : balls.particles) smallest = std::min(smallest, ball.diameter);
-    return ResolvedLength{
-        smallest,
-        dim == 2 ? "across the smallest disc" : "across the smallest sphere, by a rule of packings of 52 and 55 %",
-        error_rule_of_flow(dim)};
+  std::optional<ResolvedLength> operator()(const Microstructure<2>& discs) const {
+    return ResolvedLength{smallest_of(discs), "across the smallest disc", error_rule_of_discs()};
+  }
+  std::optional<ResolvedLength> operator()(const Microstructure<3>& spheres) const {
+    return ResolvedLength{smallest_of(spheres), "across the smallest sphere", error_rule_of_spheres_with_flow(),
+                          "of packings of 52 and 55 %"};
   }
   std::optional<ResolvedLength> operator()(const ParticleBox& box) const {
     double smallest = std::numeric_limits<double>::infinity();
-    for (const auto& particle : box.particles) smallest = std::min(smallest, equivalent_diameter(particle.shape));
-    return ResolvedLength{smallest, "across the smallest particle", error_rule_of_flow(2)};
+    bool has_polygons = false;
+    for (const auto& particle : box.particles) {
+      smallest = std::min(smallest, equivalent_diameter(particle.shape));
+      has_polygons = has_polygons || std::holds_alternative<ConvexPolygon>(particle.shape);
+    }
+    return ResolvedLength{smallest, "across the smallest particle",
+                          has_polygons ? error_rule_of_polygons() : error_rule_of_discs()};
   }
   template <class Other>
   std::optional<ResolvedLength> operator()(const Other&) const {
     return std::nullopt;
   }
+
+ private:
+  template <int dim>
+  static double smallest_of(const Microstructure<dim>& balls) {
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const auto& ball : balls.particles) smallest = std::min(smallest, ball.diameter);
+    return smallest;
+  }
 };
 
-/// The number of spheres of the packings with which the rule of flow in space was measured.
-constexpr std::size_t fewest_of_packing = 8;
+/// The smallest particle, and the rule for the cells across it where the packing is like those that were measured.
+std::optional<ResolvedLength> length_of_smallest(const Stage& stage, const StageMicrostructure& packed) {
+  auto resolved = visit_nested(SmallestParticle(), packed.box);
+  if (!resolved) return std::nullopt;
+  constexpr double most_of_spheres = 0.6;
+  if (!is_random_packing(stage, packed)) {
+    resolved->without_rule = other_than_random;
+  } else if (has_particles_that_touch(stage, packed)) {
+    resolved->without_rule = "particles that touch, or almost";
+  } else if (stage.dimensions() == 3 && packed.fraction > most_of_spheres) {
+    resolved->without_rule = "spheres close to jamming";
+  }
+  if (!resolved->without_rule.empty()) resolved->rule.reset();
+  return resolved;
+}
 
 ResolvedLength resolved_length(const Stage& stage, const StageMicrostructure& packed, Mixing mixing) {
   const double gap = std::min(packed.gap, packed.wall_gap);
@@ -71,29 +111,26 @@ ResolvedLength resolved_length(const Stage& stage, const StageMicrostructure& pa
     return {gap, "across a film", error_rule_of_films()};
   }
   if (mixing == Mixing::flow) {
-    if (auto length = visit_nested(SmallestParticle(), packed.box)) {
-      const bool is_regular = stage.packed_by<LatticePacking>() != nullptr || packed.particles() < fewest_of_packing;
-      if (stage.dimensions() == 2 || !is_regular) return *length;
-      return {length->length, "across the smallest sphere", {}, "lattices and a few spheres with flow through gaps"};
-    }
+    if (auto length = length_of_smallest(stage, packed)) return *length;
   }
   constexpr auto in_a_gap = "in the narrowest gap";
   if (stage.dimensions() == 2) return {gap, in_a_gap, error_rule_of_gaps(mixing)};
-  if (mixing == Mixing::points) return {gap, in_a_gap, {}, "points in three dimensions"};
-  if (packed.content<Microstructure<3>>() == nullptr) return {gap, in_a_gap, {}, "ellipsoids"};
+  if (mixing == Mixing::points) return {gap, in_a_gap, {}, {}, "points in three dimensions"};
+  if (packed.content<Microstructure<3>>() == nullptr) return {gap, in_a_gap, {}, {}, "ellipsoids"};
   return length_of_spheres(stage, packed);
 }
 
-/// The plan of the finest grid, by the cells along a length; nothing without such a length.
-std::optional<GridPlan> plan_along(const ResolvedLength& resolved, const Stage& stage) {
-  const auto& [length, place, rule, without_rule] = resolved;
-  if (!std::isfinite(length) || !(length > 0.0)) return std::nullopt;
-  return GridPlan{.cell_size = stage.cell_size(),
-                  .side = stage.side,
-                  .length = length,
-                  .place = place,
-                  .rule = rule,
-                  .without_rule = rule ? std::string_view() : without_rule};
+/// The reason why the materials of a stage have no rule; empty where they may have one.
+std::string_view materials_without_rule(const Study& study, const Stage& stage, Mixing mixing) {
+  constexpr double least_cells = 2.0, rounding = 1e-9;
+  if (!has_mixed_cells(mixing)) return {};
+  const auto coating = thinnest_coating(stage);
+  if (coating && *coating < least_cells * stage.cell_size() * (1.0 - rounding))
+    return "coatings of less than two cells";
+  if (are_stiffer_than_matrix(materials_of(stage, expected_matrix(study, stage)))) return {};
+  const bool are_soft = has_soft_fillers(study, stage);
+  if (!are_soft) return "fillers or coatings that are neither stiffer nor softer than the matrix at all times";
+  return stage.dimensions() == 3 ? "fillers that are softer than the matrix, in three dimensions" : std::string_view();
 }
 
 }  // namespace
@@ -102,8 +139,16 @@ ErrorRule error_rule_of_gaps(Mixing mixing) {
   return has_mixed_cells(mixing) ? ErrorRule{0.10, 1.8, 1.5} : ErrorRule{3.0, 1.35, 3.0};
 }
 
-ErrorRule error_rule_of_flow(int dimensions) {
-  return dimensions == 2 ? ErrorRule{0.5, 1.0, 8.0} : ErrorRule{0.45, 0.6, 7.0, 20.0};
+ErrorRule error_rule_of_discs() {
+  return {0.5, 1.0, 8.0};
+}
+
+ErrorRule error_rule_of_polygons() {
+  return {1.0, 1.0, 8.0};
+}
+
+ErrorRule error_rule_of_spheres_with_flow() {
+  return {0.45, 0.6, 7.0, 20.0};
 }
 
 ErrorRule error_rule_of_films() {
@@ -138,28 +183,32 @@ double steepest_fall(const PronySeries& modulus, const TimeWindow& window) {
   return steepest;
 }
 
-std::optional<GridPlan> plan_of_grid(const Stage& stage, const StageMicrostructure& packed, Mixing mixing) {
+std::optional<GridPlan> plan_of_grid(const Study& study, const Stage& stage, const StageMicrostructure& packed) {
+  const auto mixing = mixing_of(study, stage, packed);
   const bool is_extrapolated = mixing == Mixing::points && !stage.coarser_cells.empty();
   // Between grains no rule is known for points, which take far more cells.
   const bool has_no_rule = mixing == Mixing::points && packed.grains() != nullptr;
   if (is_extrapolated || has_no_rule) return std::nullopt;
-  return plan_along(resolved_length(stage, packed, mixing), stage);
-}
-
-std::optional<GridPlan> plan_of_grid(const Study& study, const Stage& stage, const StageMicrostructure& packed) {
-  const auto mixing = mixing_of(study, stage, packed);
   const bool are_soft_in_plane = stage.dimensions() == 2 && has_mixed_cells(mixing) && has_soft_fillers(study, stage);
-  const auto particle = are_soft_in_plane ? visit_nested(SmallestParticle(), packed.box) : std::nullopt;
-  auto plan = particle ? plan_along(*particle, stage) : plan_of_grid(stage, packed, mixing);
-  if (!plan || !plan->rule) return plan;
-  constexpr double steepest_with_rule = 2.0;
+  const auto soft = are_soft_in_plane ? length_of_smallest(stage, packed) : std::nullopt;
+  auto resolved = soft ? *soft : resolved_length(stage, packed, mixing);
+  if (!std::isfinite(resolved.length) || !(resolved.length > 0.0)) return std::nullopt;
+
   const double fall = steepest_fall(binder_of(study, stage).shear, {study.tests.first_time, study.tests.last_time});
-  plan->rule->error_of_one *= std::max(1.0, fall);
-  if (fall > steepest_with_rule) {
-    plan->rule.reset();
-    plan->without_rule = "a binder that falls faster than 1/t^2";
+  constexpr double steepest_with_rule = 2.0;
+  if (resolved.rule) {
+    resolved.rule->error_of_one *= std::max(1.0, fall);
+    resolved.without_rule = fall > steepest_with_rule ? "a binder that falls faster than 1/t^2"
+                                                      : materials_without_rule(study, stage, mixing);
+    if (!resolved.without_rule.empty()) resolved.rule.reset();
   }
-  return plan;
+  return GridPlan{.cell_size = stage.cell_size(),
+                  .side = stage.side,
+                  .length = resolved.length,
+                  .place = resolved.place,
+                  .rule = resolved.rule,
+                  .caveat = resolved.caveat,
+                  .without_rule = resolved.without_rule};
 }
 
 }  // namespace breccia

@@ -14,9 +14,12 @@ namespace breccia {
 /// The rule for the cells in the narrowest gap of a stage without flow through it (theory, Eq. 43a).
 ErrorRule error_rule_of_gaps(Mixing mixing);
 
-/// The rule for random packings of particles in the plane, or of spheres, with flow through the gaps between them, by
-/// the number of cells across the smallest one (theory, Eqs. 43d and 43e).
-ErrorRule error_rule_of_flow(int dimensions);
+/// The rules for random packings with flow through the gaps between particles, by the number of cells across the
+/// smallest one: of discs and ellipses in the plane, of polygons in the plane (theory, Eq. 43d), and of spheres
+/// (Eq. 43e).
+ErrorRule error_rule_of_discs();
+ErrorRule error_rule_of_polygons();
+ErrorRule error_rule_of_spheres_with_flow();
 
 /// The rule for mixed cells across the films between grains, which carry the load of the whole stage (theory, Eq. 43b).
 ErrorRule error_rule_of_films();
@@ -32,13 +35,11 @@ std::optional<ErrorRule> error_rule_of_spheres(double fraction);
 /// The steepest fall -d ln G / d ln t of a relaxation modulus in a window of times [-]; 0 for an elastic modulus.
 double steepest_fall(const PronySeries& modulus, const TimeWindow& window);
 
-/// The finest grid of a stage of particles or grains that is computed with cells; nothing where no rule applies to its
-/// error. Fillers are taken to be stiff, and the binder to fall slowly.
-std::optional<GridPlan> plan_of_grid(const Stage& stage, const StageMicrostructure& packed, Mixing mixing);
-
-/// The same for a stage of a study, whose materials are known: in the plane the cells across the smallest particle
-/// count where all fillers are softer than the matrix; errors grow with the steepest fall of the binder within the
-/// times of the tests, and no rule holds for a binder that falls faster than 1/t^2 (theory, Eq. 43g).
+/// The finest grid of a stage of particles or grains that is computed with cells; nothing where the number of cells
+/// along no length gives its error. In the plane the cells across the smallest particle count where all fillers are
+/// softer than the matrix. Errors grow with the steepest fall of the binder within the times of the tests (theory,
+/// Eq. 43g). The plan names the reason where no rule holds: microstructures, materials or binders with which none was
+/// measured.
 std::optional<GridPlan> plan_of_grid(const Study& study, const Stage& stage, const StageMicrostructure& packed);
 
 }  // namespace breccia

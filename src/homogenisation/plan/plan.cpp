@@ -247,6 +247,17 @@ SweepPlan plan_of(const Sweep& sweep) {
   return plan;
 }
 
+std::optional<double> memory_of_factors(const Study& study, const StudyPlan& plan) {
+  std::optional<double> most;
+  for (std::size_t i = 0; i < study.stages.size(); ++i) {
+    if (study.stages[i].dimensions() != 3 || !is_expected_to_have_flow(study, study.stages[i])) continue;
+    for (const auto& test : plan.stages.at(i).tests) {
+      most = std::max(most.value_or(0.0), measured_costs::factors_of_cube_with_flow * test.unknowns);
+    }
+  }
+  return most;
+}
+
 double memory_of_process(double bytes, int processes) {
   return measured_costs::program + std::max(0.0, bytes - measured_costs::program) / processes;
 }

@@ -73,7 +73,7 @@ StageResult tested_stage(const StageResponses& stage, const MatrixUnder& matrix,
     result.tests.push_back(test_of(entry, materials, window, stage.points_per_decade));
   }
   std::ranges::stable_sort(result.tests, {}, [](const TestResult& test) { return test.id.grid; });
-  for (auto& test : extrapolate_tests(stage.stage, stage.side, result.tests, stage.mixing)) {
+  for (auto& test : extrapolate_tests(stage.stage, stage.side, stage.dimensions, result.tests, stage.mixing)) {
     result.tests.push_back(std::move(test));
   }
   return result;

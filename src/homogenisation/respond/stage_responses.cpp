@@ -8,6 +8,7 @@
 #include "breccia/error.hpp"
 
 #include "homogenisation/inclusions.hpp"
+#include "homogenisation/narrow_gaps.hpp"
 #include "homogenisation/varying_phases.hpp"
 #include "study/identity.hpp"
 
@@ -32,7 +33,7 @@ StageResponses responses_of(const Study& study, const Stage& stage, const StageR
                               .times = {tests.first_time, tests.last_time},
                               .points_per_decade = tests.points_per_decade,
                               .range = tests.quasistatic.range,
-                              .mixing = tests.mixing,
+                              .mixing = mixing_of(study, stage, result.microstructure),
                               .fillers = {},
                               .warnings = result.warnings,
                               .entries = {}};

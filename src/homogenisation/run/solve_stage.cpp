@@ -10,6 +10,7 @@
 #include "breccia/homogenisation/stage_discretisation.hpp"
 
 #include "checkpoint/checkpoint.hpp"
+#include "homogenisation/narrow_gaps.hpp"
 #include "homogenisation/quality.hpp"
 #include "homogenisation/run/comparison.hpp"
 #include "homogenisation/run/packed_stage.hpp"
@@ -37,8 +38,10 @@ class StageSolution {
     } else {
       run_on_grids(threads);
     }
-    for (auto& test : extrapolate_tests(stage_.name, stage_.side, done_.tests, study_.tests.mixing))
+    const auto mixing = mixing_of(study_, stage_, done_.microstructure);
+    for (auto& test : extrapolate_tests(stage_.name, stage_.side, stage_.dimensions(), done_.tests, mixing)) {
       add(std::move(test));
+    }
     for (const auto& warning : warnings_on_bounds(quality_of(study_, stage_, done_))) {
       done_.warnings.push_back(fmt::format("{}: {}", stage_.name, warning));
     }

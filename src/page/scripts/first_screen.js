@@ -87,6 +87,11 @@ function expectedErrorOf(stage) {
   return study.stages.find(({name}) => name === stage).quality?.expected_grid_error ?? undefined;
 }
 
+/// The range of the rule for one grid, or what has no rule.
+function ruleOf(stage) {
+  return study.stages.find(({name}) => name === stage).quality?.grid_rule;
+}
+
 /// The name of a stage, with a remark if the run has not reached the end of its chain.
 function nameOfResult(stage) {
   const last = (study.stage_names ?? []).at(-1);
@@ -197,8 +202,9 @@ function noteOnErrors(result, stage) {
   const grid = result.some(({band}) => band !== undefined) ? "± is the error of the grid, from the grids of the run."
     : gridsOf(stage)[0] === "films" ? ""
       : expectedErrorOf(stage) === undefined
-        ? "Of one grid: its error is not known; another, such as half the cells, would tell it."
-        : `Of one grid, whose error is up to about ${percent(expectedErrorOf(stage))} by a rule; another, such as ` +
-          "half the cells, would measure it.";
+        ? `Of one grid: its error is not known${ruleOf(stage) === undefined ? "" : ` (${ruleOf(stage)})`}; another, such ` +
+          "as half the cells, would tell it."
+        : `Of one grid, whose error is up to about ${percent(expectedErrorOf(stage))} ${ruleOf(stage) ?? "by a rule"}; ` +
+          "another, such as half the cells, would measure it.";
   return `${grid} The scatter from one packing to another is not in it.`.trim();
 }

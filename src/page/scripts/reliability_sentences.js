@@ -62,19 +62,22 @@ function cellsText(cells) {
   return number === "1" ? "1 cell" : `${number} cells`;
 }
 
-function onOneGrid(expectedError) {
-  return Number.isFinite(expectedError)
-    ? `The grid: one, with an error of ${percent(expectedError)} at most by a rule. A second one, coarser by half, ` +
+/// The error of one grid; `grid_rule` is the range of the rule, or what has none.
+function onOneGrid({expected_grid_error: error, grid_rule: rule}) {
+  return Number.isFinite(error)
+    ? `The grid: one, with an error of ${percent(error)} at most ${rule ?? "by a rule"}. A second one, coarser by half, ` +
       "measures it."
-    : "The grid: one, so its error is not known. A second one, coarser by half, tells it.";
+    : `The grid: one, so its error is not known${rule === undefined ? "" : ` (${rule})`}. A second one, coarser by half, ` +
+      "tells it.";
 }
 
 function onGrids({cells, quality}) {
   if (cells[0] === "films") return "";
-  if (cells.length < 2) return onOneGrid(quality?.expected_grid_error);
+  if (cells.length < 2) return onOneGrid(quality ?? {});
   const error = quality?.grid_error;
   return `The grid: ${listed(cells.map(String))} cells a side` +
-    (Number.isFinite(error) ? `, which tell an error of ${percent(error)} at most.` : ".");
+    (!Number.isFinite(error) ? "." : error < 1 ? `, which tell an error of ${percent(error)} at most.`
+      : ", which differ too much, or have nearly as many cells, to tell the error.");
 }
 
 function onPacking({microstructure: made}) {

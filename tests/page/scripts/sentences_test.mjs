@@ -129,6 +129,12 @@ test("the reliability of a stage, from the error estimates of the run", () => {
   }
   const byRule = {...stage, quality: {...stage.quality, expected_grid_error: 0.03}};
   assert.ok(sentencesOnReliability(study, byRule).join("\n").includes("one, with an error of 3 % at most by a rule"));
+  const ofRange = {...byRule, quality: {...byRule.quality, grid_rule: "by a rule of packings of 52 and 55 %"}};
+  assert.ok(sentencesOnReliability(study, ofRange).join("\n").includes("3 % at most by a rule of packings of 52 and 55 %."));
+  const without = {...stage, quality: {...stage.quality, grid_rule: "no rule for ellipsoids"}};
+  assert.ok(sentencesOnReliability(study, without).join("\n").includes("its error is not known (no rule for ellipsoids)"));
+  const apart = {...stage, cells: [20, 21], quality: {...stage.quality, grid_error: 1.5}};
+  assert.ok(sentencesOnReliability(study, apart).join("\n").includes("differ too much"));
   const withFlow = {...stage, tests: [{boundary: "displacement", mixing: "flow"}]};
   assert.ok(sentencesOnReliability(study, withFlow).join("\n").includes("flows through gaps narrower than a cell"));
   const image = {...stage, fillers: [{}], microstructure: {...stage.microstructure, pixels: [10, 10]}};
