@@ -62,8 +62,8 @@ TEST(SpaceWithGaps, ALatticeOfSpheresThatAlmostTouchHasItsModuli) {
   StudyDirectory study(near_contact());
   const auto check = study.breccia("check");
   ASSERT_EQ(check.exit_code, 0) << check.errors;
-  EXPECT_THAT(check.output,
-              AllOf(HasSubstr("with flow through gaps below 1.5 cells"), HasSubstr("12 cells across the smallest sphere")));
+  EXPECT_THAT(check.output, AllOf(HasSubstr("with flow through gaps below 1.5 cells"),
+                                  HasSubstr("12 cells across the smallest sphere")));
   const auto run = study.breccia("run", without_fields);
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   EXPECT_THAT(run.output, AllOf(HasSubstr("0.12 cells, the matrix flows through it"),
@@ -104,6 +104,30 @@ TEST(SpaceWithGaps, ARandomPackingHasARuleForItsError) {
               HasSubstr("8 cells across the smallest sphere, the error of the grid is up to about 13 % by a rule of "
                         "packings of 52 and 55 %; no number of cells is known for 5 %"));
   EXPECT_THAT(cells("16"), HasSubstr("is 6.4 cells wide; below 7 cells no rule gives the error of the grid"));
+}
+
+// Several processes solve such boxes by sparse factors.
+TEST(SpaceWithGaps, CheckSaysWhatSeveralProcessesTake) {
+  StudyDirectory study(near_contact());
+  const auto check = [&](const std::string& diameter) {
+    return study.breccia("check", {"--processes", "4", "--set", "stages.0.cells=48", "--set",
+                                   fmt::format(R"(stages.0.filler.sizes.diameter="{}")", diameter)});
+  };
+  EXPECT_THAT(check("0.99 mm").output, HasSubstr("on 4 processes: spheres with flow through gaps take sparse factors"));
+  EXPECT_THAT(check("0.8 mm").output, HasSubstr("on 4 processes with a core each at best 1/4 of the time"));
+}
+
+// A lattice with wide gaps has none with flow, and takes the memory of cells in series.
+TEST(SpaceWithGaps, WideGapsOfALatticeTakeNoMemory) {
+  StudyDirectory study(near_contact());
+  const auto memory_with = [&](const std::string& mixing) {
+    const auto check =
+        study.breccia("check", {"--set", "stages.0.cells=128", "--set", R"(stages.0.filler.sizes.diameter="0.8 mm")",
+                                "--set", fmt::format(R"(tests.mixing="{}")", mixing)});
+    EXPECT_EQ(check.exit_code, 0) << check.errors;
+    return check.output.substr(check.output.find("together about"));
+  };
+  EXPECT_EQ(memory_with("flow"), memory_with("series"));
 }
 
 TEST(SpaceWithGaps, RespondAnswersForTheSameMatrix) {

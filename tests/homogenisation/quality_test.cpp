@@ -214,6 +214,8 @@ TEST(Quality, PeriodicTestsHaveAGridErrorAndNoBounds) {
                  extrapolated(Boundary::periodic, 100.0, 7.0)}));
   EXPECT_NEAR(periodic.grid_share.value(), 0.07, 1e-12);
   EXPECT_THAT(summary_of(periodic), StartsWith("periodic boundary: no bounds; grid: error up to 7 %; "));
+  const auto apart = quality_of(Study{}, stage, result_of({extrapolated(Boundary::periodic, 100.0, 100.0)}));
+  EXPECT_THAT(summary_of(apart), HasSubstr("grid: error of any size, since the grids differ too much"));
   const auto unfinished = quality_of(Study{}, stage, result_of({constant(Boundary::periodic, TestGrid(50), 110.0)}));
   EXPECT_THAT(summary_of(unfinished), HasSubstr("grid: error unknown until every grid is tested; ")) << "two grids";
 }
