@@ -31,7 +31,7 @@ Forces forces_under(const ElasticOperator<2>& elastic_operator, std::span<const 
   const typename Shape::ModeValues unit_modes = modes * unit;
   std::vector<double> on_strains, on_gaps(layout.seen(), 0.0);
   const auto of_gaps = layout.values(displacement.fluctuation());
-  auto [macroscopic, on_nodes] = sum_over_cells(nodes, [&](const Index<2>& cell) {
+  auto sum = sum_over_cells(nodes, [&](const Index<2>& cell) {
     const CellValues u = affine + nodes.cell_values(cell, values.data());
     const auto* mixed = kinds.mixed_cell(cell);
     if (mixed == nullptr) {
@@ -56,10 +56,10 @@ Forces forces_under(const ElasticOperator<2>& elastic_operator, std::span<const 
     on_strains.insert(on_strains.end(), forces.begin(), forces.end());
     return std::pair<CellValues, double>(modes.transpose() * stress, unit_modes.dot(stress));
   });
-  layout.add(std::move(on_gaps), on_nodes.get());
+  layout.add(std::move(on_gaps), sum.on_nodes.get());
   auto on_phase_strains = elastic_operator.zero_strains_of_phases();
   std::ranges::copy(on_strains, WriteValues(on_phase_strains.get()).data());
-  return {macroscopic, std::move(on_nodes), std::move(on_phase_strains)};
+  return {sum.macroscopic, std::move(sum.on_nodes), std::move(on_phase_strains)};
 }
 
 }  // namespace breccia::quasistatic

@@ -16,7 +16,7 @@ using Shape = CellShape<3>;
 /// The motions of the nodes of a cell, and the unknowns of their aggregates.
 struct MotionsOfCell {
   std::array<RigidAggregates::Motions, Shape::nodes> motions;
-  std::array<int, Shape::nodes> first_unknown, unknowns;
+  std::array<int, Shape::nodes> first_unknown = {}, unknowns = {};
 
   MotionsOfCell(const NodeLattice& lattice, const RigidAggregates& aggregates, const Index<3>& cell) {
     for (std::size_t n = 0; n < motions.size(); ++n) {
