@@ -14,6 +14,7 @@
 #include "cli/filler_summary.hpp"
 #include "cli/summary.hpp"
 #include "cli/sweep_summary.hpp"
+#include "homogenisation/quality.hpp"
 #include "io/display.hpp"
 #include "io/percentage.hpp"
 #include "parallel/available_memory.hpp"
@@ -60,8 +61,7 @@ std::string line_of_grid(const std::string& stage, const GridPlan& grid, const s
     if (cells) advice.push_back(fmt::format("{:.0f} for {:.2g} %", *cells, 100.0 * error));
   }
   const auto expected = grid.error();
-  const auto error = expected ? fmt::format("is up to about {:.2g} % by a rule{}{}", 100.0 * *expected,
-                                            grid.caveat.empty() ? "" : " ", grid.caveat)
+  const auto error = expected ? fmt::format("is up to about {:.2g} % {}", 100.0 * *expected, words_on_rule(grid))
                               : "may be of any size";
   const auto cells = advice.empty()
                          ? fmt::format("no number of cells is known for {:.2g} %", 100.0 * std::ranges::max(errors))

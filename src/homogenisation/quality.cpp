@@ -111,16 +111,12 @@ std::string words_on_bounds(const StageQuality& quality) {
 
 /// The error of one grid by a rule, or the reason why no rule gives it.
 std::string words_on_expected_error(const StageQuality& quality) {
-  const auto error = quality.one_grid ? quality.one_grid->error() : std::nullopt;
-  if (error) {
-    const auto words = words_of(*error);
-    const auto caveat = quality.one_grid->caveat;
-    return fmt::format("{}{} by a rule{}{}", words.starts_with("less") ? "" : "up to about ", words,
-                       caveat.empty() ? "" : " ", caveat);
-  }
-  if (quality.one_grid && !quality.one_grid->rule)
-    return fmt::format("unknown, no rule for {}", quality.one_grid->without_rule);
-  return quality.one_grid ? "unknown, too few cells for a rule" : "unknown";
+  if (!quality.one_grid) return "unknown";
+  const auto rule = words_on_rule(*quality.one_grid);
+  const auto error = quality.one_grid->error();
+  if (!error) return fmt::format("unknown, {}", rule);
+  const auto words = words_of(*error);
+  return fmt::format("{}{} {}", words.starts_with("less") ? "" : "up to about ", words, rule);
 }
 
 /// The grids that measure the error of one: a second one of half the cells or, where these are few, of twice the cells.
@@ -239,6 +235,12 @@ StageQuality quality_of(const Study& study, const Stage& stage, const StageResul
   }
   if (const auto thickness = thinnest_coating(stage)) quality.coating_cells = *thickness / stage.cell_size();
   return quality;
+}
+
+std::string words_on_rule(const GridPlan& grid) {
+  if (!grid.rule) return fmt::format("no rule for {}", grid.without_rule);
+  if (!grid.error()) return "too few cells for a rule";
+  return grid.caveat.empty() ? "by a rule" : fmt::format("by a rule {}", grid.caveat);
 }
 
 std::string summary_of(const StageQuality& quality) {

@@ -61,6 +61,10 @@ std::vector<LoadQuality> bounds_of_tests(const StageResult& result);
 /// The quality of a stage's results, from the tests that are finished so far.
 StageQuality quality_of(const Study& study, const Stage& stage, const StageResult& result);
 
+/// The rule for the error of a grid, in words: "by a rule of packings of 52 and 55 %", "no rule for
+/// ellipsoids", "too few cells for a rule".
+std::string words_on_rule(const GridPlan& grid);
+
 /// The quality in words: "bounds 18 % apart at 1 ms, 34 % at 100 s; grid: one grid, error up to about 4 % by a
 /// rule (cells = [75, 150] measures it); narrowest gap: 3 cells; packing: one seed, scatter unknown". For several loads
 /// or methods it reports the bounds that cross each other by most, or else the first ones, and names them. Empty for a

@@ -126,22 +126,17 @@ BoundsEntry entry_of(const BoundsAtTime& bounds) {
   return {bounds.time, bounds.upper, bounds.lower, bounds.distance(), bounds.grid_half_band};
 }
 
-/// The range of the rule for the error of one grid, or what has no rule; nothing without a remark.
-std::optional<std::string> rule_in_words(const std::optional<GridPlan>& grid) {
-  if (!grid) return std::nullopt;
-  if (!grid->rule) return fmt::format("no rule for {}", grid->without_rule);
-  return grid->caveat.empty() ? std::nullopt : std::optional(fmt::format("by a rule {}", grid->caveat));
-}
-
 QualityEntry entry_of(const StageQuality& quality) {
   QualityEntry entry{.summary = summary_of(quality),
                      .fraction_asked = quality.fraction_asked,
                      .gap_cells = if_finite(quality.gap_cells),
                      .coating_cells = quality.coating_cells,
                      .grids = quality.grids.size(),
-                     .grid_error = quality.grid_share,
-                     .expected_grid_error = quality.one_grid ? quality.one_grid->error() : std::nullopt,
-                     .grid_rule = rule_in_words(quality.one_grid)};
+                     .grid_error = quality.grid_share};
+  if (quality.one_grid) {
+    entry.expected_grid_error = quality.one_grid->error();
+    entry.grid_rule = words_on_rule(*quality.one_grid);
+  }
   if (quality.is_random) entry.seeds = 1;
   for (const int grid : std::isfinite(quality.gap_cells) ? quality.grids : std::vector<int>()) {
     if (!entry.gap_cells_by_grid) entry.gap_cells_by_grid.emplace();

@@ -252,10 +252,11 @@ std::vector<std::string> contradictions(const Study& study) {
     std::ranges::move(mistakes_of_loads(study.tests.loads, study.stages.front().dimensions()),
                       std::back_inserter(mistakes));
   }
-  for (const auto& obstacle :
-       study.tests.mixing == Mixing::flow ? obstacles_to_flow(study) : std::vector<std::string>()) {
-    mistakes.push_back(
-        fmt::format(R"(mixing "{}": {}, or mixing "{}")", name_of(Mixing::flow), obstacle, name_of(Mixing::series)));
+  if (study.tests.mixing == Mixing::flow) {
+    for (const auto& obstacle : obstacles_to_flow(study)) {
+      mistakes.push_back(
+          fmt::format(R"(mixing "{}": {}, or mixing "{}")", name_of(Mixing::flow), obstacle, name_of(Mixing::series)));
+    }
   }
   if (auto mistake = mixing_of_points(study.tests)) mistakes.push_back(*std::move(mistake));
   if (auto mistake = vary_without_samples(study.tests)) mistakes.push_back(*std::move(mistake));

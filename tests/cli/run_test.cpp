@@ -3,10 +3,12 @@
 #include <complex>
 #include <numbers>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "good_deck.hpp"
 #include "io/text_file.hpp"
 #include "messages.hpp"
 #include "model_deck.hpp"
@@ -158,40 +160,26 @@ TEST(Run, ResultsGoToADirectoryNamedAfterTheDeck) {
 
 // A table of polygons that stayed would list particles that the new box does not have.
 TEST(Run, ReplacesTheFilesOfParticlesOfAnotherShape) {
-  constexpr std::string_view deck = R"(
-[materials.binder]
-density = "1.48 g/cm^3"
-bulk    = "3.6 GPa"
-shear   = "1 MPa"
-
-[materials.crystal]
-density = "1.85 g/cm^3"
-bulk    = "13.4 GPa"
-shear   = "5.84 GPa"
-
-[[stages]]
-name    = "A"
-matrix  = "binder"
-box     = "6 mm"
-cells   = 12
-filler  = { material = "crystal", fraction = 0.2, sizes = { diameter = "2 mm" }, shape = { polygon = "triangle.csv" } }
-packing = { method = "random-sequential", walls = true, seed = 1 }
-
-[tests]
-times  = ["1 us", "1 ms"]
-fields = "none"
-)";
-  const StudyDirectory study(deck);
+  const StudyDirectory study(test::good_deck);
   study.write("triangle.csv", "x_mm,y_mm\n0,0\n3,0\n1,3\n");
-  const auto polygons = study.breccia("run");
+  const auto run = [&study](const std::string& shape) {
+    return study.breccia("run",
+                         {"--set", "stages.A.cells=12", "--set", R"(tests.fields="none")", "--set",
+                          fmt::format(R"(stages.A.filler={{ material = "hmx", fraction = 0.2, shape = {{ {} }}, )"
+                                      R"(sizes = {{ diameter = "2 mm" }} }})",
+                                      shape),
+                          "--set", R"(stages.A.packing={ method = "random-sequential", seed = 1 })", "--overwrite"});
+  };
+  const std::string triangles = R"(polygon = "triangle.csv")";
+  const auto polygons = run(triangles);
   ASSERT_EQ(polygons.exit_code, 0) << polygons.errors;
   EXPECT_THAT(study.results(), AllOf(Contains("A/polygons.csv"), Not(Contains("A/microstructure.csv"))));
 
-  const auto ellipses = study.breccia("run", {"--set", "stages.A.filler.shape={ aspect = 1.5 }", "--overwrite"});
+  const auto ellipses = run("aspect = 1.5");
   ASSERT_EQ(ellipses.exit_code, 0) << ellipses.errors;
   EXPECT_THAT(study.results(), AllOf(Contains("A/microstructure.csv"), Not(Contains("A/polygons.csv"))));
 
-  const auto once_more = study.breccia("run", {"--overwrite"});
+  const auto once_more = run(triangles);
   ASSERT_EQ(once_more.exit_code, 0) << once_more.errors;
   EXPECT_THAT(study.results(), AllOf(Contains("A/polygons.csv"), Not(Contains("A/microstructure.csv")),
                                      Not(Contains(HasSubstr("unfinished")))));
