@@ -28,7 +28,7 @@ def solve(study: Study, *, threads: int = 0, ignore_memory: bool = False,
 
 
 def plan(study: Study) -> _native.Plan:
-    """What a study is expected to take, as `breccia check` tells it: plan.seconds, plan.memory [B], plan.stages.
+    """What a study is expected to take, as `breccia check` prints it: plan.seconds, plan.memory [B], plan.stages.
 
     plan[stage].grid_error is the largest relative error to be expected of the grid, plan[stage].cells_for(0.02) the
     cells per side for one of 2 %. The boxes are packed for it, and a dynamic test is tried for a fraction of a second.

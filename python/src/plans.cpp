@@ -60,7 +60,7 @@ void bind_plans(py::module_& module) {
       .def_readonly("tests", &StagePlan::tests)
       .def_property_readonly(
           "grid_error", [](const StagePlan& stage) { return stage.grid ? stage.grid->error() : std::nullopt; },
-          "Largest relative error [-] to be expected of the finest grid; None where no rule tells it.")
+          "Largest relative error [-] to be expected of the finest grid; None where there is no rule for it.")
       .def("cells_for", &cells_for, py::arg("error"),
            "Cells per side for a relative error [-] of the moduli; None where no rule tells them.")
       .def_readonly("warnings", &StagePlan::warnings);

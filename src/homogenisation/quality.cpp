@@ -119,14 +119,9 @@ std::string words_on_expected_error(const StageQuality& quality) {
   return fmt::format("{}{} {}", words.starts_with("less") ? "" : "up to about ", words, rule);
 }
 
-/// The grids that measure the error of one: a second one of half the cells or, where these are few, of twice the cells.
-/// The change between two grids does not show the error of flow between spheres.
 std::string words_on_second_grid(const StageQuality& quality) {
-  if (quality.has_flow && quality.dimensions == 3) return "";
-  constexpr int few = 16;
-  const int cells = quality.grids.back();
-  return cells < few ? fmt::format(" (cells = [{}, {}] measures it)", cells, 2 * cells)
-                     : fmt::format(" (cells = [{}, {}] measures it)", (cells + 1) / 2, cells);
+  const auto grids = grids_that_measure(quality);
+  return grids ? fmt::format(" (cells = [{}] measures it)", fmt::join(*grids, ", ")) : "";
 }
 
 std::string words_on_grid(const StageQuality& quality) {
@@ -235,6 +230,13 @@ StageQuality quality_of(const Study& study, const Stage& stage, const StageResul
   }
   if (const auto thickness = thinnest_coating(stage)) quality.coating_cells = *thickness / stage.cell_size();
   return quality;
+}
+
+std::optional<std::array<int, 2>> grids_that_measure(const StageQuality& quality) {
+  if (quality.grids.size() != 1 || (quality.has_flow && quality.dimensions == 3)) return {};
+  constexpr int few = 16;
+  const int cells = quality.grids.back();
+  return cells < few ? std::array{cells, 2 * cells} : std::array{(cells + 1) / 2, cells};
 }
 
 std::string words_on_rule(const GridPlan& grid) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <limits>
 #include <optional>
 #include <string>
@@ -60,6 +61,11 @@ std::vector<LoadQuality> bounds_of_tests(const StageResult& result);
 
 /// The quality of a stage's results, from the tests that are finished so far.
 StageQuality quality_of(const Study& study, const Stage& stage, const StageResult& result);
+
+/// Cells per side of two grids that measure the error of a single one: itself and one of half the cells or, where these
+/// are few, of twice the cells. Nothing for several grids, for films, and for flow between spheres, whose error does
+/// not show in the change from one grid to another.
+std::optional<std::array<int, 2>> grids_that_measure(const StageQuality& quality);
 
 /// The rule for the error of a grid, in words: "by a rule of packings of 52 and 55 %", "no rule for
 /// ellipsoids", "too few cells for a rule".

@@ -250,6 +250,7 @@ struct QualityEntry {
   std::optional<double> grid_error = {};
   std::optional<double> expected_grid_error = {};
   std::optional<std::string> grid_rule = {};
+  std::optional<std::vector<int>> measuring_grids = {};
   std::optional<int> seeds = {};
   std::vector<LoadBoundsEntry> bounds = {};
 };
@@ -260,7 +261,8 @@ inline constexpr auto fields<QualityEntry> = std::tuple(
     field("narrowest_gap_cells_by_grid", &QualityEntry::gap_cells_by_grid),
     field("thinnest_coating_cells", &QualityEntry::coating_cells), field("grids", &QualityEntry::grids),
     field("grid_error", &QualityEntry::grid_error), field("expected_grid_error", &QualityEntry::expected_grid_error),
-    field_if_any("grid_rule", &QualityEntry::grid_rule), field("seeds", &QualityEntry::seeds),
+    field_if_any("grid_rule", &QualityEntry::grid_rule),
+    field_if_any("measuring_grids", &QualityEntry::measuring_grids), field("seeds", &QualityEntry::seeds),
     field("bounds", &QualityEntry::bounds));
 
 template <>

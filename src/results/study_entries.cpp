@@ -137,6 +137,7 @@ QualityEntry entry_of(const StageQuality& quality) {
     entry.expected_grid_error = quality.one_grid->error();
     entry.grid_rule = words_on_rule(*quality.one_grid);
   }
+  if (const auto grids = grids_that_measure(quality)) entry.measuring_grids.emplace(grids->begin(), grids->end());
   if (quality.is_random) entry.seeds = 1;
   for (const int grid : std::isfinite(quality.gap_cells) ? quality.grids : std::vector<int>()) {
     if (!entry.gap_cells_by_grid) entry.gap_cells_by_grid.emplace();

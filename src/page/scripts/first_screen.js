@@ -7,6 +7,7 @@ import {element} from "./elements.js";
 import {boundNames, symbolOf, textOnStage} from "./names.js";
 import {display, percent, shortNumber, withMicroSign} from "./numbers.js";
 import {own} from "./records.js";
+import {onMeasuringGrids} from "./reliability_sentences.js";
 import {decades, valueAt} from "./sampling.js";
 import {binderOf, matrixStageOf, stagesOfInterest} from "./stages.js";
 import {table} from "./table.js";
@@ -82,14 +83,18 @@ function gridsOf(stage) {
   return study.stages.find(({name}) => name === stage).cells;
 }
 
+function qualityOf(stage) {
+  return study.stages.find(({name}) => name === stage).quality;
+}
+
 /// The largest error of one grid by a rule; undefined where there is none.
 function expectedErrorOf(stage) {
-  return study.stages.find(({name}) => name === stage).quality?.expected_grid_error ?? undefined;
+  return qualityOf(stage)?.expected_grid_error ?? undefined;
 }
 
 /// The range of the rule for one grid, or what has no rule.
 function ruleOf(stage) {
-  return study.stages.find(({name}) => name === stage).quality?.grid_rule;
+  return qualityOf(stage)?.grid_rule;
 }
 
 /// The name of a stage, with a remark if the run has not reached the end of its chain.
@@ -202,9 +207,8 @@ function noteOnErrors(result, stage) {
   const grid = result.some(({band}) => band !== undefined) ? "± is the error of the grid, from the grids of the run."
     : gridsOf(stage)[0] === "films" ? ""
       : expectedErrorOf(stage) === undefined
-        ? `Of one grid: its error is not known${ruleOf(stage) === undefined ? "" : ` (${ruleOf(stage)})`}; another, such ` +
-          "as half the cells, would tell it."
-        : `Of one grid, whose error is up to about ${percent(expectedErrorOf(stage))} ${ruleOf(stage) ?? "by a rule"}; ` +
-          "another, such as half the cells, would measure it.";
-  return `${grid} The scatter from one packing to another is not in it.`.trim();
+        ? `Of one grid: its error is not known${ruleOf(stage) === undefined ? "" : ` (${ruleOf(stage)})`}.`
+        : `Of one grid, whose error is up to about ${percent(expectedErrorOf(stage))} ${ruleOf(stage) ?? "by a rule"}.`;
+  return [grid, onMeasuringGrids(qualityOf(stage)?.measuring_grids), "The scatter from one packing to another is not in it."]
+    .filter((sentence) => sentence !== "").join(" ");
 }

@@ -63,12 +63,16 @@ function cellsText(cells) {
 }
 
 /// The error of one grid; `grid_rule` is the range of the rule, or what has none.
-function onOneGrid({expected_grid_error: error, grid_rule: rule}) {
-  return Number.isFinite(error)
-    ? `The grid: one, with an error of ${percent(error)} at most ${rule ?? "by a rule"}. A second one, coarser by half, ` +
-      "measures it."
-    : `The grid: one, so its error is not known${rule === undefined ? "" : ` (${rule})`}. A second one, coarser by half, ` +
-      "tells it.";
+function onOneGrid({expected_grid_error: error, grid_rule: rule, measuring_grids: grids}) {
+  const known = Number.isFinite(error)
+    ? `The grid: one, with an error of ${percent(error)} at most ${rule ?? "by a rule"}.`
+    : `The grid: one, so its error is not known${rule === undefined ? "" : ` (${rule})`}.`;
+  return `${known} ${onMeasuringGrids(grids)}`.trim();
+}
+
+/// A sentence on the grids that measure the error of one; empty where none do.
+export function onMeasuringGrids(grids) {
+  return grids === undefined ? "" : `Two grids, cells = [${grids.join(", ")}], measure it.`;
 }
 
 function onGrids({cells, quality}) {
@@ -76,7 +80,7 @@ function onGrids({cells, quality}) {
   if (cells.length < 2) return onOneGrid(quality ?? {});
   const error = quality?.grid_error;
   return `The grid: ${listed(cells.map(String))} cells a side` +
-    (!Number.isFinite(error) ? "." : error < 1 ? `, which tell an error of ${percent(error)} at most.`
+    (!Number.isFinite(error) ? "." : error < 1 ? `, whose error is ${percent(error)} at most.`
       : ", which differ too much, or have nearly as many cells, to tell the error.");
 }
 

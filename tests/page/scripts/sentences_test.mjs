@@ -131,6 +131,8 @@ test("the reliability of a stage, from the error estimates of the run", () => {
   assert.ok(sentencesOnReliability(study, byRule).join("\n").includes("one, with an error of 3 % at most by a rule"));
   const ofRange = {...byRule, quality: {...byRule.quality, grid_rule: "by a rule of packings of 52 and 55 %"}};
   assert.ok(sentencesOnReliability(study, ofRange).join("\n").includes("3 % at most by a rule of packings of 52 and 55 %."));
+  const measurable = {...byRule, quality: {...byRule.quality, measuring_grids: [25, 50]}};
+  assert.ok(sentencesOnReliability(study, measurable).join("\n").includes("by a rule. Two grids, cells = [25, 50], measure it."));
   const without = {...stage, quality: {...stage.quality, grid_rule: "no rule for ellipsoids"}};
   assert.ok(sentencesOnReliability(study, without).join("\n").includes("its error is not known (no rule for ellipsoids)"));
   const apart = {...stage, cells: [20, 21], quality: {...stage.quality, grid_error: 1.5}};
@@ -142,6 +144,6 @@ test("the reliability of a stage, from the error estimates of the run", () => {
   const periodic = {...stage, matrix: "b", dimensions: 3, cells: [32, 64], tests: [{boundary: "periodic"}],
     microstructure: {particles: 1}, quality: {grid_error: 0.02}};
   const other = sentencesOnReliability({stages: [periodic]}, periodic).join("\n");
-  for (const words of ["a cube", "no bounds", "an error of 2 % at most"]) assert.ok(other.includes(words), other);
+  for (const words of ["a cube", "no bounds", "whose error is 2 % at most"]) assert.ok(other.includes(words), other);
   assert.ok(!other.includes("seed") && !other.includes("stages"));
 });
