@@ -100,6 +100,12 @@ add_library(breccia_test_options INTERFACE)
 target_compile_options(breccia_test_options INTERFACE
   $<$<CONFIG:Release,RelWithDebInfo>:-O0> $<$<BOOL:${CMAKE_UNITY_BUILD}>:-Wno-shadow>)
 
+# The time that a test may take [s]. Sanitizers make a program up to ten times slower.
+set(breccia_test_limit 600)
+if(BRECCIA_SANITIZE)
+  set(breccia_test_limit 3600)
+endif()
+
 # breccia_test(<module> SOURCES <file>...): the unit tests of one module.
 function(breccia_test module)
   cmake_parse_arguments(test "" "" "SOURCES;LIBRARIES" ${ARGN})
@@ -113,7 +119,8 @@ function(breccia_test module)
   target_link_libraries(${module}_test PRIVATE
     breccia_options breccia_test_options breccia::breccia GTest::gtest_main GTest::gmock ${test_LIBRARIES})
   target_precompile_headers(${module}_test REUSE_FROM breccia_test_headers)
-  gtest_discover_tests(${module}_test TEST_PREFIX ${module}. NO_PRETTY_TYPES NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+  gtest_discover_tests(${module}_test TEST_PREFIX ${module}. NO_PRETTY_TYPES NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60
+    PROPERTIES TIMEOUT ${breccia_test_limit})
 endfunction()
 
 # breccia_mpirun_test(<name> <processes> <target> [<argument>...]): a program that several processes run together. Root in
