@@ -10,7 +10,7 @@
 
 namespace breccia {
 
-/// A value of an enumeration and its word in decks, tables and messages.
+/// A value of an enumeration, or of a type with few values, and its word in decks, tables and messages.
 template <class Enum>
 using Word = std::pair<std::string_view, Enum>;
 
@@ -20,9 +20,9 @@ using Word = std::pair<std::string_view, Enum>;
 template <class Enum>
 inline constexpr std::nullptr_t words = nullptr;
 
-/// An enumeration for which `words` is defined.
+/// An enumeration, or another type, for which `words` is defined.
 template <class Enum>
-concept HasWords = std::is_enum_v<Enum> && !std::is_same_v<decltype(words<Enum>), const std::nullptr_t>;
+concept HasWords = !std::is_same_v<decltype(words<Enum>), const std::nullptr_t>;
 
 /// The word for a value.
 template <HasWords Enum>

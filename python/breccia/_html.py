@@ -78,7 +78,7 @@ def stage_html(stage: _native.StageResult) -> str:
         content = box.kind if box.kind == "image" else f"{box.particles} {box.kind}"
         parts.append(f"<div>{content}, {100 * box.fraction:.2f} % of a box of {_three_digits(box.side, 'm')}</div>")
     if loads:
-        load = "shear" if "shear" in loads else loads[0]
+        load = next((one for one in ("isotropic", "shear") if one in loads), loads[0])
         tests = _preferred(stage, load)
         parts.append(f"<div>Relaxation modulus, {html.escape(load)}</div>" + _plot_of(stage, tests) + _table(tests))
     elif stage.microstructure is not None:

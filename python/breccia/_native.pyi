@@ -271,28 +271,28 @@ class StageResult:
     def warnings(self) -> list[str]: ...
     def test(
         self,
-        load: Optional[str] = "shear",
+        load: Optional[str] = None,
         boundary: Optional[str] = None,
         method: Optional[str] = None,
         grid: int | str | None = None,
     ) -> TestResult: ...
     def curve(
         self,
-        load: Optional[str] = "shear",
+        load: Optional[str] = None,
         boundary: Optional[str] = None,
         method: Optional[str] = None,
         grid: int | str | None = None,
     ) -> tuple[_Floats, _Floats]: ...
     def prony(
         self,
-        load: Optional[str] = "shear",
+        load: Optional[str] = None,
         boundary: Optional[str] = None,
         method: Optional[str] = None,
         grid: int | str | None = None,
     ) -> PronySeries: ...
     def compliance(
         self,
-        load: Optional[str] = "shear",
+        load: Optional[str] = None,
         boundary: Optional[str] = None,
         method: Optional[str] = None,
         grid: int | str | None = None,

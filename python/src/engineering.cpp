@@ -38,7 +38,7 @@ std::string lacking(const StageFindings& stage, const std::optional<std::string>
   bool has_shear = false, has_bulk = false;
   for (const auto& test : stage.tests) {
     if (boundary && *boundary != name_of(test.id.boundary)) continue;
-    (test.id.load == Load::bulk ? has_bulk : has_shear) = true;
+    (test.id.load.is_bulk() ? has_bulk : has_shear) = true;
   }
   const auto where = boundary ? fmt::format(" under the boundary condition {}", *boundary) : std::string();
   if (has_shear && has_bulk) {
@@ -77,7 +77,7 @@ py::tuple state_of(const EngineeringCurves& curves) {
 EngineeringCurves curves_from(const py::tuple& state) {
   const auto grid = grid_named(state[3].cast<std::string>());
   if (!grid) throw InputError("pickle: not a result of Breccia");
-  return {{value_of<Load>("load", state[0].cast<std::string>()),
+  return {{value_of<TestLoad>("load", state[0].cast<std::string>()),
            value_of<Boundary>("boundary", state[1].cast<std::string>()),
            value_of<Method>("method", state[2].cast<std::string>()), *grid},
           samples_from<EngineeringSample, double>(state[4]),

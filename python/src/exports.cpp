@@ -34,7 +34,7 @@ Composite composite_in(const Solution& solution, const OptionalText& stage, cons
   CompositeChoice choice;
   choice.stage = stage.value_or("");
   if (boundary) choice.boundary = value_of<Boundary>("boundary", *boundary);
-  if (load) choice.shear_load = value_of<Load>("load", *load);
+  if (load) choice.shear_load = value_of<TestLoad>("load", *load);
   std::vector<StageSeries> series;
   for (const auto& solved : solution.stages) {
     for (auto& one : series_of(solved.result)) series.push_back(std::move(one));

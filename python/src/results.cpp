@@ -154,11 +154,12 @@ EngineeringCurves engineering_of_stage(const SolvedStage& stage, const std::opti
 }
 
 void bind_stage(py::module_& module) {
-  const auto load = py::arg("load") = "shear";
+  const auto load = py::arg("load") = py::none();
   const auto boundary = py::arg("boundary") = py::none(), method = py::arg("method") = py::none(),
              grid = py::arg("grid") = py::none();
   constexpr auto which =
-      "\n\nload: \"shear\", \"bulk\", ...; boundary: \"displacement\" (upper bound), \"traction\" (lower bound) or "
+      "\n\nload: \"isotropic\" (the mean of all shears), \"shear\", \"bulk\", ..., by default the first of these that "
+      "was tested; boundary: \"displacement\" (upper bound), \"traction\" (lower bound) or "
       "\"periodic\", needed where several were tested; method: \"quasistatic\" before \"dynamic\"; grid: cells per "
       "side, "
       "by default the finest or the extrapolation.";

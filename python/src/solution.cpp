@@ -26,7 +26,6 @@ std::string tests_in_words(const StageFindings& stage) {
 }
 
 void require_known(const TestWords& words) {
-  if (words.load) static_cast<void>(value_of<Load>("load", *words.load));
   if (words.boundary) static_cast<void>(value_of<Boundary>("boundary", *words.boundary));
   if (words.method) static_cast<void>(value_of<Method>("method", *words.method));
   if (words.grid && !grid_named(*words.grid)) {
@@ -34,9 +33,16 @@ void require_known(const TestWords& words) {
   }
 }
 
+/// The load of these words; without one the main shear, or shear where there is none.
+TestLoad load_of(const TestWords& words, const StageFindings& stage) {
+  if (words.load) return value_of<TestLoad>("load", *words.load);
+  std::vector<TestLoad> loads;
+  for (const auto& test : stage.tests) loads.push_back(test.id.load);
+  return main_shear(loads).value_or(Load::shear);
+}
+
 bool fits(const TestWords& words, const TestId& test) {
-  return (!words.load || *words.load == name_of(test.load)) &&
-         (!words.boundary || *words.boundary == name_of(test.boundary)) &&
+  return (!words.boundary || *words.boundary == name_of(test.boundary)) &&
          (!words.method || *words.method == name_of(test.method)) && (!words.grid || *words.grid == name_of(test.grid));
 }
 
@@ -57,10 +63,11 @@ std::shared_ptr<Solution> solution_of(const Study& study, StudyResult result) {
 
 const TestResult& test_of(const StageFindings& stage, const TestWords& words) {
   require_known(words);
+  const auto load = load_of(words, stage);
   const TestResult* found = nullptr;
   std::set<Boundary> boundaries;
   for (const auto& test : stage.tests) {
-    if (!fits(words, test.id)) continue;
+    if (test.id.load != load || !fits(words, test.id)) continue;
     boundaries.insert(test.id.boundary);
     if (found == nullptr || is_preferred(test.id, found->id)) found = &test;
   }

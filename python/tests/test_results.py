@@ -116,6 +116,20 @@ def test_fields_of_grains_and_films_have_the_work_of_the_load():
         assert (field["work"] * field["area"]).sum() / 0.4e-3**2 == pytest.approx(test.modulus[-1], rel=2e-3)
 
 
+def test_the_mean_of_all_shears_is_the_modulus_by_default():
+    study = breccia.read_study(MODEL, {**OVERRIDES, "tests.loads": ["isotropic", "bulk"]})
+    stage = breccia.solve(study)["model"]
+    shears = [stage.curve(load, "displacement")[1] for load in ("shear", "shear-xx-yy")]
+    assert np.allclose(stage.curve(boundary="displacement")[1], np.mean(shears, axis=0), rtol=1e-14)
+    assert stage.test(boundary="displacement").load == "isotropic"
+    assert stage.engineering("displacement").load == "isotropic"
+    time, compliance = stage.compliance(boundary="traction")
+    series = stage.prony(boundary="traction")
+    assert np.allclose(compliance[0] * series.at(time[0]), 1.0, rtol=0.1) and len(time) > 20
+    assert "isotropic" in stage._repr_html_()
+    assert pickle.loads(pickle.dumps(stage)).curve(boundary="displacement")[1][0] == np.mean(shears, axis=0)[0]
+
+
 def test_a_test_is_found_by_words(model):
     stage = model["model"]
     with pytest.raises(breccia.InputError, match='expected boundary="displacement" or boundary="traction"'):

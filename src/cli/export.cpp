@@ -35,7 +35,7 @@ struct ExportArguments {
   std::string format;
   std::string stage;     ///< name of the stage; empty: the last one
   std::string boundary;  ///< boundary condition; empty: the only one
-  std::string load;      ///< load; empty: shear, or the only load of shear
+  std::string load;      ///< load; empty: the isotropic mean, shear, or the only load of shear
   std::string tolerance = "1 %";
   std::vector<std::string> times;
   std::string temperature;  ///< temperature of the moduli; empty: that of the run
@@ -158,7 +158,7 @@ ExportRequest read_request(const ExportArguments& arguments) {
   auto& settings = request.settings;
   choice.stage = arguments.stage;
   if (!arguments.boundary.empty()) choice.boundary = value_named<Boundary>(arguments.boundary);
-  if (!arguments.load.empty()) choice.shear_load = value_named<Load>(arguments.load);
+  if (!arguments.load.empty()) choice.shear_load = value_named<TestLoad>(arguments.load);
   settings.format = value_named<CardFormat>(arguments.format).value_or(CardFormat::csv);
   settings.units = value_named<CardUnits>(arguments.units).value();
   OptionReader options;
@@ -303,10 +303,10 @@ void add_export(CLI::App& application) {
   command->add_option("--boundary", arguments->boundary, "the boundary condition, if the stage has several")
       ->check(CLI::IsMember(names_of_words<Boundary>()).description(""))
       ->type_name(fmt::format("{}", fmt::join(names_of_words<Boundary>(), "|")));
-  auto shear_loads = names_of_words<Load>();
+  auto shear_loads = names_of_words<TestLoad>();
   std::erase(shear_loads, name_of(Load::bulk));
-  command->add_option("--load", arguments->load, "the load of shear that gives G(t) (default: shear)")
-      ->check(CLI::IsMember(names_of_words<Load>()).description(""))
+  command->add_option("--load", arguments->load, "the load of shear that gives G(t) (default: isotropic, else shear)")
+      ->check(CLI::IsMember(names_of_words<TestLoad>()).description(""))
       ->type_name(fmt::format("{}", fmt::join(shear_loads, "|")));
   command
       ->add_option("--tolerance", arguments->tolerance,

@@ -16,21 +16,25 @@
 namespace breccia::cli {
 namespace {
 
-/// The tests that a table shows; for several grids only the limit of vanishing cells.
+/// The tests that a table shows; for several grids only the limit of vanishing cells, and only the mean of shears where
+/// there is one.
 std::vector<const TestResult*> shown_tests(const StageResult& stage) {
   const bool has_limits =
       std::ranges::any_of(stage.tests, [](const TestResult& test) { return test.id.grid.is_extrapolated(); });
+  const bool has_means =
+      std::ranges::any_of(stage.tests, [](const TestResult& test) { return test.id.load.is_isotropic(); });
   std::vector<const TestResult*> shown;
   for (const auto& test : stage.tests) {
-    if (!has_limits || test.id.grid.is_extrapolated()) shown.push_back(&test);
+    const bool is_in_mean = has_means && !test.id.load.is_isotropic() && !test.id.load.is_bulk();
+    if (!is_in_mean && (!has_limits || test.id.grid.is_extrapolated())) shown.push_back(&test);
   }
   return shown;
 }
 
 /// The name of the modulus under a load: "G", "G, xx-yy", "K + G/3".
-std::string modulus_in_words(Load load, int dimensions) {
-  if (load == Load::bulk) return std::string(symbol_of_bulk_test(dimensions));
-  if (load == Load::shear) return "G";
+std::string modulus_in_words(TestLoad load, int dimensions) {
+  if (load.is_bulk()) return std::string(symbol_of_bulk_test(dimensions));
+  if (load.is_isotropic() || load == Load::shear) return "G";
   constexpr std::string_view shear = "shear-";
   return "G, " + name_of(load).substr(shear.size());
 }

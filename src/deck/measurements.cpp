@@ -14,6 +14,7 @@
 #include "deck/time_window.hpp"
 #include "io/file_mistakes.hpp"
 #include "io/nearest_name.hpp"
+#include "study/chain.hpp"
 
 namespace breccia {
 namespace {
@@ -104,7 +105,7 @@ std::vector<Measurement> read_measurements(const Section& deck, const std::vecto
     measurement.stage = read_stage(section, stages);
     read_shear(section.section("shear"), measurement);
     if (section.has("times")) measurement.times = read_time_window(section, "times");
-    const bool tests_shear = std::ranges::find(tests.loads, Load::shear) != tests.loads.end();
+    const bool tests_shear = std::ranges::find(tests.loads, shear_of_material(tests)) != tests.loads.end();
     if (!tests_shear) section.report("shear", "tests.loads has no \"shear\" that could be compared");
     measurements.push_back(std::move(measurement));
   }

@@ -116,13 +116,19 @@ std::vector<Boundary> default_boundaries(const std::vector<Stage>& stages) {
 }
 
 /// Reads the loads. Those that the box does not have are reported and left out.
-std::vector<Load> read_loads(const Section& section, const std::vector<Stage>& stages) {
-  auto loads = section.list_of_choices<Load>("loads");
+std::vector<TestLoad> read_loads(const Section& section, const std::vector<Stage>& stages) {
+  if (section.kind("loads") == Kind::text) {
+    if (section.text("loads") != name_of(TestLoad::isotropic())) {
+      section.report("loads", R"(expected "isotropic" or an array, such as ["shear", "bulk"])");
+    }
+    return {TestLoad::isotropic()};
+  }
+  auto loads = section.list_of_choices<TestLoad>("loads");
   refuse_repeats(section, "loads", loads);
   if (stages.empty()) return loads;
   const int dimensions = stages.front().dimensions();
   for (const auto& mistake : mistakes_of_loads(loads, dimensions)) section.report("loads", mistake);
-  std::erase_if(loads, [dimensions](Load load) { return dimensions == 2 && !has_load<2>(load); });
+  std::erase_if(loads, [dimensions](TestLoad load) { return !has_test_load(load, dimensions); });
   return loads;
 }
 

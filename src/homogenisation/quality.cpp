@@ -72,7 +72,7 @@ std::optional<BoundsAtTime> worst_crossing(const LoadQuality& load) {
 
 /// The load and method of bounds among those of several: "bounds under shear", "bounds under shear, dynamic".
 std::string name_of_bounds(const LoadQuality& bounds, std::span<const LoadQuality> all) {
-  if (all.size() == 1) return "bounds";
+  if (all.size() == 1 || (bounds.load.is_isotropic() && all.front().method == all.back().method)) return "bounds";
   const bool is_one_method = std::ranges::all_of(all, [&](const auto& other) { return other.method == bounds.method; });
   return fmt::format("bounds under {}{}", name_of(bounds.load),
                      is_one_method ? "" : fmt::format(", {}", name_of(bounds.method)));
@@ -107,6 +107,13 @@ std::string words_on_bounds(const StageQuality& quality) {
   const auto text = words_of(std::abs(*first)), later = words_of(std::abs(*last));
   return fmt::format("{} {}{} at {}, {} at {}", bounds, text, text.starts_with('a') ? "" : " apart",
                      display_time(times.front().time), later, display_time(times.back().time));
+}
+
+/// The distance of the shears at the first and the last time: "shears 4 % apart at 1 ms, 11 % at 100 s".
+std::string words_on_anisotropy(const Anisotropy& shears) {
+  const auto distance = words_of(shears.first.distance);
+  return fmt::format("shears {}{} at {}, {} at {}", distance, distance.starts_with('a') ? "" : " apart",
+                     display_time(shears.first.time), words_of(shears.last.distance), display_time(shears.last.time));
 }
 
 /// The error of one grid by a rule, or the reason why no rule gives it.
@@ -149,7 +156,7 @@ constexpr std::array methods = {Method::quasistatic, Method::dynamic};
 /// The largest ratio of half band to modulus of all tests.
 std::optional<double> largest_grid_share(const StageResult& result) {
   std::optional<double> largest;
-  for (const auto& [load_name, load] : words<Load>) {
+  for (const auto& [load_name, load] : words<TestLoad>) {
     for (const auto& [boundary_name, boundary] : words<Boundary>) {
       for (const auto method : methods) {
         const auto* test = find_preferred_test(result.tests, load, boundary, method);
@@ -189,7 +196,7 @@ std::optional<double> BoundsAtTime::crossing() const {
 
 std::vector<LoadQuality> bounds_of_tests(const StageResult& result) {
   std::vector<LoadQuality> all;
-  for (const auto& [name, load] : words<Load>) {
+  for (const auto& [name, load] : words<TestLoad>) {
     for (const auto method : methods) {
       const auto* upper = find_preferred_test(result.tests, load, Boundary::displacement, method);
       const auto* lower = find_preferred_test(result.tests, load, Boundary::traction, method);
@@ -214,6 +221,7 @@ StageQuality quality_of(const Study& study, const Stage& stage, const StageResul
                        .is_periodic = false,
                        .grid_share = {},
                        .loads = bounds_of_tests(result)};
+  quality.anisotropy = anisotropy_of_tests(stage.dimensions(), result.tests);
   quality.is_periodic =
       std::ranges::any_of(result.tests, [](const TestResult& test) { return test.id.boundary == Boundary::periodic; });
   quality.grid_share = largest_grid_share(result);
@@ -247,7 +255,9 @@ std::string words_on_rule(const GridPlan& grid) {
 
 std::string summary_of(const StageQuality& quality) {
   if (quality.particles == 0 && !(quality.fraction > 0.0)) return {};
-  std::vector<std::string> parts{words_on_bounds(quality), words_on_grid(quality)};
+  std::vector<std::string> parts{words_on_bounds(quality)};
+  if (quality.anisotropy) parts.push_back(words_on_anisotropy(*quality.anisotropy));
+  parts.push_back(words_on_grid(quality));
   if (std::isfinite(quality.gap_cells)) parts.push_back(words_on_gap(quality));
   if (quality.coating_cells) parts.push_back(fmt::format("thinnest coating: {:.2g} cells", *quality.coating_cells));
   if (!quality.matrix_stage.empty()) {

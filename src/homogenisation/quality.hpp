@@ -10,6 +10,8 @@
 #include "breccia/homogenisation/study_result.hpp"
 #include "breccia/study/study.hpp"
 
+#include "homogenisation/anisotropy.hpp"
+
 namespace breccia {
 
 /// The bounds (apparent moduli) of a box at one time.
@@ -27,7 +29,7 @@ struct BoundsAtTime {
 
 /// The bounds under one load and by one method; with several grids the extrapolated bounds.
 struct LoadQuality {
-  Load load = Load::shear;
+  TestLoad load = Load::shear;
   Method method = Method::quasistatic;
   std::vector<BoundsAtTime> times;  ///< bounds at both ends of the curves and at each decade between them
 };
@@ -50,7 +52,8 @@ struct StageQuality {
   std::optional<double> grid_share;  ///< largest half band of a test over its modulus [-]; nothing for a single grid
   /// The error of a single grid to be expected by a rule; nothing for several grids, and for films.
   std::optional<GridPlan> one_grid = {};
-  std::vector<LoadQuality> loads;  ///< bounds of the finished tests
+  std::vector<LoadQuality> loads;             ///< bounds of the finished tests
+  std::optional<Anisotropy> anisotropy = {};  ///< of the shears of which the result is the mean
 
   /// The narrowest gap in cells of one of the grids, given by its cells per side.
   [[nodiscard]] double gap_cells_on(int grid) const { return gap_cells * grid / grids.back(); }

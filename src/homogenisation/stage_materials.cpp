@@ -8,6 +8,7 @@
 
 #include "homogenisation/inclusions.hpp"
 #include "homogenisation/run/stage_extrapolation.hpp"
+#include "study/chain.hpp"
 #include "virtual_test/bulk_test.hpp"
 
 namespace breccia {
@@ -32,6 +33,7 @@ StageFit fit_of(const Tests& tests, const Stage& stage) {
           .side = stage.side,
           .dimensions = stage.dimensions(),
           .mixing = tests.mixing,
+          .shear = shear_of_material(tests),
           .times = {tests.first_time, tests.last_time},
           .points_per_decade = tests.points_per_decade,
           .tolerance = tests.fit_tolerance};
@@ -45,12 +47,12 @@ StageMaterial fitted_material(const StageFit& fit, const std::vector<TestResult>
   // evaluated from three decades earlier on.
   constexpr double back = 1e-3;
   const auto times = logarithmic_times({back * fit.times.begin, fit.times.end}, std::max(fit.points_per_decade, 20));
-  const auto curve = [&](Load load) {
+  const auto curve = [&](TestLoad load) {
     return curve_at(preferred_test(tests, load, boundary, method), fit.side, tests, fit.mixing, times);
   };
   StageMaterial material{
       boundary, method,
-      homogenised_material(fit.stage, density, curve(Load::shear), curve(Load::bulk), fit.tolerance, fit.dimensions)};
+      homogenised_material(fit.stage, density, curve(fit.shear), curve(Load::bulk), fit.tolerance, fit.dimensions)};
   require_good_fit(fit, material);
   return material;
 }

@@ -14,9 +14,10 @@ struct StageFit {
   double side = 0.0;   ///< side of the box [m]
   int dimensions = 2;  ///< dimensions of the box
   Mixing mixing = Mixing::series;
-  TimeWindow times;            ///< first and last time of the curves [s]
-  int points_per_decade = 20;  ///< samples per decade of the curves
-  double tolerance = 0.0;      ///< largest relative deviation of the fit from the curves [-]
+  TestLoad shear = Load::shear;  ///< load whose modulus is G
+  TimeWindow times;              ///< first and last time of the curves [s]
+  int points_per_decade = 20;    ///< samples per decade of the curves
+  double tolerance = 0.0;        ///< largest relative deviation of the fit from the curves [-]
 };
 
 /// The result of a stage under a boundary and by a method as a material of this density [kg/m^3]; later stages use it

@@ -16,7 +16,7 @@ double distance_from_one(const ComparedSample& sample) {
 
 }  // namespace
 
-const TestResult* find_preferred_test(const std::vector<TestResult>& tests, Load load, Boundary boundary,
+const TestResult* find_preferred_test(const std::vector<TestResult>& tests, TestLoad load, Boundary boundary,
                                       Method method) {
   const TestResult* best = nullptr;
   for (const auto& test : tests) {
@@ -27,7 +27,8 @@ const TestResult* find_preferred_test(const std::vector<TestResult>& tests, Load
   return best;
 }
 
-const TestResult& preferred_test(const std::vector<TestResult>& tests, Load load, Boundary boundary, Method method) {
+const TestResult& preferred_test(const std::vector<TestResult>& tests, TestLoad load, Boundary boundary,
+                                 Method method) {
   const auto* best = find_preferred_test(tests, load, boundary, method);
   if (best != nullptr) return *best;
   throw InputError(fmt::format("no test under {} with the {} boundary by the {} method", name_of(load),

@@ -6,6 +6,7 @@
 
 #include "homogenisation/varying_phases.hpp"
 #include "quasistatic/reduced/carson_path.hpp"
+#include "study/chain.hpp"
 #include "virtual_test/bulk_test.hpp"
 #include "virtual_test/extrapolation.hpp"
 
@@ -13,7 +14,7 @@ namespace breccia {
 namespace {
 
 /// The reduced responses of a stage under one load and boundary, on one grid or on several grids for extrapolation.
-struct ResponsesOnGrids {
+struct ResponsesUnderLoad {
   std::vector<double> cell_sides;  ///< sides of the cells, falling [m]
   std::vector<const ReducedResponse*> responses;
 
@@ -25,9 +26,9 @@ struct ResponsesOnGrids {
   }
 };
 
-ResponsesOnGrids responses_on_grids(const Stage& stage, const StageResult& result, Mixing mixing, Load load,
-                                    Boundary boundary) {
-  ResponsesOnGrids found;
+ResponsesUnderLoad responses_under(Load load, const Stage& stage, const StageResult& result, Mixing mixing,
+                                   Boundary boundary) {
+  ResponsesUnderLoad found;
   // With mixed cells the finest grid gives the results (theory, section 11).
   const auto grids = has_mixed_cells(mixing) ? std::vector{stage.cells} : stage.grids();
   for (const int cells : grids) {
@@ -43,10 +44,38 @@ ResponsesOnGrids responses_on_grids(const Stage& stage, const StageResult& resul
   return found;
 }
 
+/// The reduced responses of a stage whose mean is one of its moduli.
+struct ResponsesOfModulus {
+  std::vector<ResponsesUnderLoad> under_loads;
+
+  [[nodiscard]] bool are_known() const {
+    return std::ranges::none_of(under_loads, [](const auto& under_load) { return under_load.responses.empty(); });
+  }
+  [[nodiscard]] double modulus(const std::vector<Moduli>& of_phases) const {
+    double sum = 0.0;
+    for (const auto& under_load : under_loads) sum += under_load.modulus(of_phases);
+    return sum / static_cast<double>(under_loads.size());
+  }
+};
+
+ResponsesOfModulus responses_of_modulus(TestLoad load, const Stage& stage, const StageResult& result, Mixing mixing,
+                                        Boundary boundary) {
+  ResponsesOfModulus found;
+  const auto add = [&](Load one) {
+    found.under_loads.push_back(responses_under(one, stage, result, mixing, boundary));
+  };
+  if (load.is_isotropic()) {
+    std::ranges::for_each(isotropic_shears(stage.dimensions()), add);
+  } else {
+    add(*load.of_test());
+  }
+  return found;
+}
+
 /// Moduli [Pa] of a stage as an isotropic material (theory, Eq. 32) along a path of moduli of its phases that vary, as
 /// long as they fall and are positive.
-std::vector<Moduli> moduli_of_stage(const Stage& stage, const ResponsesOnGrids& in_shear,
-                                    const ResponsesOnGrids& in_bulk, const std::vector<std::vector<Moduli>>& path) {
+std::vector<Moduli> moduli_of_stage(const Stage& stage, const ResponsesOfModulus& in_shear,
+                                    const ResponsesOfModulus& in_bulk, const std::vector<std::vector<Moduli>>& path) {
   constexpr double rounding = 1e-6;
   std::vector<Moduli> moduli;
   const double share_of_shear = shear_in_bulk_test(stage.dimensions());
@@ -116,9 +145,11 @@ class ChainOfStages {
     if (made_by == nullptr) return {};
     const auto made = std::ranges::find(earlier_, made_by->name, &StageResult::name);
     if (made == earlier_.end()) return {};
-    const auto in_shear = responses_on_grids(*made_by, *made, study_.tests.mixing, Load::shear, boundary_);
-    const auto in_bulk = responses_on_grids(*made_by, *made, study_.tests.mixing, Load::bulk, boundary_);
-    if (in_shear.responses.empty() || in_bulk.responses.empty()) return {};
+    const auto responses = [&](TestLoad load) {
+      return responses_of_modulus(load, *made_by, *made, study_.tests.mixing, boundary_);
+    };
+    const auto in_shear = responses(shear_of_material(study_.tests)), in_bulk = responses(Load::bulk);
+    if (!in_shear.are_known() || !in_bulk.are_known()) return {};
     return moduli_of_stage(*made_by, in_shear, in_bulk, moduli(*made_by, laplace_variables));
   }
 

@@ -30,7 +30,7 @@ std::vector<FieldsOfTest> fields_of(const fs::path& directory, const StageEntry&
   for (const auto& test : stage.tests) {
     for (const auto& field : test.fields) {
       if (!is_there(directory / field.file)) continue;
-      files.push_back({directory / field.file, test.id.load, test.id.boundary});
+      files.push_back({directory / field.file, test.id.load.of_test().value(), test.id.boundary});
     }
   }
   return files;

@@ -67,10 +67,10 @@ class Chooser {
   }
 
   void choose_load() {
-    std::vector<Load> loads;
+    std::vector<TestLoad> loads;
     for (const auto& one : series_) {
       const bool is_here = one.stage == choice_.stage && (!choice_.boundary || one.boundary == *choice_.boundary);
-      if (is_here && one.load != Load::bulk) add_once(loads, one.load);
+      if (is_here && !one.load.is_bulk()) add_once(loads, one.load);
     }
     if (choice_.shear_load == Load::bulk) {
       mistakes_.emplace_back(
@@ -82,8 +82,9 @@ class Chooser {
       mistakes_.push_back(fmt::format("{}: stage {} was not tested in shear", place_, choice_.stage));
       return;
     }
-    const bool has_plain = std::ranges::find(loads, Load::shear) != loads.end();
-    if (!choice_.shear_load && has_plain) choice_.shear_load = Load::shear;
+    const auto main = main_shear(loads);
+    if (!choice_.shear_load && (main == TestLoad::isotropic() || main == TestLoad(Load::shear)))
+      choice_.shear_load = main;
     choose(loads, choice_.shear_load, "shear load");
   }
 
@@ -184,7 +185,7 @@ std::vector<StageSeries> series_of(const StageFindings& stage) {
 Composite composite_of(const StudyContent& content, const std::vector<StageSeries>& series,
                        const CompositeChoice& choice, const std::string& place) {
   const auto chosen = Chooser(place, series, choice).resolved();
-  const auto find = [&](Load load) -> std::optional<PronySeries> {
+  const auto find = [&](TestLoad load) -> std::optional<PronySeries> {
     const auto found = std::ranges::find_if(series, [&](const StageSeries& one) {
       return one.stage == chosen.stage && one.boundary == *chosen.boundary && one.load == load;
     });

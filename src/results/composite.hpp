@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "breccia/discretisation/boundary.hpp"
-#include "breccia/discretisation/load.hpp"
 #include "breccia/homogenisation/study_result.hpp"
 #include "breccia/study/study.hpp"
 #include "breccia/viscoelasticity/prony_series.hpp"
@@ -22,7 +21,7 @@ namespace breccia {
 struct CompositeChoice {
   std::string stage = {};  ///< name of the stage; empty: the last one
   std::optional<Boundary> boundary = {};
-  std::optional<Load> shear_load = {};
+  std::optional<TestLoad> shear_load = {};
 };
 
 /// The moduli of a composite.
@@ -30,7 +29,7 @@ struct Composite {
   std::string title;  ///< title of the study
   std::string stage;
   Boundary boundary = Boundary::displacement;
-  Load shear_load = Load::shear;
+  TestLoad shear_load = Load::shear;
   int dimensions = 2;
   double density = 0.0;                     ///< density of the stage with everything in its matrix [kg/m^3]
   PronySeries shear;                        ///< G(t) [Pa]
@@ -68,7 +67,7 @@ StudyContent study_content(const Study& study, const StudyResult& result);
 /// The relaxation modulus of a stage under one load and boundary condition.
 struct StageSeries {
   std::string stage;
-  Load load = Load::shear;
+  TestLoad load = Load::shear;
   Boundary boundary = Boundary::displacement;
   PronySeries series = {};
 };

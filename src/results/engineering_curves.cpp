@@ -15,20 +15,25 @@ struct TestPair {
   const TestResult* bulk;
 };
 
-/// The pairs for each boundary condition: with the load `shear`, or else with the first load of shear.
+/// The pairs for each boundary condition, with the main shear (main_shear).
 std::vector<TestPair> pairs_of(const StageFindings& stage) {
   const auto best = best_tests(stage);
   std::vector<TestPair> pairs;
   for (const auto* bulk : best) {
-    if (bulk->id.load != Load::bulk || !(bulk->series.unrelaxed() > 0.0)) continue;
-    const auto is_shear = [bulk](const TestResult* test) {
-      return test->id.load != Load::bulk && test->id.boundary == bulk->id.boundary &&
-             test->id.method == bulk->id.method && test->id.grid == bulk->id.grid && test->series.unrelaxed() > 0.0;
-    };
-    auto shear = std::ranges::find_if(
-        best, [&](const TestResult* test) { return is_shear(test) && test->id.load == Load::shear; });
-    if (shear == best.end()) shear = std::ranges::find_if(best, is_shear);
-    if (shear != best.end()) pairs.push_back({*shear, bulk});
+    if (!bulk->id.load.is_bulk() || !(bulk->series.unrelaxed() > 0.0)) continue;
+    std::vector<const TestResult*> shears;
+    std::vector<TestLoad> loads;
+    for (const auto* test : best) {
+      const bool is_beside = test->id.boundary == bulk->id.boundary && test->id.method == bulk->id.method &&
+                             test->id.grid == bulk->id.grid && test->series.unrelaxed() > 0.0;
+      if (test->id.load.is_bulk() || !is_beside) continue;
+      shears.push_back(test);
+      loads.push_back(test->id.load);
+    }
+    const auto main = main_shear(loads);
+    if (!main) continue;
+    const auto is_main = [&main](const TestResult* shear) { return shear->id.load == *main; };
+    pairs.push_back({*std::ranges::find_if(shears, is_main), bulk});
   }
   return pairs;
 }

@@ -36,7 +36,7 @@ struct EngineeringCurves {
 
 /// The curves of each boundary condition under which a stage was tested in shear and in bulk by the same method on the
 /// same grid, at the times of the curves and at the frequencies of `rows`, from its preferred tests (is_preferred):
-/// from the load `shear`, or else from the first load of shear.
+/// from the main shear (main_shear).
 std::vector<EngineeringCurves> engineering_curves(const StageFindings& stage, const FrequencyRows& rows);
 
 }  // namespace breccia

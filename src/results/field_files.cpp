@@ -150,7 +150,8 @@ std::vector<FieldRecord> write_fields(const fs::path& directory, const Study& st
       write_text(directory / file, field_picture(picture));
     };
     collect_fields(
-        fields.grid, own, [&, time = time] { all.emplace(directory / record.file, fields.grid, time, test.load); },
+        fields.grid, own,
+        [&, time = time] { all.emplace(directory / record.file, fields.grid, time, test.load.of_test().value()); },
         [&](std::size_t first, const PointFields<2>& piece) { all->take(first, piece); },
         [&] {
           all->commit();

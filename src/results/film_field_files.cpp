@@ -87,19 +87,19 @@ struct MapOfCells {
 
 /// The stress component of a load, relative to the applied strain or stress.
 MapOfCells stress_map(const FilmFields& fields, const TestId& test) {
-  const auto stress = [load = test.load](const FilmCell& cell) { return modulus_of<2>(load, in_plane_stress(cell)); };
-  return {stress, stress_quantity(test.boundary, test.load, mean_of(fields, stress))};
+  const auto load = test.load.of_test().value();
+  const auto stress = [load](const FilmCell& cell) { return modulus_of<2>(load, in_plane_stress(cell)); };
+  return {stress, stress_quantity(test.boundary, load, mean_of(fields, stress))};
 }
 
 /// The largest shear strain of each cell over the mean shear strain or dilatation of the load.
 MapOfCells strain_map(const FilmFields& fields, const TestId& test) {
-  const auto strain = [load = test.load](const FilmCell& cell) {
-    return compliance_of<2>(load, in_plane_strain(cell));
-  };
+  const auto load = test.load.of_test().value();
+  const auto strain = [load](const FilmCell& cell) { return compliance_of<2>(load, in_plane_strain(cell)); };
   const auto largest_shear = [](const FilmCell& cell) {
     return std::hypot(cell.strain[0] - cell.strain[1], 2.0 * cell.strain[2]);
   };
-  return {largest_shear, strain_quantity(test.load, mean_of(fields, strain)), ColourScale::logarithmic};
+  return {largest_shear, strain_quantity(load, mean_of(fields, strain)), ColourScale::logarithmic};
 }
 
 /// The work in films and junctions over its mean in the box.
@@ -139,7 +139,7 @@ std::vector<FieldRecord> write_fields(const fs::path& directory, const Study& st
         auto picture = picture_of(cells, map);
         picture.title = field_title(stage, test, fields.at_times[i].time);
         picture.side = stage.side;
-        picture.load = drawn_load(test.load);
+        picture.load = drawn_load(test.load.of_test().value());
         picture.is_periodic = test.boundary == Boundary::periodic;
         write_text(directory / file, polygon_picture(picture));
       };

@@ -260,6 +260,12 @@ StageResponses read_stage(const Group& root) {
   const auto mixing = value_named<Mixing>(text("mixing"));
   root.require(mixing.has_value(), "a mixing, series, flow or points");
   stored.mixing = *mixing;
+  // Files of versions that had no isotropic mean lack this word.
+  if (root.file.has_attribute("/", "shear")) {
+    const auto shear = value_named<TestLoad>(text("shear"));
+    root.require(shear && !shear->is_bulk(), "a load of shear");
+    stored.shear = *shear;
+  }
   stored.fit_tolerance = number("fit_tolerance");
   const auto times = root.file.attribute<std::vector<double>>("/", "times_s");
   const bool is_window = times.size() == 2 && times[0] > 0.0 && times[0] <= times[1] && std::isfinite(times[1]);
@@ -304,6 +310,7 @@ void write_responses(const std::filesystem::path& directory, const StageResponse
   file.write_attribute("/", "times_s", std::vector<double>{responses.times.begin, responses.times.end});
   file.write_attribute("/", "sampled_range", name_of(responses.range));
   file.write_attribute("/", "mixing", name_of(responses.mixing));
+  file.write_attribute("/", "shear", name_of(responses.shear));
   file.write_attribute("/", "fit_tolerance", responses.fit_tolerance);
   file.write_attribute("/", "points_per_decade", std::int64_t{responses.points_per_decade});
   write_materials(file, responses.other_phases);

@@ -11,6 +11,7 @@
 #include "io/display.hpp"
 #include "io/text_file.hpp"
 #include "report/modulus_plot.hpp"
+#include "study/chain.hpp"
 #include "virtual_test/bulk_test.hpp"
 
 namespace breccia {
@@ -26,7 +27,7 @@ struct ReferenceCurve {
 
 /// Index in the palette: blue, red and green for the boundaries, other colours for the second shear test, black for
 /// measured moduli.
-std::size_t colour_of(Boundary boundary, Load load) {
+std::size_t colour_of(Boundary boundary, TestLoad load) {
   return static_cast<std::size_t>(boundary) + (load == Load::diagonal_shear ? 3U : 0U);
 }
 constexpr std::size_t colour_of_measurements = 6;
@@ -104,7 +105,10 @@ std::vector<ReferenceCurve> references(const Study& study, const Stage& stage, c
 void write_plots(const std::filesystem::path& directory, const Study& study, const Stage& stage,
                  const StudyResult& study_result) {
   const auto& result = study_result.stages.back();
-  auto shear = plot_of(study, stage, result, [](const TestResult& test) { return test.id.load != Load::bulk; });
+  const bool shows_mean = asks_for_isotropic(study.tests);
+  auto shear = plot_of(study, stage, result, [shows_mean](const TestResult& test) {
+    return shows_mean ? test.id.load.is_isotropic() : !test.id.load.is_bulk();
+  });
   if (!shear.curves.empty()) {
     for (const auto& [label, modulus, boundary] : references(study, stage, study_result)) {
       auto& curve = shear.curves.emplace_back(plot_curve(label, modulus));
@@ -114,7 +118,7 @@ void write_plots(const std::filesystem::path& directory, const Study& study, con
     shear.quantity = "Relaxation modulus G(t)";
     write_text(directory / "modulus.svg", modulus_plot(shear));
   }
-  auto bulk = plot_of(study, stage, result, [](const TestResult& test) { return test.id.load == Load::bulk; });
+  auto bulk = plot_of(study, stage, result, [](const TestResult& test) { return test.id.load.is_bulk(); });
   if (!bulk.curves.empty()) {
     bulk.quantity =
         is_plane_strain(stage.dimensions()) ? "Plane-strain bulk modulus K(t) + G(t)/3" : "Bulk modulus K(t)";

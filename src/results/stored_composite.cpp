@@ -27,7 +27,7 @@ std::vector<StageSeries> read_stored_series(const fs::path& directory) {
     equilibrium = 0.0;
   };
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    const auto load = value_named<Load>(table.text("load")[row]);
+    const auto load = value_named<TestLoad>(table.text("load")[row]);
     const auto boundary = value_named<Boundary>(table.text("boundary")[row]);
     if (!load || !boundary) {
       throw FileError(fmt::format("{}: not a load and a boundary condition of `breccia run`", table.location(row)));

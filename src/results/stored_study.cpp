@@ -40,7 +40,7 @@ TestResult& test_in(std::vector<StageFindings>& stages, const std::string& stage
 /// The identity of the test to which a row of a table of samples belongs. The table of extrapolated curves has no
 /// column of grids.
 TestId id_of_row(const CsvTable& table, std::size_t row) {
-  const auto load = table.has("load") ? value_named<Load>(table.text("load")[row]) : Load::shear;
+  const auto load = table.has("load") ? value_named<TestLoad>(table.text("load")[row]) : Load::shear;
   const auto boundary = value_named<Boundary>(table.text("boundary")[row]);
   const auto method = value_named<Method>(table.text("method")[row]);
   const auto grid = table.has("cells") ? grid_named(table.text("cells")[row]) : TestGrid::extrapolated();
@@ -112,6 +112,7 @@ struct TakeRecord {
 
   void operator()(std::monostate /*unknown*/) const {}
   void operator()(const ExtrapolationRecord& /*record*/) const {}
+  void operator()(const MeanRecord& record) const { test.record = record; }
   void operator()(const QuasistaticEntry& record) const {
     test.error_estimate = record.error_estimate.value_or(std::numeric_limits<double>::quiet_NaN());
     test.seconds = record.seconds;

@@ -16,6 +16,7 @@
 #include "breccia/viscoelasticity/prony_series.hpp"
 
 #include "dynamics/dynamic_solver.hpp"
+#include "homogenisation/anisotropy.hpp"
 #include "homogenisation/whole_filler.hpp"
 #include "results/json_fields.hpp"
 #include "results/material_entries.hpp"
@@ -149,6 +150,9 @@ template <>
 inline constexpr auto fields<ExtrapolationRecord> = std::tuple(field("from_cells", &ExtrapolationRecord::cells));
 
 template <>
+inline constexpr auto fields<MeanRecord> = std::tuple(field("mean_of", &MeanRecord::loads));
+
+template <>
 inline constexpr auto fields<FieldRecord> = std::tuple(field("time_s", &FieldRecord::time),
                                                        field("file", &FieldRecord::file),
                                                        field("stress_picture", &FieldRecord::stress_picture),
@@ -172,7 +176,7 @@ inline constexpr auto fields<TestId> = std::tuple(field("load", &TestId::load), 
 /// its fields.
 struct TestEntry {
   TestId id = blank_value<TestId>();
-  std::variant<std::monostate, QuasistaticEntry, DynamicEntry, ExtrapolationRecord> record = {};
+  std::variant<std::monostate, QuasistaticEntry, DynamicEntry, ExtrapolationRecord, MeanRecord> record = {};
   std::vector<FieldRecord> fields = {};
 };
 template <>
@@ -230,7 +234,7 @@ inline constexpr auto fields<BoundsEntry> = std::tuple(field("time_s", &BoundsEn
                                                        field("grid_half_band_Pa", &BoundsEntry::grid_half_band));
 
 struct LoadBoundsEntry {
-  Load load = {};
+  TestLoad load = Load::shear;
   Method method = {};
   BoundsEntry first = {}, last = {};
 };
@@ -239,6 +243,13 @@ inline constexpr auto fields<LoadBoundsEntry> = std::tuple(field("load", &LoadBo
                                                            field("method", &LoadBoundsEntry::method),
                                                            field("first", &LoadBoundsEntry::first),
                                                            field("last", &LoadBoundsEntry::last));
+
+template <>
+inline constexpr auto fields<AnisotropyAtTime> = std::tuple(field("time_s", &AnisotropyAtTime::time),
+                                                            field("relative_distance", &AnisotropyAtTime::distance));
+template <>
+inline constexpr auto fields<Anisotropy> = std::tuple(field("first", &Anisotropy::first),
+                                                      field("last", &Anisotropy::last));
 
 struct QualityEntry {
   std::string summary;
@@ -253,6 +264,7 @@ struct QualityEntry {
   std::optional<std::vector<int>> measuring_grids = {};
   std::optional<int> seeds = {};
   std::vector<LoadBoundsEntry> bounds = {};
+  std::optional<Anisotropy> anisotropy = {};
 };
 template <>
 inline constexpr auto fields<QualityEntry> = std::tuple(
@@ -263,7 +275,7 @@ inline constexpr auto fields<QualityEntry> = std::tuple(
     field("grid_error", &QualityEntry::grid_error), field("expected_grid_error", &QualityEntry::expected_grid_error),
     field_if_any("grid_rule", &QualityEntry::grid_rule),
     field_if_any("measuring_grids", &QualityEntry::measuring_grids), field("seeds", &QualityEntry::seeds),
-    field("bounds", &QualityEntry::bounds));
+    field("bounds", &QualityEntry::bounds), field_if_any("anisotropy", &QualityEntry::anisotropy));
 
 template <>
 inline constexpr auto fields<FillerShare> = std::tuple(field("material", &FillerShare::material),

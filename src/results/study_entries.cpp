@@ -66,6 +66,7 @@ struct RecordEntry {
 
   void operator()(std::monostate /*unknown*/) const {}
   void operator()(const ExtrapolationRecord& record) const { entry.record = record; }
+  void operator()(const MeanRecord& record) const { entry.record = record; }
 
   void operator()(const QuasistaticRecord& record) const {
     QuasistaticEntry found{.solver = record.reduced ? Solver::reduced : Solver::stepping,
@@ -138,6 +139,7 @@ QualityEntry entry_of(const StageQuality& quality) {
     entry.grid_rule = words_on_rule(*quality.one_grid);
   }
   if (const auto grids = grids_that_measure(quality)) entry.measuring_grids.emplace(grids->begin(), grids->end());
+  entry.anisotropy = quality.anisotropy;
   if (quality.is_random) entry.seeds = 1;
   for (const int grid : std::isfinite(quality.gap_cells) ? quality.grids : std::vector<int>()) {
     if (!entry.gap_cells_by_grid) entry.gap_cells_by_grid.emplace();

@@ -18,7 +18,7 @@ namespace {
 /// The test of a row of curves.csv. Throws FileError if the row does not have the format of a run.
 TestId test_of(const CsvTable& table, std::size_t row) {
   const double time = table.numbers("time_s")[row], modulus = table.numbers("modulus_Pa")[row];
-  const auto load = value_named<Load>(table.text("load")[row]);
+  const auto load = value_named<TestLoad>(table.text("load")[row]);
   const auto boundary = value_named<Boundary>(table.text("boundary")[row]);
   const auto method = value_named<Method>(table.text("method")[row]);
   const auto grid = grid_named(table.text("cells")[row]);
@@ -33,9 +33,9 @@ std::vector<TaskCurve> stage_of(const std::vector<TaskCurve>& curves, const std:
   std::ranges::copy_if(curves, std::back_inserter(of_stage),
                        [&](const TaskCurve& curve) { return curve.stage == stage; });
   if (of_stage.empty()) return best;
-  const bool has_shear =
-      std::ranges::any_of(of_stage, [](const TaskCurve& curve) { return curve.test.load == Load::shear; });
-  const auto load = has_shear ? Load::shear : of_stage.front().test.load;
+  std::vector<TestLoad> loads;
+  for (const auto& curve : of_stage) loads.push_back(curve.test.load);
+  const auto load = main_shear(loads).value_or(loads.front());
   for (const auto& curve : of_stage) {
     if (curve.test.load != load) continue;
     const auto rival =

@@ -131,7 +131,7 @@ std::vector<FieldRecord> write_fields(const fs::path& directory, const Study& st
       write_text(directory / file, field_cuts_picture(picture));
     };
     collect_fields(
-        grid, own, [&, time = time] { all.emplace(directory / record.file, grid, time, test.load); },
+        grid, own, [&, time = time] { all.emplace(directory / record.file, grid, time, test.load.of_test().value()); },
         [&](std::size_t first, const CellFields<3>& piece) { all->take(first, piece); },
         [&] {
           all->commit();

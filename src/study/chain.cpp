@@ -3,6 +3,13 @@
 #include <algorithm>
 
 namespace breccia {
+namespace {
+
+void add_once(std::vector<Load>& loads, Load load) {
+  if (std::ranges::find(loads, load) == loads.end()) loads.push_back(load);
+}
+
+}  // namespace
 
 const Stage* stage_of_matrix(const Study& study, const Stage& stage) {
   const auto* earlier = std::get_if<EarlierStage>(&stage.matrix);
@@ -15,12 +22,27 @@ const Material& binder_of(const Study& study, const Stage& stage) {
 }
 
 std::vector<Load> loads_of(const Study& study, const Stage& stage) {
-  auto loads = study.tests.loads;
+  std::vector<Load> loads;
+  const auto add = [&](const TestLoad& asked) {
+    if (asked.is_isotropic()) {
+      for (const auto shear : isotropic_shears(stage.dimensions())) add_once(loads, shear);
+    } else {
+      add_once(loads, *asked.of_test());
+    }
+  };
+  std::ranges::for_each(study.tests.loads, add);
   if (!serves_as_matrix(study.stages, stage.name)) return loads;
-  for (const auto load : {Load::shear, Load::bulk}) {
-    if (std::ranges::find(loads, load) == loads.end()) loads.push_back(load);
-  }
+  add(shear_of_material(study.tests));
+  add(Load::bulk);
   return loads;
+}
+
+bool asks_for_isotropic(const Tests& tests) {
+  return std::ranges::find(tests.loads, TestLoad::isotropic()) != tests.loads.end();
+}
+
+TestLoad shear_of_material(const Tests& tests) {
+  return asks_for_isotropic(tests) ? TestLoad::isotropic() : TestLoad(Load::shear);
 }
 
 }  // namespace breccia

@@ -25,8 +25,14 @@ bool serves_as_matrix(const Stages& stages, const std::string& stage) {
   });
 }
 
-/// The loads under which a stage is tested: those of the study, and also shear and bulk if its result is the matrix of
-/// a later stage.
+/// The loads under which a stage is tested, each once: those of the study, and also shear and bulk if its result is the
+/// matrix of a later stage.
 std::vector<Load> loads_of(const Study& study, const Stage& stage);
+
+/// Whether the tests ask for the isotropic mean of all shears.
+bool asks_for_isotropic(const Tests& tests);
+
+/// The load whose modulus is G of a stage as a material.
+TestLoad shear_of_material(const Tests& tests);
 
 }  // namespace breccia

@@ -48,6 +48,11 @@ class Content {
   template <class Enum>
   requires std::is_enum_v<Enum>
   void add(Enum value) { add_bits(static_cast<std::uint64_t>(value)); }
+  void add(const TestLoad& load) {
+    constexpr int isotropic = -1;
+    const auto of_test = load.of_test();
+    add(of_test ? static_cast<int>(*of_test) : isotropic);
+  }
   void add(double value) { add_bits(std::bit_cast<std::uint64_t>(value)); }
   void add(const std::string& text) {
     add(text.size());

@@ -197,15 +197,14 @@ Model model_of(const Tests& tests, const Stage& stage) {
   return has_grains ? tests.model : Model::cells;
 }
 
-std::vector<std::string> mistakes_of_loads(const std::vector<Load>& loads, int dimensions) {
-  if (dimensions == 3) return {};
+std::vector<std::string> mistakes_of_loads(const std::vector<TestLoad>& loads, int dimensions) {
   std::vector<std::string> in_the_plane;
-  for (const auto& [word, load] : words<Load>) {
-    if (has_load<2>(load)) in_the_plane.push_back(fmt::format("\"{}\"", word));
+  for (const auto& [word, load] : words<TestLoad>) {
+    if (has_test_load(load, 2)) in_the_plane.push_back(fmt::format("\"{}\"", word));
   }
   std::vector<std::string> mistakes;
   for (const auto load : loads) {
-    if (has_load<2>(load)) continue;
+    if (has_test_load(load, dimensions)) continue;
     mistakes.push_back(fmt::format("the load \"{}\" is one of three dimensions; a box of two has {}", name_of(load),
                                    fmt::join(in_the_plane, ", ")));
   }

@@ -27,7 +27,7 @@ bool is_rising(const std::vector<double>& values);
 std::vector<std::string> mistakes_of_field_times(const std::vector<double>& field_times, const TimeWindow& times);
 
 /// A mistake for each load that a box of so many dimensions does not have, with the loads that it has.
-std::vector<std::string> mistakes_of_loads(const std::vector<Load>& loads, int dimensions);
+std::vector<std::string> mistakes_of_loads(const std::vector<TestLoad>& loads, int dimensions);
 
 /// The model by which the stage is computed: films where the tests request them and the stage has grains, cells
 /// otherwise.

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "study/chain.hpp"
 #include "study/limits.hpp"
 #include "study/test_rules.hpp"
 
@@ -86,7 +87,8 @@ void check_measurement(const Measurement& measurement, const Study& study, Study
                             Range::positive(), Dimension::pressure);
   }
   if (times && !is_rising_window(*times)) mistakes.add(part, "expected two rising positive times");
-  if (std::ranges::find(study.tests.loads, Load::shear) == study.tests.loads.end()) {
+  const auto& loads = study.tests.loads;
+  if (std::ranges::find(loads, shear_of_material(study.tests)) == loads.end()) {
     mistakes.add(part, "there is no test in shear that could be compared");
   }
 }

@@ -236,10 +236,10 @@ TEST_F(DeckInSpace, HasBothMethods) {
 TEST_F(DeckInSpace, HasLoadsOfItsOwn) {
   constexpr auto loads = "loads = [\"shear-yz\", \"shear-zx\", \"shear-yy-zz\"]\n";
   const auto study = directory.study(deck(one_size, R"(method = "regular", lattice = "sc")", loads));
-  EXPECT_EQ(study.tests.loads, (std::vector{Load::shear_yz, Load::shear_zx, Load::diagonal_shear_yz}));
+  EXPECT_EQ(study.tests.loads, (std::vector<TestLoad>{Load::shear_yz, Load::shear_zx, Load::diagonal_shear_yz}));
   const auto flat = directory.mistakes(test::join(test::materials, test::stage, test::tests, loads));
   EXPECT_THAT(flat, AllOf(HasSubstr("tests.loads: the load \"shear-yz\" is one of three dimensions; a box of two has "
-                                    "\"shear\", \"shear-xx-yy\", \"bulk\""),
+                                    "\"isotropic\", \"shear\", \"shear-xx-yy\", \"bulk\""),
                           HasSubstr("\"shear-yy-zz\"")));
   EXPECT_EQ(std::ranges::count(flat, '\n'), 2) << "each load once: " << flat;
 }

@@ -200,6 +200,12 @@ TEST_F(DeckTests, CellsHaveFlowWhereItIsSupportedUnlessPointsAreStandard) {
   EXPECT_EQ(mixing("mixing = \"flow\""), Mixing::flow);
 }
 
+TEST_F(DeckTests, LoadsMayBeAllShears) {
+  EXPECT_THAT(tests(test::join(times, "loads = \"isotropic\"")).loads, ElementsAre(TestLoad::isotropic()));
+  EXPECT_THAT(tests(test::join(times, "loads = [\"isotropic\", \"bulk\"]")).loads,
+              ElementsAre(TestLoad::isotropic(), TestLoad(Load::bulk)));
+}
+
 TEST_F(DeckTests, Mistakes) {
   const auto with_times = [&](std::string_view lines) { return mistakes(test::join(times, lines)); };
   EXPECT_THAT(mistakes(""),
@@ -213,6 +219,7 @@ TEST_F(DeckTests, Mistakes) {
               HasSubstr("tests.times: expected times or frequencies, got both"));
   EXPECT_THAT(mistakes("times = [\"1 s\", \"2 m\"]"), HasSubstr("tests.times: expected a time, got \"2 m\""));
   EXPECT_THAT(with_times("loads = [\"sheer\"]"), HasSubstr("got \"sheer\", did you mean \"shear\"?"));
+  EXPECT_THAT(with_times("loads = \"shear\""), HasSubstr("tests.loads: expected \"isotropic\" or an array"));
   EXPECT_THAT(with_times("loads = [\"shear\", \"shear\"]"), HasSubstr("tests.loads: the same twice"));
   EXPECT_THAT(with_times("boundaries = [\"tracton\"]"), HasSubstr("got \"tracton\", did you mean \"traction\"?"));
   EXPECT_THAT(with_times("mixing = \"serial\""), HasSubstr("got \"serial\", did you mean \"series\"?"));

@@ -30,6 +30,20 @@ TEST(Chain, AMatrixIsTestedInShearAndBulk) {
   EXPECT_THAT(loads_of(study, study.stages[0]), ElementsAre(Load::bulk, Load::diagonal_shear, Load::shear));
 }
 
+TEST(Chain, TheIsotropicMeanTakesAllShearsOfTheBoxOnce) {
+  auto study = test::two_stages();
+  study.tests.loads = {TestLoad::isotropic()};
+  EXPECT_TRUE(asks_for_isotropic(study.tests));
+  EXPECT_EQ(shear_of_material(study.tests), TestLoad::isotropic());
+  EXPECT_THAT(loads_of(study, study.stages[0]), ElementsAre(Load::shear, Load::diagonal_shear, Load::bulk));
+  EXPECT_THAT(loads_of(study, study.stages[1]), ElementsAre(Load::shear, Load::diagonal_shear));
+  study.tests.loads = {Load::bulk, Load::diagonal_shear, TestLoad::isotropic()};
+  EXPECT_THAT(loads_of(study, study.stages[1]), ElementsAre(Load::bulk, Load::diagonal_shear, Load::shear));
+  study.stages[1].packing = LatticePacking{};
+  EXPECT_THAT(loads_of(study, study.stages[1]), ElementsAre(Load::bulk, Load::diagonal_shear, Load::shear,
+                                                            Load::shear_yz, Load::shear_zx, Load::axial_shear));
+}
+
 TEST(Chain, AStageHasItsGridsFromTheCoarsest) {
   const Stage stage{.name = "A", .matrix = test::binder, .side = 1.0, .cells = 40, .coarser_cells = {10, 20}};
   EXPECT_THAT(stage.grids(), ElementsAre(10, 20, 40));

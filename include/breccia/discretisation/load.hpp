@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <numbers>
 #include <span>
 #include <string_view>
 
@@ -9,15 +10,17 @@
 
 namespace breccia {
 
-/// The load of a virtual test. The modulus under a load is stress : unit_strain(load). The last three exist in 3
-/// dimensions only; together the six span all strains.
+/// The load of a virtual test. The modulus under a load is stress : unit_strain(load). The last four exist in 3
+/// dimensions only. Three shears of axes, xx - yy, the axial shear and bulk are orthogonal to each other and span all
+/// strains.
 enum class Load {
-  shear,             ///< pure shear of the axes, xy; the modulus is G
-  diagonal_shear,    ///< pure shear of the diagonals, xx - yy; the modulus is G
-  bulk,              ///< equal strain along all axes; the modulus is K, in plane strain K + G / 3
-  shear_yz,          ///< pure shear of the axes y and z
-  shear_zx,          ///< pure shear of the axes z and x
-  diagonal_shear_yz  ///< pure shear of the diagonals, yy - zz
+  shear,              ///< pure shear of the axes, xy; the modulus is G
+  diagonal_shear,     ///< pure shear of the diagonals, xx - yy; the modulus is G
+  bulk,               ///< equal strain along all axes; the modulus is K, in plane strain K + G / 3
+  shear_yz,           ///< pure shear of the axes y and z
+  shear_zx,           ///< pure shear of the axes z and x
+  diagonal_shear_yz,  ///< pure shear of the diagonals, yy - zz
+  axial_shear         ///< extension along z at constant volume, 2 zz - xx - yy; the modulus is G
 };
 
 template <>
@@ -26,7 +29,8 @@ inline constexpr auto words<Load> = std::to_array<Word<Load>>({{"shear", Load::s
                                                                {"bulk", Load::bulk},
                                                                {"shear-yz", Load::shear_yz},
                                                                {"shear-zx", Load::shear_zx},
-                                                               {"shear-yy-zz", Load::diagonal_shear_yz}});
+                                                               {"shear-yy-zz", Load::diagonal_shear_yz},
+                                                               {"shear-zz", Load::axial_shear}});
 
 /// Whether a load exists in `dim` dimensions.
 template <int dim>
@@ -68,6 +72,10 @@ template <int dim>
       break;
     case Load::diagonal_shear_yz:
       diagonal_shear(y, z);
+      break;
+    case Load::axial_shear:
+      component(strain, x) = component(strain, y) = -0.5 / std::numbers::sqrt3;
+      component(strain, z) = 1.0 / std::numbers::sqrt3;
       break;
   }
   return strain;

@@ -54,12 +54,13 @@ class Responder {
   [[nodiscard]] std::vector<StageResult> respond() const;
 
   /// The modulus of a stage at a real Laplace variable s [1/s], by the correspondence principle, on the finest grid.
-  /// Under the load `bulk` it is K, in plane strain K + G/3. Throws InputError if there is no such test.
-  [[nodiscard]] ModulusAndGradient modulus_and_gradient(const std::string& stage, Load load, Boundary boundary,
+  /// Under the load `isotropic` it is the mean of all shears, under `bulk` K, in plane strain K + G/3. Throws
+  /// InputError if there is no such test.
+  [[nodiscard]] ModulusAndGradient modulus_and_gradient(const std::string& stage, TestLoad load, Boundary boundary,
                                                         double laplace_variable) const;
   /// The modulus of a stage whose varying materials have these moduli [Pa], which are given by the names of the
   /// materials.
-  [[nodiscard]] ModulusAndGradient modulus_and_gradient(const std::string& stage, Load load, Boundary boundary,
+  [[nodiscard]] ModulusAndGradient modulus_and_gradient(const std::string& stage, TestLoad load, Boundary boundary,
                                                         const std::map<std::string, Moduli>& moduli) const;
 
   /// The stages with their present materials and times. Materials have the names that they have in the study.

@@ -35,6 +35,7 @@ struct StageResponses {
   int points_per_decade = 20;    ///< samples per decade of the study's curves
   SampledRange range = SampledRange::matrix;  ///< range of moduli over which the responses were sampled
   Mixing mixing = Mixing::series;  ///< mixing of the stage, which determines how results on several grids are combined
+  TestLoad shear = Load::shear;    ///< load whose modulus is G of the stage as a material
   /// Names of the materials of the stage's fillers, and the warnings about the stage in the study. A response file
   /// holds neither; they are read from `study.json`.
   std::vector<std::string> fillers = {}, warnings = {};

@@ -38,6 +38,11 @@ struct ExtrapolationRecord {
   std::vector<int> cells = {};  ///< cells per side of the grids, rising
 };
 
+/// Record of a mean of the curves of several tests, which differ only in their loads.
+struct MeanRecord {
+  std::vector<Load> loads = {};
+};
+
 /// The result of one virtual test of one stage under one load: its curves and their errors, and a record of the
 /// computation.
 struct TestResult {
@@ -53,14 +58,14 @@ struct TestResult {
   std::optional<double> seconds = {};
   TestFields fields = {};  ///< fields; without times where a sink has stored them
   /// Record of the computation; std::monostate where it is not known, as in results that were read from files.
-  std::variant<std::monostate, QuasistaticRecord, DynamicRecord, ExtrapolationRecord> record = {};
+  std::variant<std::monostate, QuasistaticRecord, DynamicRecord, ExtrapolationRecord, MeanRecord> record = {};
 };
 
 /// The test under a load and a boundary on the preferred grid (is_preferred); nullptr if there is no such test.
-const TestResult* find_preferred_test(const std::vector<TestResult>& tests, Load load, Boundary boundary,
+const TestResult* find_preferred_test(const std::vector<TestResult>& tests, TestLoad load, Boundary boundary,
                                       Method method = Method::quasistatic);
 /// As find_preferred_test(), but throws InputError if there is no such test.
-const TestResult& preferred_test(const std::vector<TestResult>& tests, Load load, Boundary boundary,
+const TestResult& preferred_test(const std::vector<TestResult>& tests, TestLoad load, Boundary boundary,
                                  Method method = Method::quasistatic);
 
 /// The result of a stage under one boundary and by one method, as a material.

@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "breccia/discretisation/boundary.hpp"
-#include "breccia/discretisation/load.hpp"
 #include "breccia/study/tests.hpp"
 
 namespace breccia {
@@ -48,7 +47,7 @@ std::optional<TestGrid> grid_named(std::string_view name);
 
 /// Identifies a test of a stage by its load, boundary condition, method and grid.
 struct TestId {
-  Load load = Load::shear;
+  TestLoad load = Load::shear;
   Boundary boundary = Boundary::displacement;
   Method method = Method::quasistatic;
   TestGrid grid;

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "breccia/discretisation/boundary.hpp"
-#include "breccia/discretisation/load.hpp"
 #include "breccia/discretisation/mixture.hpp"
 #include "breccia/discretisation/volumetric.hpp"
+#include "breccia/study/test_load.hpp"
 #include "breccia/study/varied_material.hpp"
 #include "breccia/virtual_test/dynamic_options.hpp"
 #include "breccia/virtual_test/quasistatic_options.hpp"
@@ -46,7 +46,7 @@ struct FilmOptions {
 
 /// The virtual tests of every stage.
 struct Tests {
-  std::vector<Load> loads{Load::shear};
+  std::vector<TestLoad> loads{Load::shear};
   std::vector<Boundary> boundaries{Boundary::displacement, Boundary::traction};
   std::vector<Method> methods{Method::quasistatic};
   Model model = Model::cells;

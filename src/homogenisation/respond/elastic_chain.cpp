@@ -57,8 +57,21 @@ GradedModuli moduli_of_stage(ModulusAndGradient shear, ModulusAndGradient bulk, 
 
 }  // namespace
 
-ModulusAndGradient ElasticChain::modulus(const std::string& name, Load load) const {
+ModulusAndGradient ElasticChain::modulus(const std::string& name, TestLoad load) const {
   const auto& stage = stage_named(name);
+  if (!load.is_isotropic()) return modulus_under(stage, *load.of_test());
+  const auto shears = isotropic_shears(stage.dimensions);
+  const double share = 1.0 / static_cast<double>(shears.size());
+  ModulusAndGradient mean;
+  for (const auto shear : shears) {
+    const auto of_shear = modulus_under(stage, shear);
+    mean.modulus += share * of_shear.modulus;
+    add(mean.gradient, share, of_shear.gradient);
+  }
+  return mean;
+}
+
+ModulusAndGradient ElasticChain::modulus_under(const StageResponses& stage, Load load) const {
   const auto& response = finest_response(stage, load, boundary_);
   std::vector<GradedModuli> phases;
   std::vector<Moduli> moduli;
@@ -67,8 +80,9 @@ ModulusAndGradient ElasticChain::modulus(const std::string& name, Load load) con
       const auto& material = stage.other_phases.at(phase).name;
       phases.push_back(moduli_of_material(material, moduli_of(material)));
     } else if (const auto* const earlier = std::get_if<EarlierStage>(&stage.matrix)) {
-      phases.push_back(moduli_of_stage(modulus(earlier->name, Load::shear), modulus(earlier->name, Load::bulk),
-                                       stage_named(earlier->name).dimensions));
+      const auto& below = stage_named(earlier->name);
+      phases.push_back(
+          moduli_of_stage(modulus(earlier->name, below.shear), modulus(earlier->name, Load::bulk), below.dimensions));
     } else {
       phases.push_back(moduli_of_material(name_of(stage.matrix), moduli_of(name_of(stage.matrix))));
     }

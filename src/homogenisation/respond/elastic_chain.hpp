@@ -18,9 +18,10 @@ class ElasticChain {
       : stages_(stages), moduli_(moduli), boundary_(boundary) {}
 
   /// The modulus of a stage under a load. Throws InputError if there is no such test, or a material has no moduli.
-  [[nodiscard]] ModulusAndGradient modulus(const std::string& stage, Load load) const;
+  [[nodiscard]] ModulusAndGradient modulus(const std::string& stage, TestLoad load) const;
 
  private:
+  [[nodiscard]] ModulusAndGradient modulus_under(const StageResponses& stage, Load load) const;
   [[nodiscard]] const StageResponses& stage_named(const std::string& stage) const;
   [[nodiscard]] const Moduli& moduli_of(const std::string& material) const;
 

@@ -1,6 +1,7 @@
 #include "homogenisation/respond/responded_stages.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "breccia/error.hpp"
 
 #include "homogenisation/respond/coverage_refusal.hpp"
+#include "homogenisation/run/isotropic_mean.hpp"
 #include "homogenisation/run/stage_extrapolation.hpp"
 #include "homogenisation/stage_materials.hpp"
 #include "quasistatic/reduced/sampled_moduli.hpp"
@@ -48,6 +50,7 @@ std::vector<StageMaterial> materials_of(const StageResponses& stage, const Matri
                         .side = stage.side,
                         .dimensions = stage.dimensions,
                         .mixing = stage.mixing,
+                        .shear = stage.shear,
                         .times = window,
                         .points_per_decade = stage.points_per_decade,
                         .tolerance = stage.fit_tolerance};
@@ -58,6 +61,16 @@ std::vector<StageMaterial> materials_of(const StageResponses& stage, const Matri
     materials.push_back(fitted_material(fit, tests, boundary, Method::quasistatic, density));
   }
   return materials;
+}
+
+/// Adds the mean of the shears under each boundary and on each grid.
+void add_isotropic_means(int dimensions, std::vector<TestResult>& tests) {
+  std::vector<TestResult> means;
+  for (const auto& test : tests) {
+    if (test.id.load == isotropic_shears(dimensions).front())
+      means.push_back(isotropic_mean(dimensions, test.id, tests));
+  }
+  std::ranges::move(means, std::back_inserter(tests));
 }
 
 /// The tests of a stage. Throws NotCovered if one of its responses does not cover the whole window.
@@ -72,6 +85,7 @@ StageResult tested_stage(const StageResponses& stage, const MatrixUnder& matrix,
     const auto materials = materials_for(stage, entry.response, matrix(entry.response.boundary));
     result.tests.push_back(test_of(entry, materials, window, stage.points_per_decade));
   }
+  if (stage.shear.is_isotropic()) add_isotropic_means(stage.dimensions, result.tests);
   std::ranges::stable_sort(result.tests, {}, [](const TestResult& test) { return test.id.grid; });
   for (auto& test : extrapolate_tests(stage.stage, stage.side, stage.dimensions, result.tests, stage.mixing)) {
     result.tests.push_back(std::move(test));

@@ -209,14 +209,14 @@ std::vector<StageResult> Responder::respond() const {
   return results;
 }
 
-ModulusAndGradient Responder::modulus_and_gradient(const std::string& stage, Load load, Boundary boundary,
+ModulusAndGradient Responder::modulus_and_gradient(const std::string& stage, TestLoad load, Boundary boundary,
                                                    double laplace_variable) const {
   std::map<std::string, Moduli> moduli;
   for (const auto& [material, shift] : materials_) moduli[material.name] = carson_moduli(material, laplace_variable);
   return modulus_and_gradient(stage, load, boundary, moduli);
 }
 
-ModulusAndGradient Responder::modulus_and_gradient(const std::string& stage, Load load, Boundary boundary,
+ModulusAndGradient Responder::modulus_and_gradient(const std::string& stage, TestLoad load, Boundary boundary,
                                                    const std::map<std::string, Moduli>& moduli) const {
   return ElasticChain(stages_, moduli, boundary).modulus(stage, load);
 }

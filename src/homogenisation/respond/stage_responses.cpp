@@ -10,6 +10,7 @@
 #include "homogenisation/inclusions.hpp"
 #include "homogenisation/narrow_gaps.hpp"
 #include "homogenisation/varying_phases.hpp"
+#include "study/chain.hpp"
 #include "study/identity.hpp"
 
 namespace breccia {
@@ -34,6 +35,7 @@ StageResponses responses_of(const Study& study, const Stage& stage, const StageR
                               .points_per_decade = tests.points_per_decade,
                               .range = tests.quasistatic.range,
                               .mixing = mixing_of(study, stage, result.microstructure),
+                              .shear = shear_of_material(tests),
                               .fillers = {},
                               .warnings = result.warnings,
                               .entries = {}};

@@ -5,6 +5,8 @@
 
 #include "breccia/homogenisation/study_result.hpp"
 
+#include "study/chain.hpp"
+
 namespace breccia {
 
 std::vector<Comparison> compare(const Study& study, const Stage& stage, const std::vector<TestResult>& tests) {
@@ -13,7 +15,7 @@ std::vector<Comparison> compare(const Study& study, const Stage& stage, const st
     if (measurement.stage != stage.name) continue;
     for (const auto boundary : study.tests.boundaries) {
       for (const auto method : study.tests.methods) {
-        const auto& test = preferred_test(tests, Load::shear, boundary, method);
+        const auto& test = preferred_test(tests, shear_of_material(study.tests), boundary, method);
         const auto known = measurement.known_within({test.modulus.front().time, test.modulus.back().time});
         if (!known) continue;
         Comparison comparison{measurement.label, test.id, {}};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@
 #include "homogenisation/narrow_gaps.hpp"
 #include "homogenisation/quality.hpp"
 #include "homogenisation/run/comparison.hpp"
+#include "homogenisation/run/isotropic_mean.hpp"
 #include "homogenisation/run/packed_stage.hpp"
 #include "homogenisation/run/stage_extrapolation.hpp"
 #include "homogenisation/run/stage_tests.hpp"
@@ -28,7 +30,11 @@ namespace {
 class StageSolution {
  public:
   StageSolution(const Study& study, const Stage& stage, StudySink& sink, StudyResult& result)
-      : study_(study), stage_(stage), sink_(sink), result_(result), done_(result.stages.back()) {}
+      : study_(study), stage_(stage), sink_(sink), result_(result), done_(result.stages.back()) {
+    for (const auto load : loads_of(study, stage)) {
+      if (load != Load::bulk) last_shear_ = load;
+    }
+  }
 
   void run(int threads) {
     if (model_of(study_.tests, stage_) == Model::films) {
@@ -70,7 +76,7 @@ class StageSolution {
       return;
     }
     for (const auto load : loads_of(study_, stage_)) {
-      add(run_dynamic(grid, matrix, boundary, load, sink_));
+      add_of_load(run_dynamic(grid, matrix, boundary, load, sink_));
     }
   }
 
@@ -81,8 +87,17 @@ class StageSolution {
   }
 
   void add_all_loads(std::vector<TestResult> tests) {
-    for (auto& test : tests) add(std::move(test));
+    for (auto& test : tests) add_of_load(std::move(test));
     sink_.happened(AllLoadsFinished{stage_, result_});
+  }
+
+  /// Adds a test and, after the last shear, the mean of all shears if the study asks for it.
+  void add_of_load(TestResult test) {
+    const auto id = test.id;
+    add(std::move(test));
+    if (asks_for_isotropic(study_.tests) && id.load == last_shear_) {
+      add(isotropic_mean(stage_.dimensions(), id, done_.tests));
+    }
   }
 
   void add(TestResult test) {
@@ -96,6 +111,7 @@ class StageSolution {
   StudySink& sink_;
   StudyResult& result_;
   StageResult& done_;
+  std::optional<Load> last_shear_ = {};
 };
 
 }  // namespace

@@ -75,13 +75,13 @@ std::vector<double> errors_of(const std::vector<const TestResult*>& grids) {
   return largest_errors(moduli_of(coarse), moduli_of(fine), cells_of(fine) / cells_of(coarse));
 }
 
-/// The largest errors up to each time of the shear tests beside a bulk test [-]; empty without any.
-std::vector<double> errors_beside(const TestResult& bulk, const std::vector<TestResult>& tests) {
+/// The largest errors up to each time of the shear tests beside another test [-]; empty without any.
+std::vector<double> errors_of_shears(const TestResult& beside, const std::vector<TestResult>& tests) {
   std::vector<double> largest;
   for (const auto& shear : tests) {
-    auto same = bulk.id;
+    auto same = beside.id;
     same.load = shear.id.load;
-    if (shear.id.load == Load::bulk || !(shear.id == same) || shear.modulus.size() != bulk.modulus.size()) continue;
+    if (shear.id.load.is_bulk() || !(shear.id == same) || shear.modulus.size() != beside.modulus.size()) continue;
     const auto errors = errors_of(same_on_all_grids(shear, tests));
     largest.resize(errors.size(), 0.0);
     std::ranges::transform(errors, largest, largest.begin(),
@@ -91,12 +91,13 @@ std::vector<double> errors_beside(const TestResult& bulk, const std::vector<Test
 }
 
 /// The relative half widths of the error band of a test at each time (theory, Eq. 43). A bulk modulus changes little
-/// between two grids that are both wrong.
+/// between two grids that are both wrong. In the mean of shears the changes of some may cancel those of others, so that
+/// it has the largest of their bands.
 std::vector<double> half_widths_of(const TestResult& finest, const std::vector<const TestResult*>& grids,
                                    const std::vector<TestResult>& tests) {
-  const bool is_bulk = finest.id.load == Load::bulk;
-  const auto own = errors_of(grids);
-  const auto beside = is_bulk ? errors_beside(finest, tests) : std::vector<double>();
+  const bool is_bulk = finest.id.load.is_bulk();
+  const auto own = finest.id.load.is_isotropic() ? errors_of_shears(finest, tests) : errors_of(grids);
+  const auto beside = is_bulk ? errors_of_shears(finest, tests) : std::vector<double>();
   const double factor = is_bulk && beside.empty() ? 4.0 : 2.0;
   std::vector<double> half_widths;
   for (std::size_t i = 0; i < own.size(); ++i) {
@@ -146,8 +147,16 @@ TestResult extrapolate_test(double side, const std::vector<const TestResult*>& g
   return result;
 }
 
-/// Whether the series of a test is exact, from a reduced response, instead of a fit to its curve.
-bool has_exact_series(const TestResult& test) {
+/// Whether the series of a test is exact, from a reduced response or a mean of several, instead of a fit to its curve.
+bool has_exact_series(const TestResult& test, const std::vector<TestResult>& tests) {
+  if (const auto* mean = std::get_if<MeanRecord>(&test.record)) {
+    return std::ranges::all_of(mean->loads, [&](Load load) {
+      auto id = test.id;
+      id.load = load;
+      const auto shear = std::ranges::find(tests, id, &TestResult::id);
+      return shear != tests.end() && has_exact_series(*shear, tests);
+    });
+  }
   const auto* record = std::get_if<QuasistaticRecord>(&test.record);
   return record != nullptr && record->reduced.has_value();
 }
@@ -174,7 +183,8 @@ Curve curve_at(const TestResult& test, double side, const std::vector<TestResult
                const std::vector<double>& times) {
   auto grids = test.id.grid.is_extrapolated() ? same_on_all_grids(test, tests) : std::vector{&test};
   if (has_mixed_cells(mixing)) grids.erase(grids.begin(), std::prev(grids.end()));
-  if (!std::ranges::all_of(grids, [](const TestResult* grid) { return has_exact_series(*grid); })) return test.modulus;
+  const auto is_exact = [&tests](const TestResult* grid) { return has_exact_series(*grid, tests); };
+  if (!std::ranges::all_of(grids, is_exact)) return test.modulus;
   Curve curve;
   for (const double time : times) {
     const auto modulus = [time](const TestResult& grid) { return grid.series.at(time); };

@@ -18,7 +18,8 @@ namespace {
 
 /// Times [s] at which a test of a stage saves fields: only under the first load and on the finest grid.
 std::vector<double> field_times_of(const Study& study, const Stage& stage, int cells, Load load) {
-  const bool are_wanted = load == study.tests.loads.front() && cells == stage.cells && has_fields(study.tests, stage);
+  const bool are_wanted =
+      load == loads_of(study, stage).front() && cells == stage.cells && has_fields(study.tests, stage);
   return are_wanted ? study.tests.field_times : std::vector<double>();
 }
 
@@ -105,7 +106,7 @@ QuasistaticTest make_quasistatic_test(const Study& study, const Stage& stage, co
   auto test = std::visit(
       [&](const auto& points) { return test_without_fields(study, stage, matrix, points, boundary, threads); },
       discretisation);
-  test.field_times = field_times_of(study, stage, cells_along(discretisation), study.tests.loads.front());
+  test.field_times = field_times_of(study, stage, cells_along(discretisation), test.loads.front());
   return test;
 }
 

@@ -3,6 +3,7 @@
 import {currentInks, isDark} from "./colours.js";
 import {bestGrid} from "./curves.js";
 import {study} from "./data.js";
+import {shearOf} from "./loads.js";
 
 const dashes = {quasistatic: "solid", dynamic: "dash"};
 
@@ -15,7 +16,8 @@ export function colourOf(curve) {
   if (curve.role === "matrix") return currentInks().faint;
   const stages = study.stages.map((stage) => stage.name);
   const rank = stages.length === 1 ? 1 : stages.indexOf(curve.stage) / (stages.length - 1);
-  const hue = hues[curve.boundary] + (["shear", "bulk"].includes(curve.load) ? 0 : 70);
+  const isMain = ["bulk", shearOf(study.stages.find(({name}) => name === curve.stage))].includes(curve.load);
+  const hue = hues[curve.boundary] + (isMain ? 0 : 70);
   const lightness = isDark() ? 45 + 25 * rank : 70 - 32 * rank;
   return `hsl(${hue}, 85%, ${lightness}%)`;
 }

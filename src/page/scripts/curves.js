@@ -3,6 +3,7 @@
 /// half the width of which is given at each x.
 
 import {readTable, study} from "./data.js";
+import {mainLoad, shearOf} from "./loads.js";
 import {boundNames, gridName, methodNames} from "./names.js";
 import {distinct, groupsOf, numberOf} from "./records.js";
 import {logarithmic} from "./sampling.js";
@@ -21,7 +22,9 @@ function labelOf(stage, curve) {
 
 /// The name of a load, unless it is the shear that every study has: [] or ["xx-yy"].
 function nameOfLoad(load) {
-  return load === "shear" || load === "bulk" ? [] : [load.replace("shear-", "")];
+  const loads = study.stages.flatMap(({tests}) => tests.map((test) => test.load));
+  if (load === "bulk" || load === mainLoad(loads)) return [];
+  return [load === "shear" ? "xy" : load.replace("shear-", "")];
 }
 
 function methodsOfStudy() {
@@ -33,9 +36,13 @@ export function gridsOfStudy() {
   return distinct(study.stages.flatMap((stage) => stage.tests), "cells").map(String);
 }
 
+function stageNamed(name) {
+  return study.stages.find((stage) => stage.name === name);
+}
+
 /// The best grid of a stage: the limit of vanishing cells if there are several grids, else the only one.
 export function bestGrid(stageName) {
-  const grids = study.stages.find((stage) => stage.name === stageName).cells;
+  const grids = stageNamed(stageName).cells;
   return grids.length > 1 ? "extrapolated" : String(grids[0]);
 }
 
@@ -117,7 +124,7 @@ function engineeringCurves() {
     groupsOf(readTable(table), ["stage", "boundary", "method", "cells"]).flatMap((group) => {
       const {stage, boundary, method} = group[0];
       return columns.map(([quantity, column, letter = "", part = undefined]) => ({role: "stage", quantity, part, stage,
-        load: "shear", boundary, method, label: `${stage}, ${boundNames[boundary]}${letter}`,
+        load: shearOf(stageNamed(stage)), boundary, method, label: `${stage}, ${boundNames[boundary]}${letter}`,
         x: group.map((row) => row[x]), y: group.map((row) => row[column])}));
     });
   return [

@@ -4,6 +4,7 @@ import {resultSentences, hasFlowedAway} from "./result_sentences.js";
 import {bestGrid} from "./curves.js";
 import {data, study} from "./data.js";
 import {element} from "./elements.js";
+import {mainLoad} from "./loads.js";
 import {boundNames, symbolOf, textOnStage} from "./names.js";
 import {display, percent, shortNumber, withMicroSign} from "./numbers.js";
 import {own} from "./records.js";
@@ -28,13 +29,14 @@ function testedCurves(curves, stage) {
 }
 
 /// The curves of the last stage to be shown first, beginning with the lower bound: those of the quasi-static method if
-/// there are any, under the first load.
+/// there are any, under the main load.
 function curvesOfResult(curves) {
   const stage = stagesOfInterest(study).at(-1);
   const tested = stage === undefined ? [] : testedCurves(curves, stage.name);
   if (tested.length === 0) return [];
   const method = tested.some((curve) => curve.method === "quasistatic") ? "quasistatic" : "dynamic";
-  const of = (boundary) => tested.find((curve) => curve.load === tested[0].load && curve.method === method &&
+  const load = mainLoad(tested.map((curve) => curve.load));
+  const of = (boundary) => tested.find((curve) => curve.load === load && curve.method === method &&
     curve.boundary === boundary);
   return orderOfBounds.map(of).filter((curve) => curve !== undefined);
 }

@@ -25,7 +25,7 @@ export function liveFigure(curves) {
   const state = {material: candidates[0], spectrum: undefined, bulk: undefined, decades: 0};
   let results = [];
 
-  const curveOfRun = (result) => curves.find((curve) => curve.quantity === "shear" && curve.load === "shear" &&
+  const curveOfRun = (result) => curves.find((curve) => curve.quantity === "shear" && curve.load === result.load &&
     curve.stage === result.stage && curve.boundary === result.boundary && curve.method === "quasistatic" &&
     curve.cells === bestGrid(curve.stage));
 
@@ -93,7 +93,7 @@ function curvesOfResults(results) {
     const [begin, end] = result.window;
     if (!(begin < end)) return [];
     const x = logarithmic(begin, end, 20);
-    return [{quantity: "shear", role: "stage", stage: result.stage, boundary: result.boundary, load: "shear",
+    return [{quantity: "shear", role: "stage", stage: result.stage, boundary: result.boundary, load: result.load,
       label: `${result.stage}, ${boundNames[result.boundary]}`, x, y: x.map((t) => result.modulus(t))}];
   });
 }

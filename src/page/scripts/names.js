@@ -59,5 +59,5 @@ export function listed(words) {
 /// The symbol of the modulus that a load gives.
 export function symbolOf(load) {
   if (load === "bulk") return "The bulk modulus K(t)";
-  return load === "shear" ? "G(t)" : `G(t) in ${load.replace("-", " ")}`;
+  return ["isotropic", "shear"].includes(load) ? "G(t)" : `G(t) in ${load.replace("-", " ")}`;
 }

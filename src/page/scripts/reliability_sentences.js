@@ -31,7 +31,7 @@ function onBounds({tests, quality}) {
     return boundaries.has("periodic") ? "The boundary: periodic, the box repeats without end. There are no bounds, " +
       "so a larger box alone can tell whether this one is large enough." : "";
   }
-  const apart = (quality?.bounds ?? []).find(({load}) => load.startsWith("shear"));
+  const apart = (quality?.bounds ?? []).find(({load}) => load !== "bulk");
   const distances = ["first", "last"].map((end) => apart?.[end])
     .filter((end) => Number.isFinite(end?.relative_distance)).map((end) => `${distanceText(end.relative_distance)} at ${display(end.time_s, "s")}`);
   const here = distances.length > 0 ? ` Here they are apart by ${listed(distances)}.` : "";

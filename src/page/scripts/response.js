@@ -7,7 +7,8 @@
 
 import {limitOfCells} from "./extrapolation.js";
 import {dot, solveSymmetric} from "./linear_algebra.js";
-import {distinct, own} from "./records.js";
+import {shearOf, shearsOf} from "./loads.js";
+import {distinct, groupsOf, own} from "./records.js";
 import {logarithmic} from "./sampling.js";
 import {bulkModulus, carsonModulus, relaxationModulus, seriesOfCarsonModuli, seriesOfRelaxationModuli} from
   "./viscoelasticity.js";
@@ -68,12 +69,15 @@ function moduliAt(phases, j) {
   return phases.map(({moduli}) => ({shear: moduli.shear[j], bulk: moduli.bulk[j]}));
 }
 
-/// The Carson moduli of a stage under one load at Laplace variables, on each of its grids: [{cells, moduli}].
-function moduliOnGrids(responses, load, variables, phases) {
-  return responses.filter((response) => response.load === load).map((response) => ({
-    cells: response.cells,
-    moduli: variables.map((_, j) => compositeModulus(response, moduliAt(phases, j)))}));
+/// The Carson moduli of a stage at Laplace variables, the mean over responses under several loads, on each of its grids:
+/// [{cells, moduli}].
+function moduliOnGrids(responses, variables, phases) {
+  return groupsOf(responses, ["cells"]).map((ofGrid) => ({
+    cells: ofGrid[0].cells,
+    moduli: variables.map((_, j) => ofGrid.reduce((sum, response) =>
+      sum + compositeModulus(response, moduliAt(phases, j)), 0) / ofGrid.length)}));
 }
+
 
 /// The part of a time window in which the phases stay within the sampled moduli of all responses, and the first modulus
 /// outside of them: {window, refusal: {material, name, value, range}}; `refusal` is undefined if there is none. The
@@ -120,11 +124,11 @@ function jointRefusal(responses, variables, phases, window) {
 
 /// Predicts G(t) of every stage under every boundary.
 ///
-/// study: {times_s, stages: [{name, matrix, dimensions}]}, as in study.json
+/// study: {times_s, stages: [{name, matrix, dimensions, tests: [{load, mean_of}]}]}, as in study.json
 /// responses: the stored responses of each stage by its name, as in the data of the page
 /// materials: {shear, bulk} of each material by its name, both Prony series
 ///
-/// Returns [{stage, boundary, matrix, window, refusal, modulus}]: `modulus` is G as a function of time, `window` the
+/// Returns [{stage, load, boundary, matrix, window, refusal, modulus}]: `modulus` is G as a function of time, `window` the
 /// times at which it can be used, and `refusal`, as in timesInRange() or jointRefusal(), why these are not all times of
 /// the study.
 export function respond(study, responses, materials) {
@@ -143,22 +147,22 @@ export function respond(study, responses, materials) {
       const phases = [{material: stage.matrix, moduli: matrix.moduli}, ...others.map((phase) => ({
         material: phase.material, moduli: materialAsMatrix(own(materials, phase.material), variables).moduli}))];
       const {composite, result} = respondOfStage(
-        ofStage.filter((one) => one.boundary === boundary), matrix, phases, stage.dimensions);
+        ofStage.filter((one) => one.boundary === boundary), shearsOf(stage), matrix, phases, stage.dimensions);
       if (composite !== undefined) composites.set(`${stage.name}|${boundary}`, composite);
-      if (result !== undefined) results.push({stage: stage.name, boundary, matrix: stage.matrix, ...result});
+      if (result !== undefined) results.push({stage: stage.name, load: shearOf(stage), boundary, matrix: stage.matrix, ...result});
     }
   }
   return results;
 }
 
 /// The response of one stage under one boundary: {composite, result}. `composite` is the stage as the matrix of another
-/// one, which takes both loads; `result` has G(t).
-function respondOfStage(responses, {variables, window: known}, phases, dimensions) {
+/// one, which takes shear and bulk; `result` has G(t), the mean under the shears.
+function respondOfStage(responses, shears, {variables, window: known}, phases, dimensions) {
   const {window: covered, refusal: ofOne} = timesInRange(responses, variables, phases, known);
   const ofAll = jointRefusal(responses, variables, phases, covered);
   const window = ofAll === undefined ? covered : [covered[0], covered[0]];
-  const shear = moduliOnGrids(responses, "shear", variables, phases);
-  const bulk = moduliOnGrids(responses, "bulk", variables, phases);
+  const under = (loads) => moduliOnGrids(responses.filter(({load}) => loads.includes(load)), variables, phases);
+  const shear = under(shears), bulk = under(["bulk"]);
   if (shear.length === 0) return {};
   const modulus = modulusInTime(variables, shear);
   const composite = bulk.length === 0 ? undefined : stageAsMatrix(variables, window, dimensions,

@@ -2,6 +2,7 @@
 
 import {data} from "./data.js";
 import {boundNames} from "./names.js";
+import {mainLoad} from "./loads.js";
 import {shortNumber} from "./numbers.js";
 import {distinct} from "./records.js";
 import {ratioRange} from "./sampling.js";
@@ -16,7 +17,9 @@ export function measuredCurves() {
 /// `of` gives the text for the number of a task.
 export function ratioColumns(curves) {
   return measuredCurves().flatMap((measured) => {
-    const tested = curves.filter((curve) => curve.stage === measured.stage && curve.load === "shear");
+    const ofStage = curves.filter((curve) => curve.stage === measured.stage && curve.load !== "bulk");
+    const load = mainLoad(ofStage.map((curve) => curve.load));
+    const tested = ofStage.filter((curve) => curve.load === load);
     return distinct(tested, "boundary").map((boundary) => ({
       head: `${measured.stage} over ${measured.label}, ${boundNames[boundary]}`,
       of: (task) => {

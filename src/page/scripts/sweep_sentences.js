@@ -1,15 +1,16 @@
 /// The result of a sweep in sentences: the range of the moduli of the tasks, and the task nearest to the measurement.
 
 import {threeTimes} from "./result_sentences.js";
+import {mainLoad} from "./loads.js";
 import {listed} from "./names.js";
 import {display, shortNumber} from "./numbers.js";
 import {ratioRange, valueAt} from "./sampling.js";
 
-/// The curves of one test that the sentences are about: shear before other loads, the last stage, the upper bound
+/// The curves of one test that the sentences are about: the main load, the last stage, the upper bound
 /// before others. A task without that test has none.
 export function curvesOfSentences(curves) {
   const order = ["displacement", "periodic", "traction"];
-  const load = curves.some((curve) => curve.load === "shear") ? "shear" : curves[0].load;
+  const load = mainLoad(curves.map((curve) => curve.load));
   const ofLoad = curves.filter((curve) => curve.load === load);
   const {stage, method} = ofLoad.at(-1);
   const ofStage = ofLoad.filter((curve) => curve.stage === stage && curve.method === method);

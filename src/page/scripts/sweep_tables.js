@@ -31,7 +31,7 @@ export function showSweepSummary(curves) {
 function showResult(curves) {
   const [{load, boundary, stage}] = curves;
   const moving = sweptKeys.filter(({values}) => values.length > 1);
-  const measured = load === "shear" ? measuredCurves().find((one) => one.stage === stage) : undefined;
+  const measured = ["isotropic", "shear"].includes(load) ? measuredCurves().find((one) => one.stage === stage) : undefined;
   const [first, ...others] = sweepSentences({curves, symbol: symbolOf(load), bound: boundNames[boundary], measured,
     tasks: sweep.tasks.filter(({state}) => state === "done").length,
     textOnTask: ({values}) => moving.map(({path, label}) => `${label} ${values[path]}`).join(", ") || "the one task"});

@@ -43,6 +43,20 @@ test("G(t) with viscoelastic matrices", () => {
   }
 });
 
+test("the mean of all shears of a box", () => {
+  const {response, times_s, composites: [{shear, bulk}]} = cases.responses[0];
+  // Another shear of the same box, of twice the modulus: a unit strain that is larger by the root of two.
+  const stiffer = {...response, load: "shear-xx-yy", load_forces: response.load_forces.map((force) => force / Math.SQRT2)};
+  const stage = {name: "A", matrix: "binder"};
+  const answer = (tests, responses) => respond({times_s, stages: [{...stage, tests}]}, {A: responses},
+    {binder: {shear, bulk}})[0];
+  const one = answer([{load: "shear"}], [response, stiffer]);
+  assert.equal(one.load, "shear");
+  const mean = answer([{load: "shear"}, {load: "isotropic", mean_of: ["shear", "shear-xx-yy"]}], [response, stiffer]);
+  assert.equal(mean.load, "isotropic");
+  for (const time of times_s) assertClose(mean.modulus(time), 1.5 * one.modulus(time), 1e-3, `G(${time} s)`);
+});
+
 test("a composite in which the moduli of an interphase vary too", () => {
   const {response, at, sampled, times_s, materials, relaxation} = cases.coated;
   for (const {moduli, modulus, error} of at) {

@@ -5,6 +5,7 @@ import {test} from "node:test";
 
 import {resultSentences, threeTimes} from "../../../src/page/scripts/result_sentences.js";
 import {displayRange, percent, shortNumber, withMicroSign} from "../../../src/page/scripts/numbers.js";
+import {mainLoad, shearOf, shearsOf} from "../../../src/page/scripts/loads.js";
 import {binderOf, stagesOfInterest} from "../../../src/page/scripts/stages.js";
 import {curvesOfSentences, sweepSentences} from "../../../src/page/scripts/sweep_sentences.js";
 import {sentencesOnReliability} from "../../../src/page/scripts/reliability_sentences.js";
@@ -113,6 +114,16 @@ test("the same warning of several stages stands in one line", () => {
     "Stage A: the gap, 500 nm, is 0.52 cells wide; the modulus is too high. Likewise B.", "Stage B: only 7 particles"]);
   const same = ["A: few particles (7 of 30); take more; or not", "B: few particles (7 of 30); take more; or not"];
   assert.deepEqual(groupsOfWarnings(same, ["A", "B"]).map(lineOnGroup), ["Stages A and B: few particles; take more"]);
+});
+
+test("the load that is shown as G", () => {
+  assert.equal(mainLoad(["bulk", "shear", "isotropic"]), "isotropic");
+  assert.equal(mainLoad(["bulk", "shear-xx-yy", "shear"]), "shear");
+  assert.equal(mainLoad(["shear-yz", "bulk"]), "shear-yz");
+  assert.equal(mainLoad([]), undefined);
+  assert.equal(shearOf({tests: [{load: "shear"}, {load: "isotropic"}]}), "isotropic");
+  assert.deepEqual(shearsOf({tests: [{load: "isotropic", mean_of: ["shear", "shear-xx-yy"]}]}), ["shear", "shear-xx-yy"]);
+  assert.deepEqual(shearsOf({}), ["shear"]);
 });
 
 test("the reliability of a stage, from the error estimates of the run", () => {

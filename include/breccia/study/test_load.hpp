@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "breccia/discretisation/load.hpp"
+#include "breccia/words.hpp"
+
+namespace breccia {
+
+/// The load to which a curve belongs: one load of a virtual test, or all shears of a box, whose mean modulus is the
+/// shear modulus of the isotropic part of the stiffness (theory, Eq. 13a).
+class TestLoad {
+ public:
+  // NOLINTNEXTLINE(google-explicit-constructor): a load of a virtual test is one of the loads of curves
+  constexpr TestLoad(Load load) noexcept : load_(load) {}
+  static constexpr TestLoad isotropic() noexcept { return TestLoad(); }
+
+  [[nodiscard]] constexpr bool is_isotropic() const noexcept { return !load_; }
+  [[nodiscard]] constexpr bool is_bulk() const noexcept { return load_ == Load::bulk; }
+  /// The load of the virtual test; nothing for the mean of several.
+  [[nodiscard]] constexpr std::optional<Load> of_test() const noexcept { return load_; }
+
+  friend constexpr bool operator==(const TestLoad&, const TestLoad&) noexcept = default;
+
+ private:
+  constexpr TestLoad() noexcept = default;
+
+  std::optional<Load> load_ = {};
+};
+
+template <>
+inline constexpr auto words<TestLoad> = std::to_array<Word<TestLoad>>({{"isotropic", TestLoad::isotropic()},
+                                                                       {"shear", Load::shear},
+                                                                       {"shear-xx-yy", Load::diagonal_shear},
+                                                                       {"bulk", Load::bulk},
+                                                                       {"shear-yz", Load::shear_yz},
+                                                                       {"shear-zx", Load::shear_zx},
+                                                                       {"shear-yy-zz", Load::diagonal_shear_yz},
+                                                                       {"shear-zz", Load::axial_shear}});
+
+/// The shears of a box of so many dimensions whose mean modulus is isotropic: two in the plane, five in space, each
+/// orthogonal to the others.
+std::span<const Load> isotropic_shears(int dimensions);
+
+/// Whether a box of so many dimensions has a load.
+bool has_test_load(TestLoad load, int dimensions);
+
+/// The load whose modulus is shown as G where there are several: the isotropic mean, else shear, else the first shear;
+/// nothing without a shear.
+std::optional<TestLoad> main_shear(std::span<const TestLoad> loads);
+
+}  // namespace breccia
