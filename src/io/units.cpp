@@ -156,6 +156,10 @@ bool is_angle_per_time(std::string_view unit) {
   return contains_one_of(unit, {"rad", "deg", "arc", "°", "'", "\"", "sr"});
 }
 
+bool is_in_hertz(std::string_view unit) {
+  return unit.ends_with("Hz") || unit.ends_with("hertz") || unit.ends_with("Hertz");
+}
+
 /// UDUNITS-2 takes a turn for the number 2 pi, and rpm for 0.105 Hz.
 bool counts_turns(std::string_view unit) {
   return contains_one_of(unit, {"rpm", "rps", "cps", "cycle", "circle", "revolution", "rotation", "turn"});
@@ -168,16 +172,16 @@ std::variant<double, std::string> to_si(const NumberAndUnit& quantity, Dimension
   const auto unit = parse_unit(is_angle && quantity.unit == "deg" ? "degree" : quantity.unit);
   if (!unit && quantity.unit.starts_with(',')) return hint(quantity, dimension);
   if (!unit) return fmt::format(": unknown unit \"{}\"{}", quantity.unit, hint(quantity, dimension));
-  if (dimension == Dimension::frequency && is_angle_per_time(quantity.unit)) {
-    return ": a frequency counts cycles, 1 Hz is 6.2832 rad/s";
-  }
   const auto converter = converter_to(unit, parse_unit(facts(dimension).si_unit));
   if (!converter) return hint(quantity, dimension);
   const bool is_difference = dimension == Dimension::temperature_difference;
   const double origin = is_difference ? cv_convert_double(converter.get(), 0.0) : 0.0;
   const double converted = cv_convert_double(converter.get(), quantity.number) - origin;
-  if (dimension == Dimension::frequency && counts_turns(quantity.unit)) {
-    return as_written(converted / (2.0 * std::numbers::pi));
+  if (dimension == Dimension::frequency && !is_in_hertz(quantity.unit)) {
+    if (counts_turns(quantity.unit) || is_angle_per_time(quantity.unit)) {
+      return as_written(converted / (2.0 * std::numbers::pi));
+    }
+    return ": it may mean cycles or radians, 1 Hz is 6.2832 rad/s; expected Hz or rad/s";
   }
   // A degree is no decimal fraction of a radian.
   return is_angle ? converted : as_written(converted);

@@ -65,8 +65,10 @@ Conversion frequency(std::string_view unit, bool counts_cycles) {
   }
   if (counts_cycles) {
     if (is_in_hertz(unit)) return {turn * parse_quantity(fmt::format("1 {}", unit), Dimension::frequency)};
-    const bool has_radians = unit.find("rad") != std::string_view::npos;
-    if (!has_radians) static_cast<void>(parse_quantity(fmt::format("1 {}", unit), Dimension::frequency));
+    const auto one = split_quantity(fmt::format("1 {}", unit));
+    if (!one || !number_in_unit(*one, "s-1")) {
+      static_cast<void>(parse_quantity(fmt::format("1 {}", unit), Dimension::frequency));
+    }
     throw InputError(fmt::format("\"{}\" may mean cycles or radians; write Hz or rad/s", unit));
   }
   if (unit == "1/s" || unit == "s-1" || unit == "s^-1" || unit == "s⁻¹") return {};
