@@ -8,7 +8,7 @@ import {mainLoad} from "./loads.js";
 import {boundNames, symbolOf, textOnStage} from "./names.js";
 import {display, percent, shortNumber, withMicroSign} from "./numbers.js";
 import {own} from "./records.js";
-import {onMeasuringGrids} from "./reliability_sentences.js";
+import {onAnisotropy, onMeasuringGrids} from "./reliability_sentences.js";
 import {decades, valueAt} from "./sampling.js";
 import {binderOf, matrixStageOf, stagesOfInterest} from "./stages.js";
 import {table} from "./table.js";
@@ -211,6 +211,7 @@ function noteOnErrors(result, stage) {
       : expectedErrorOf(stage) === undefined
         ? `Of one grid: its error is not known${ruleOf(stage) === undefined ? "" : ` (${ruleOf(stage)})`}.`
         : `Of one grid, whose error is up to about ${percent(expectedErrorOf(stage))} ${ruleOf(stage) ?? "by a rule"}.`;
-  return [grid, onMeasuringGrids(qualityOf(stage)?.measuring_grids), "The scatter from one packing to another is not in it."]
-    .filter((sentence) => sentence !== "").join(" ");
+  const quality = qualityOf(stage);
+  return [onAnisotropy(quality), grid, onMeasuringGrids(quality?.measuring_grids),
+    "The scatter from one packing to another is not in it."].filter((sentence) => sentence !== "").join(" ");
 }

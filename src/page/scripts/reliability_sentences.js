@@ -6,8 +6,8 @@ import {matrixStageOf} from "./stages.js";
 
 /// The sentences on a stage of a study (study.json).
 export function sentencesOnReliability(record, stage) {
-  return [onModel(stage), onBounds(stage), onGaps(stage), onGrids(stage), onPacking(stage), onSeparation(record, stage)]
-    .filter((sentence) => sentence !== "");
+  return [onModel(stage), onBounds(stage), onAnisotropy(stage.quality), onGaps(stage), onGrids(stage), onPacking(stage),
+    onSeparation(record, stage)].filter((sentence) => sentence !== "");
 }
 
 /// A text on the bodies bonded to the matrix of a stage: the grains of an image or of a tessellation, or particles of
@@ -68,6 +68,14 @@ function onOneGrid({expected_grid_error: error, grid_rule: rule, measuring_grids
     ? `The grid: one, with an error of ${percent(error)} at most ${rule ?? "by a rule"}.`
     : `The grid: one, so its error is not known${rule === undefined ? "" : ` (${rule})`}.`;
   return `${known} ${onMeasuringGrids(grids)}`.trim();
+}
+
+/// A sentence on the shears whose mean is the modulus of a stage; empty where it is that of one shear.
+export function onAnisotropy(quality) {
+  if (quality?.anisotropy === undefined) return "";
+  const at = ({time_s: time, relative_distance: distance}) => `${percent(distance)} at ${display(time, "s", 2)}`;
+  const {first, last} = quality.anisotropy;
+  return `The modulus is the mean of all shears of the box, which are apart by ${at(first)} and ${at(last)}.`;
 }
 
 /// A sentence on the grids that measure the error of one; empty where none do.

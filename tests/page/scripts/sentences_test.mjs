@@ -144,6 +144,10 @@ test("the reliability of a stage, from the error estimates of the run", () => {
   assert.ok(sentencesOnReliability(study, ofRange).join("\n").includes("3 % at most by a rule of packings of 52 and 55 %."));
   const measurable = {...byRule, quality: {...byRule.quality, measuring_grids: [25, 50]}};
   assert.ok(sentencesOnReliability(study, measurable).join("\n").includes("by a rule. Two grids, cells = [25, 50], measure it."));
+  const ofMean = {...stage, quality: {...stage.quality, anisotropy: {first: {time_s: 1e-3, relative_distance: 0.04},
+    last: {time_s: 1, relative_distance: 0.3}}}};
+  assert.ok(sentencesOnReliability(study, ofMean).join("\n").includes("which are apart by 4 % at 1 ms and 30 % at 1 s."));
+  assert.ok(!text.includes("all shears"));
   const without = {...stage, quality: {...stage.quality, grid_rule: "no rule for ellipsoids"}};
   assert.ok(sentencesOnReliability(study, without).join("\n").includes("its error is not known (no rule for ellipsoids)"));
   const apart = {...stage, cells: [20, 21], quality: {...stage.quality, grid_error: 1.5}};
