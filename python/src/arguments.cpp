@@ -1,5 +1,6 @@
 #include "arguments.hpp"
 
+#include <algorithm>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -25,11 +26,17 @@ std::optional<double> number_in(const py::handle& value) {
   }
 }
 
-/// Whether this is a tuple of two lists or arrays. Many users write two columns in this way, but none a list of pairs.
+/// Whether this is a tuple of two lists or arrays, which many users write for two columns but none for pairs, or a list
+/// of two lists of two numbers without units, which may be either.
 bool may_be_columns(const py::object& pairs) {
-  if (!py::isinstance<py::tuple>(pairs) || py::len(pairs) != 2) return false;
+  const auto is_text = [](const py::handle& value) { return py::isinstance<py::str>(value); };
+  const bool is_tuple = py::isinstance<py::tuple>(pairs);
+  if ((!is_tuple && !py::isinstance<py::list>(pairs)) || py::len(pairs) != 2) return false;
   for (const auto& one : pairs) {
     if (py::isinstance<py::tuple>(one) || !py::isinstance<py::iterable>(one)) return false;
+    if (is_tuple) continue;
+    if (!py::isinstance<py::list>(one) || py::len(one) != 2 || std::any_of(one.begin(), one.end(), is_text))
+      return false;
   }
   return true;
 }
@@ -47,6 +54,17 @@ void require(const Expected& expected, double value) {
       fmt::format("{}: expected {}{}, got {}", expected.argument, described(expected.range, "number"), unit, value));
 }
 
+void refuse_what_numpy_drops(std::string_view argument, std::string_view expected, const py::handle& value) {
+  const auto refuse = [&](std::string_view what) {
+    throw InputError(fmt::format("{}: expected {}, got {}: {}", argument, expected, what, shown(value)));
+  };
+  if (py::hasattr(value, "units") || py::hasattr(value, "unit")) refuse("a quantity of another package");
+  if (PyComplex_Check(value.ptr()) != 0) refuse("a complex number");
+  if (py::hasattr(value, "dtype") && py::str(value.attr("dtype").attr("kind")).cast<std::string>() == "c") {
+    refuse("complex numbers");
+  }
+}
+
 double quantity_of(std::string_view argument, const py::handle& value, Dimension dimension) {
   if (py::isinstance<py::str>(value)) {
     try {
@@ -55,9 +73,10 @@ double quantity_of(std::string_view argument, const py::handle& value, Dimension
       throw InputError(fmt::format("{}: {}", argument, error.what()));
     }
   }
+  const auto expected = fmt::format("{}, as a number or as text with a unit", with_article(dimension));
+  refuse_what_numpy_drops(argument, expected, value);
   if (const auto number = number_in(value)) return *number;
-  throw InputError(fmt::format("{}: expected {}, as a number or as text with a unit, got {}", argument,
-                               with_article(dimension), shown(value)));
+  throw InputError(fmt::format("{}: expected {}, got {}", argument, expected, shown(value)));
 }
 
 double angular_frequency_of(std::string_view argument, const py::handle& value) {
@@ -85,6 +104,7 @@ double plain_number_of(std::string_view argument, const py::handle& value) {
 Numbers numbers_of(const Expected& expected, const py::object& values,
                    double (*in_si)(std::string_view argument, const py::handle& value)) {
   const bool is_text = py::isinstance<py::str>(values);
+  if (!is_text) refuse_what_numpy_drops(expected.argument, fmt::format("numbers in {}", expected.unit), values);
   auto numbers = Numbers::ensure(is_text ? py::float_(in_si(expected.argument, values)) : values);
   if (!numbers) {
     PyErr_Clear();
@@ -100,7 +120,11 @@ std::vector<std::pair<double, double>> pairs_of(std::string_view argument, std::
                                                 const py::object& pairs,
                                                 double (*second)(std::string_view argument, const py::handle& value)) {
   if (!py::isinstance<py::iterable>(pairs)) refuse_pairs(argument, expected, shown(pairs));
-  if (may_be_columns(pairs)) refuse_pairs(argument, expected, fmt::format("a tuple of two lists, {}", shown(pairs)));
+  if (may_be_columns(pairs)) {
+    const auto* const lists =
+        py::isinstance<py::tuple>(pairs) ? "a tuple of two lists" : "two lists that may be columns";
+    refuse_pairs(argument, expected, fmt::format("{}, {}", lists, shown(pairs)));
+  }
   std::vector<std::pair<double, double>> read;
   for (const auto& pair : pairs) {
     const bool has_two = py::isinstance<py::sequence>(pair) && !py::isinstance<py::str>(pair) && py::len(pair) == 2;

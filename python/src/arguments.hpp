@@ -25,6 +25,10 @@ struct Expected {
 /// s, got -1".
 void require(const Expected& expected, double value);
 
+/// Throws InputError for a number or an array of which NumPy would drop a part without a word: a unit of another
+/// package, or an imaginary part. `expected` is what a caller may write instead, "a number in s".
+void refuse_what_numpy_drops(std::string_view argument, std::string_view expected, const pybind11::handle& value);
+
 /// A number of a caller, or text with a unit of a dimension, in the SI unit. Throws InputError for anything else.
 double quantity_of(std::string_view argument, const pybind11::handle& value, Dimension dimension);
 
@@ -41,7 +45,7 @@ double time_of(std::string_view argument, const pybind11::handle& value);
 
 /// The pairs of an argument: an n x 2 array, or any iterable of pairs, each of a time, as a number [s] or text with a
 /// unit, and of a value that `second` reads. Throws InputError, with the `expected` form, for anything else; also for a
-/// tuple of two lists, which may be meant as two columns.
+/// tuple of two lists and for two lists of two numbers, which may be meant as two columns.
 std::vector<std::pair<double, double>> pairs_of(std::string_view argument, std::string_view expected,
                                                 const pybind11::object& pairs,
                                                 double (*second)(std::string_view argument,

@@ -26,10 +26,23 @@ namespace py = pybind11;
 /// Numbers of a caller; a copy only where they are not contiguous doubles already.
 using ContiguousNumbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-std::span<const double> numbers_of(const char* name, const ContiguousNumbers& array) {
-  if (array.ndim() != 1)
+/// The numbers of an argument, a list in this unit.
+ContiguousNumbers list_of(const char* name, const char* unit, const py::object& values) {
+  const auto expected = fmt::format("a list of numbers in {}", unit);
+  refuse_what_numpy_drops(name, expected, values);
+  auto array = ContiguousNumbers::ensure(values);
+  if (!array) {
+    PyErr_Clear();
+    throw InputError(fmt::format("{}: expected {}, got {}", name, expected, py::repr(values).cast<std::string>()));
+  }
+  if (array.ndim() != 1) {
     throw InputError(fmt::format("{}: expected a list, got an array of {} axes", name, array.ndim()));
-  return {array.data(), static_cast<std::size_t>(array.size())};
+  }
+  return array;
+}
+
+std::span<const double> numbers_of(const ContiguousNumbers& list) {
+  return {list.data(), static_cast<std::size_t>(list.size())};
 }
 
 /// Throws InputError unless several lists of data have one length.
@@ -158,9 +171,10 @@ std::vector<double> list_from(std::span<const double> numbers) {
 void bind_functions(py::module_& module) {
   module.def(
       "fit",
-      [](const ContiguousNumbers& time, const ContiguousNumbers& modulus, double ramp, double times_per_decade) {
-        require_equal_lengths("time", time, "modulus", modulus);
-        const auto times = numbers_of("time", time), moduli = numbers_of("modulus", modulus);
+      [](const py::object& time, const py::object& modulus, double ramp, double times_per_decade) {
+        const auto time_list = list_of("time", "s", time), modulus_list = list_of("modulus", "Pa", modulus);
+        require_equal_lengths("time", time_list, "modulus", modulus_list);
+        const auto times = numbers_of(time_list), moduli = numbers_of(modulus_list);
         const auto options = fit_options(ramp, times_per_decade);
         return MeasuredFit<RelaxationFit>{without_lock([&] { return fit_relaxation(times, moduli, options); }), false,
                                           list_from(times), list_from(moduli)};
@@ -170,9 +184,10 @@ void bind_functions(py::module_& module) {
       "ramp: duration [s] of the ramp by which the strain was applied; 0: a step.");
   module.def(
       "fit_creep",
-      [](const ContiguousNumbers& time, const ContiguousNumbers& compliance, double ramp, double times_per_decade) {
-        require_equal_lengths("time", time, "compliance", compliance);
-        const auto times = numbers_of("time", time), compliances = numbers_of("compliance", compliance);
+      [](const py::object& time, const py::object& compliance, double ramp, double times_per_decade) {
+        const auto time_list = list_of("time", "s", time), compliance_list = list_of("compliance", "1/Pa", compliance);
+        require_equal_lengths("time", time_list, "compliance", compliance_list);
+        const auto times = numbers_of(time_list), compliances = numbers_of(compliance_list);
         const auto options = fit_options(ramp, times_per_decade);
         return MeasuredFit<CreepFit>{without_lock([&] { return fit_creep(times, compliances, options); }), false,
                                      list_from(times), list_from(compliances)};
@@ -181,12 +196,13 @@ void bind_functions(py::module_& module) {
       "Fits a creep compliance [1/Pa] at rising times [s]; see fit().");
   module.def(
       "fit_dynamic",
-      [](const ContiguousNumbers& frequency, const ContiguousNumbers& storage, const ContiguousNumbers& loss,
-         double times_per_decade) {
-        require_equal_lengths("angular_frequency", frequency, "storage", storage);
-        require_equal_lengths("angular_frequency", frequency, "loss", loss);
-        const auto frequencies = numbers_of("angular_frequency", frequency), stored = numbers_of("storage", storage),
-                   lost = numbers_of("loss", loss);
+      [](const py::object& frequency, const py::object& storage, const py::object& loss, double times_per_decade) {
+        const auto frequency_list = list_of("angular_frequency", "rad/s", frequency);
+        const auto storage_list = list_of("storage", "Pa", storage), loss_list = list_of("loss", "Pa", loss);
+        require_equal_lengths("angular_frequency", frequency_list, "storage", storage_list);
+        require_equal_lengths("angular_frequency", frequency_list, "loss", loss_list);
+        const auto frequencies = numbers_of(frequency_list), stored = numbers_of(storage_list),
+                   lost = numbers_of(loss_list);
         const auto options = fit_options(0.0, times_per_decade);
         return dynamic_fit(without_lock([&] { return fit_dynamic(frequencies, stored, lost, options); }),
                            list_from(frequencies), list_from(stored), list_from(lost));

@@ -45,6 +45,50 @@ def test_moduli_by_numbers_are_those_by_text(by_number, by_text):
     assert one == other and one.shear.relaxation_times[0] < 1.0
 
 
+class Millisecond:
+    """A quantity as packages of units have it, which NumPy takes for the number 1."""
+
+    units = "ms"
+
+    def __float__(self):
+        return 1.0
+
+    def __array__(self, *_, **__):
+        return np.asarray(1.0)
+
+
+def test_what_numpy_would_drop_is_refused():
+    series = breccia.PronySeries([(1.0, 1e6)], 1e6)
+    times = np.array([1e-3, 1.0, 10.0])
+    with pytest.raises(breccia.InputError, match="time: expected numbers in s, got a quantity of another package"):
+        series.at(Millisecond())
+    with pytest.raises(breccia.InputError, match="expected a list of numbers in s, got a quantity of another package"):
+        breccia.fit(Millisecond(), [1.0])
+    with pytest.raises(breccia.InputError, match="modulus: expected a list of numbers in Pa, got complex numbers"):
+        breccia.fit(times, series.complex_modulus(times))
+    with pytest.raises(breccia.InputError, match="quantity of another package"):
+        breccia.PronySeries([(Millisecond(), 1e6)])
+    with pytest.raises(breccia.InputError, match="time: expected a list of numbers in s, got 'long'"):
+        breccia.fit("long", [1.0])
+
+
+def test_two_lists_may_be_pairs_or_columns():
+    with pytest.raises(breccia.InputError, match="two lists that may be columns"):
+        breccia.PronySeries([[1e-3, 1.0], [10e6, 2e6]])
+    pairs = breccia.PronySeries([(1e-3, 1e7), (1.0, 2e6)])
+    assert breccia.PronySeries(np.array([[1e-3, 1e7], [1.0, 2e6]])) == pairs
+    assert breccia.PronySeries(zip([1e-3, 1.0], [1e7, 2e6])) == pairs
+    assert len(breccia.PronySeries([[1e-3, 1e7], [1.0, 2e6], [10.0, 1e6]]).terms) == 3
+
+
+@pytest.mark.parametrize("inverse", ["1 /s", "1 s^-1", "1 Bq"])
+def test_an_inverse_time_is_no_frequency(inverse):
+    with pytest.raises(breccia.InputError, match="may mean cycles or radians"):
+        breccia.PronySeries([(1.0, 1e6)]).complex_modulus(inverse)
+    with pytest.raises(breccia.InputError, match="may mean cycles or radians"):
+        breccia.Study(BOX, breccia.Tests(frequencies=(inverse, "100 Hz")))
+
+
 def test_tables_within_tables_take_numbers():
     filler = breccia.Filler(GLASS, fraction=0.2, sizes={"lognormal": [{"median": 1e-4, "sigma": 0.2}]}, smallest=8e-5,
                             largest=1.2e-4, gap=2e-5)
