@@ -10,12 +10,14 @@ import breccia
 from conftest import MODEL
 
 
-@pytest.fixture(scope="module")
-def run(tmp_path_factory):
-    """A study of two grids under both bounds, by both methods, with what was computed and its directory."""
+@pytest.fixture(scope="module", params=["shear", "isotropic"])
+def run(request, tmp_path_factory):
+    """A study of two grids under both bounds and one load, with what was computed and its directory."""
     directory = tmp_path_factory.mktemp("stored") / "run"
     study = breccia.read_study(MODEL, {"stages.0.cells": [24, 48], "tests.method": "quasistatic",
-                                       "tests.boundaries": ["displacement", "traction"]})
+                                       "tests.boundaries": ["displacement", "traction"],
+                                       "tests.loads": [request.param],
+                                       "tests.volumetric": "standard" if request.param == "shear" else "averaged"})
     return breccia.run(study, directory), directory
 
 

@@ -14,6 +14,7 @@
 #include "deck/fitted_modulus.hpp"
 #include "deck/prony_file.hpp"
 #include "deck/two_moduli.hpp"
+#include "study/limits.hpp"
 
 namespace breccia {
 namespace {
@@ -128,7 +129,7 @@ std::optional<BulkAndShear> ModuliReader::read_pair(const Section& material) {
   read("shear", ModulusKind::shear, moduli.shear);
   read("young", ModulusKind::young, moduli.young);
   if (material.has("poisson")) {
-    moduli.poisson = material.number("poisson", Range::between(-1.0, 0.5));
+    moduli.poisson = material.number("poisson", allowed::poisson);
     is_complete = is_complete && !std::isnan(*moduli.poisson);
   }
   if (given.size() != 2) {

@@ -112,7 +112,10 @@ struct TakeRecord {
 
   void operator()(std::monostate /*unknown*/) const {}
   void operator()(const ExtrapolationRecord& /*record*/) const {}
-  void operator()(const MeanRecord& record) const { test.record = record; }
+  void operator()(const MeanEntry& record) const {
+    test.record = MeanRecord{record.loads};
+    test.error_estimate = record.error_estimate.value_or(std::numeric_limits<double>::quiet_NaN());
+  }
   void operator()(const QuasistaticEntry& record) const {
     test.error_estimate = record.error_estimate.value_or(std::numeric_limits<double>::quiet_NaN());
     test.seconds = record.seconds;

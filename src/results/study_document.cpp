@@ -171,7 +171,7 @@ TestEntry JsonForm<TestEntry>::read(const Json& json) {
   } else if (json.contains("from_cells")) {
     test.record = value_from<ExtrapolationRecord>(json);
   } else if (json.contains("mean_of")) {
-    test.record = value_from<MeanRecord>(json);
+    test.record = value_from<MeanEntry>(json);
   }
   if (json.contains("fields")) test.fields = value_from<std::vector<FieldRecord>>(json.at("fields"));
   return test;

@@ -149,8 +149,13 @@ inline constexpr auto fields<DynamicEntry> =
 template <>
 inline constexpr auto fields<ExtrapolationRecord> = std::tuple(field("from_cells", &ExtrapolationRecord::cells));
 
+struct MeanEntry {
+  std::vector<Load> loads = {};
+  std::optional<double> error_estimate = {};
+};
 template <>
-inline constexpr auto fields<MeanRecord> = std::tuple(field("mean_of", &MeanRecord::loads));
+inline constexpr auto fields<MeanEntry> = std::tuple(field("mean_of", &MeanEntry::loads),
+                                                     field_if_any("error_estimate", &MeanEntry::error_estimate));
 
 template <>
 inline constexpr auto fields<FieldRecord> = std::tuple(field("time_s", &FieldRecord::time),
@@ -176,7 +181,7 @@ inline constexpr auto fields<TestId> = std::tuple(field("load", &TestId::load), 
 /// its fields.
 struct TestEntry {
   TestId id = blank_value<TestId>();
-  std::variant<std::monostate, QuasistaticEntry, DynamicEntry, ExtrapolationRecord, MeanRecord> record = {};
+  std::variant<std::monostate, QuasistaticEntry, DynamicEntry, ExtrapolationRecord, MeanEntry> record = {};
   std::vector<FieldRecord> fields = {};
 };
 template <>

@@ -66,7 +66,9 @@ struct RecordEntry {
 
   void operator()(std::monostate /*unknown*/) const {}
   void operator()(const ExtrapolationRecord& record) const { entry.record = record; }
-  void operator()(const MeanRecord& record) const { entry.record = record; }
+  void operator()(const MeanRecord& record) const {
+    entry.record = MeanEntry{record.loads, if_finite(test.error_estimate)};
+  }
 
   void operator()(const QuasistaticRecord& record) const {
     QuasistaticEntry found{.solver = record.reduced ? Solver::reduced : Solver::stepping,

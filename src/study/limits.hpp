@@ -7,6 +7,9 @@
 /// The numbers that a study may have, for the deck reader and for require_sound.
 namespace breccia::allowed {
 
+/// Poisson's ratio [-]. Below -0.9 no material is known, and units are wrong rather.
+inline constexpr Range poisson = Range::between(-0.9, 0.5);
+
 inline constexpr Range side = {.lower = 1e-12, .upper = 1e6};       ///< side of a box [m]
 inline constexpr Range dimensions = {.lower = 2.0, .upper = 3.0};   ///< number of dimensions of a box
 inline constexpr Range cells = {.lower = 2.0, .upper = 1048576.0};  ///< number of cells per side

@@ -6,6 +6,9 @@
 #include <fmt/format.h>
 
 #include "io/printable.hpp"
+#include "io/units.hpp"
+#include "study/limits.hpp"
+#include "viscoelasticity/poisson_ratio.hpp"
 
 namespace breccia {
 namespace {
@@ -21,6 +24,16 @@ void check_shift(const TemperatureShift& shift, const std::string& part, StudyMi
   mistakes.add_error_of(part, [&shift] { static_cast<void>(shift_factor(shift.law, shift.temperature)); });
 }
 
+/// A material whose unrelaxed moduli are positive has a Poisson's ratio above the least one.
+void check_poisson_ratio(const Material& material, const std::string& part, StudyMistakes& mistakes) {
+  const double bulk = material.bulk.unrelaxed(), shear = material.shear.unrelaxed();
+  if (!(bulk > 0.0) || !(shear > 0.0) || poisson_ratio(bulk, shear) > allowed::poisson.lower) return;
+  mistakes.add(part, fmt::format("expected a Poisson's ratio above {}, got {:.4g} (bulk {}, shear {}); are the units "
+                                 "right?",
+                                 allowed::poisson.lower, poisson_ratio(bulk, shear),
+                                 readable(bulk, Dimension::pressure), readable(shear, Dimension::pressure)));
+}
+
 }  // namespace
 
 void check_material(const Material& material, const std::string& part, StudyMistakes& mistakes) {
@@ -30,6 +43,7 @@ void check_material(const Material& material, const std::string& part, StudyMist
                           Dimension::pressure);
   mistakes.check_quantity(part, "unrelaxed shear modulus", material.shear.unrelaxed(), Range::positive(),
                           Dimension::pressure);
+  check_poisson_ratio(material, part, mistakes);
 }
 
 void check_materials(const Study& study, StudyMistakes& mistakes) {

@@ -116,11 +116,13 @@ TEST(StageWarnings, OfTimesBeyondTheSpectrum) {
   auto& shear = std::get<Material>(stage.matrix).shear;
   shear = PronySeries(0.0, {{1e-3, 1.0}, {1.0, 1.0}});
   EXPECT_THAT(warnings(stage, within(1e-4, 10.0)), IsEmpty());
-  EXPECT_THAT(warnings(stage, within(1e-5, 1.0)),
-              ElementsAre(AllOf(HasSubstr("A: times reach from 10 us to 1 s"), HasSubstr("resin, from 1 ms to 1 s"))));
-  EXPECT_THAT(warnings(stage, within(1.0, 100.0)), ElementsAre(HasSubstr("times reach from 1 s to 100 s")));
+  EXPECT_THAT(
+      warnings(stage, within(1e-5, 1.0)),
+      ElementsAre(AllOf(HasSubstr("A: times begin at 10 us, more than a decade before"), HasSubstr("resin, 1 ms;"))));
+  EXPECT_THAT(warnings(stage, within(1.0, 100.0)),
+              ElementsAre(HasSubstr("A: times end at 100 s, more than a decade after")));
   shear = PronySeries(0.0, {{1e-3, 1.0}});
-  EXPECT_THAT(warnings(stage, within(1.0, 100.0)), IsEmpty()) << "a model with one term";
+  EXPECT_THAT(warnings(stage, within(1e-5, 1e-2)), IsEmpty()) << "a model with one term";
 }
 
 TEST(StageWarnings, OfMeasurementsAtOtherTimes) {
@@ -199,7 +201,8 @@ TEST(StageWarnings, OfPoissonsRatios) {
   EXPECT_THAT(warnings_of(PronySeries(1e5), PronySeries(1.0)),
               ElementsAre(HasSubstr("Poisson's ratio is 0.499995 before it relaxes")));
   EXPECT_THAT(warnings_of(PronySeries(1e5), PronySeries(1.0, {{0.1, 1e6}})), IsEmpty()) << "a binder that relaxes";
-  EXPECT_THAT(warnings_of(PronySeries(1e5), PronySeries(0.0, {{1e-6, 1e5}})), IsEmpty()) << "one that has relaxed";
+  EXPECT_THAT(warnings_of(PronySeries(1e5), PronySeries(0.0, {{1e-6, 1e5}})), ElementsAre(HasSubstr("has flowed away")))
+      << "one that has relaxed";
 }
 
 TEST(StageWarnings, OfAMaterialStandOnce) {

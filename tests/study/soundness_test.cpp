@@ -100,6 +100,9 @@ TEST(RequireSound, NamesEachMistakeOfMaterials) {
                 "material binder: density: expected a positive density, got 0 kg/m^3"},
                {[](Study& study) { study.materials[0].material.bulk = PronySeries(0.0); },
                 "material binder: unrelaxed bulk modulus: expected a positive pressure"},
+               {[](Study& study) { study.materials[1].material.bulk = PronySeries(1e6); },
+                "material glass: expected a Poisson's ratio above -0.9, got -0.9991 (bulk 1 MPa, shear 5 GPa); are the "
+                "units right?"},
                {[](Study& study) { study.materials[0].material.name = "a\tb"; }, "expected a name without line breaks"},
                {[](Study& study) {
                   study.stages[0].matrix = Material{"binder", 1e3, PronySeries(1e9), {}};

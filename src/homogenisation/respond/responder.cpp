@@ -81,7 +81,7 @@ void add_once(std::vector<std::string>& warnings, const std::string& warning) {
   if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
 }
 
-/// A warning about times outside the spectrum, "fine: times reach from ...", if there is reason for one.
+/// A warning about times outside the spectrum, "fine: times end at ...", if there is reason for one.
 std::optional<std::string> warning_of_times(const StageResponses& stage, const Material& matrix) {
   const auto warning = warning_of_unknown_times(matrix, stage.times);
   return warning ? std::optional(fmt::format("{}: {}", stage.stage, *warning)) : std::nullopt;
