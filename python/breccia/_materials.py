@@ -39,7 +39,7 @@ class Material(Table):
     """A linear viscoelastic solid, by its density [kg/m^3] and two of bulk, shear, young and poisson.
 
     bulk, shear, young: bulk, shear and Young's modulus [Pa]: a quantity, a PronySeries, or a table as in a deck, such as
-    {"prony": "binder.csv"}; poisson: Poisson's ratio, a number between -1 and 0.5, constant in time: steel is
+    {"prony": "binder.csv"}; poisson: Poisson's ratio, a number between -0.9 and 0.5, constant in time: steel is
     Material("steel", density=7850, young="210 GPa", poisson=0.3); temperature_shift: a table as in a deck, or the law of
     a master curve, for moduli at its reference temperature.
     """

@@ -58,6 +58,10 @@ void refuse_what_numpy_drops(std::string_view argument, std::string_view expecte
   const auto refuse = [&](std::string_view what) {
     throw InputError(fmt::format("{}: expected {}, got {}: {}", argument, expected, what, shown(value)));
   };
+  if (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value)) {
+    for (const auto& element : value) refuse_what_numpy_drops(argument, expected, element);
+    return;
+  }
   if (py::hasattr(value, "units") || py::hasattr(value, "unit")) refuse("a quantity of another package");
   if (PyComplex_Check(value.ptr()) != 0) refuse("a complex number");
   if (py::hasattr(value, "dtype") && py::str(value.attr("dtype").attr("kind")).cast<std::string>() == "c") {
@@ -97,6 +101,7 @@ double modulus_of(std::string_view argument, const py::handle& value) {
 }
 
 double plain_number_of(std::string_view argument, const py::handle& value) {
+  refuse_what_numpy_drops(argument, "a number", value);
   if (const auto number = number_in(value)) return *number;
   throw InputError(fmt::format("{}: expected a number, got {}", argument, shown(value)));
 }

@@ -158,8 +158,9 @@ void bind_stage(py::module_& module) {
   const auto boundary = py::arg("boundary") = py::none(), method = py::arg("method") = py::none(),
              grid = py::arg("grid") = py::none();
   constexpr auto which =
-      "\n\nload: \"isotropic\" (the mean of all shears), \"shear\", \"bulk\", ..., by default the first of these that "
-      "was tested; boundary: \"displacement\" (upper bound), \"traction\" (lower bound) or "
+      "\n\nload: \"isotropic\" (the mean of all shears), \"shear\", \"bulk\", ...; by default isotropic where it was "
+      "tested, "
+      "else shear, else the first shear; boundary: \"displacement\" (upper bound), \"traction\" (lower bound) or "
       "\"periodic\", needed where several were tested; method: \"quasistatic\" before \"dynamic\"; grid: cells per "
       "side, "
       "by default the finest or the extrapolation.";

@@ -68,6 +68,11 @@ def test_what_numpy_would_drop_is_refused():
         breccia.fit(times, series.complex_modulus(times))
     with pytest.raises(breccia.InputError, match="quantity of another package"):
         breccia.PronySeries([(Millisecond(), 1e6)])
+    for several in ([Millisecond(), 1.0], (1.0, Millisecond())):
+        with pytest.raises(breccia.InputError, match="got a quantity of another package"):
+            series.at(several)
+    with pytest.raises(breccia.InputError, match="complex"):
+        breccia.fit(times, list(series.complex_modulus(times)))
     with pytest.raises(breccia.InputError, match="time: expected a list of numbers in s, got 'long'"):
         breccia.fit("long", [1.0])
 

@@ -25,8 +25,8 @@ std::vector<const TestResult*> shown_tests(const StageResult& stage) {
       std::ranges::any_of(stage.tests, [](const TestResult& test) { return test.id.load.is_isotropic(); });
   std::vector<const TestResult*> shown;
   for (const auto& test : stage.tests) {
-    const bool is_in_mean = has_means && !test.id.load.is_isotropic() && !test.id.load.is_bulk();
-    if (!is_in_mean && (!has_limits || test.id.grid.is_extrapolated())) shown.push_back(&test);
+    if (has_means && is_in_mean(test.id.load, stage.dimensions)) continue;
+    if (!has_limits || test.id.grid.is_extrapolated()) shown.push_back(&test);
   }
   return shown;
 }

@@ -2,18 +2,17 @@
 
 #include <algorithm>
 
+#include "homogenisation/run/isotropic_mean.hpp"
+
 namespace breccia {
 namespace {
 
-/// The distance at a time of the shears beside an isotropic mean.
-AnisotropyAtTime at_time(int dimensions, const TestResult& mean, const std::vector<TestResult>& tests, double time) {
+/// The distance of the shears at a time; nothing where one of them has no modulus any more.
+std::optional<AnisotropyAtTime> at_time(const std::vector<const TestResult*>& shears, double time) {
   std::vector<double> moduli;
-  for (const auto load : isotropic_shears(dimensions)) {
-    const auto& shear = preferred_test(tests, load, mean.id.boundary, mean.id.method);
-    moduli.push_back(smoothed_at(shear.modulus, time));
-  }
+  for (const auto* shear : shears) moduli.push_back(smoothed_at(shear->modulus, time));
   const auto [least, most] = std::ranges::minmax(moduli);
-  return {time, most / least - 1.0};
+  return least > 0.0 ? std::optional(AnisotropyAtTime{time, most / least - 1.0}) : std::nullopt;
 }
 
 }  // namespace
@@ -24,11 +23,12 @@ std::optional<Anisotropy> anisotropy_of_tests(int dimensions, const std::vector<
     const bool is_preferred = mean.id.load.is_isotropic() && !mean.modulus.empty() &&
                               find_preferred_test(tests, mean.id.load, mean.id.boundary, mean.id.method) == &mean;
     if (!is_preferred) continue;
-    const auto first = at_time(dimensions, mean, tests, mean.modulus.front().time);
-    const auto last = at_time(dimensions, mean, tests, mean.modulus.back().time);
-    if (!largest) largest = Anisotropy{first, last};
-    if (first.distance > largest->first.distance) largest->first = first;
-    if (last.distance > largest->last.distance) largest->last = last;
+    const auto shears = shears_beside(dimensions, mean.id, tests);
+    const auto first = at_time(shears, mean.modulus.front().time), last = at_time(shears, mean.modulus.back().time);
+    if (!first || !last) continue;
+    if (!largest) largest = Anisotropy{*first, *last};
+    if (first->distance > largest->first.distance) largest->first = *first;
+    if (last->distance > largest->last.distance) largest->last = *last;
   }
   return largest;
 }

@@ -19,7 +19,7 @@ struct Anisotropy {
 };
 
 /// The anisotropy from the preferred tests of a stage of so many dimensions, the largest of all boundaries and methods;
-/// nothing where the tests have no isotropic mean.
+/// nothing where the tests have no isotropic mean, or where a modulus has fallen to zero.
 std::optional<Anisotropy> anisotropy_of_tests(int dimensions, const std::vector<TestResult>& tests);
 
 }  // namespace breccia

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "io/display.hpp"
 #include "io/units.hpp"
@@ -43,31 +42,31 @@ std::optional<std::string> warning_of_poisson_ratio(const Material& material, co
   return std::nullopt;
 }
 
-std::optional<std::string> warning_of_unknown_times(const Material& matrix, const TimeWindow& times) {
+std::vector<std::string> warnings_of_unknown_times(const Material& matrix, const TimeWindow& times) {
   const auto& terms = matrix.shear.terms();
-  if (terms.empty()) return std::nullopt;
+  if (terms.empty()) return {};
   // A term affects the modulus for about a decade on either side of its time.
   constexpr double decade = 10.0;
   const double slowest = terms.front().relaxation_time, fastest = terms.back().relaxation_time;
   // A single term is taken for a deliberate model; several terms come from data of limited range.
   const bool is_of_data = terms.size() > 1;
-  std::vector<std::string> parts;
+  std::vector<std::string> warnings;
   if (is_of_data && times.begin < fastest / decade) {
-    parts.push_back(
+    warnings.push_back(
         fmt::format("times begin at {}, more than a decade before the fastest relaxation time of its matrix, {}, {}; "
                     "until then the computed modulus is constant, unlike that of a real material",
                     readable(times.begin, Dimension::time), matrix.name, readable(fastest, Dimension::time)));
   }
   const bool flows = matrix.shear.equilibrium() == 0.0;
   if ((is_of_data || flows) && times.end > slowest * decade) {
-    parts.push_back(fmt::format(
+    warnings.push_back(fmt::format(
         "times end at {}, more than a decade after the slowest relaxation time of its matrix, {}, {}; {}",
         readable(times.end, Dimension::time), matrix.name, readable(slowest, Dimension::time),
         flows
             ? "it has no equilibrium modulus and has flowed away there, so that the computed moduli mean nothing"
             : "there it has its equilibrium modulus, which is right for a rubber, and wrong where only the data end"));
   }
-  return parts.empty() ? std::nullopt : std::optional(fmt::format("{}", fmt::join(parts, "; and ")));
+  return warnings;
 }
 
 std::optional<std::string> warning_of_soft_filler(const Material& filler, const Material& binder, double time) {

@@ -12,8 +12,8 @@ namespace breccia {
 /// any relaxation (the ratio of a soft binder approaches one half only later); otherwise nothing.
 std::optional<std::string> warning_of_poisson_ratio(const Material& material, const TimeWindow& times);
 
-/// A warning if some of the times [s] are outside the relaxation spectrum of a matrix; otherwise nothing.
-std::optional<std::string> warning_of_unknown_times(const Material& matrix, const TimeWindow& times);
+/// Warnings if some of the times [s] are before or after the relaxation spectrum of a matrix.
+std::vector<std::string> warnings_of_unknown_times(const Material& matrix, const TimeWindow& times);
 
 /// A warning if the shear or bulk modulus of a filler is below that of the binder at a time [s]; otherwise nothing.
 std::optional<std::string> warning_of_soft_filler(const Material& filler, const Material& binder, double time);

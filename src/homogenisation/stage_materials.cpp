@@ -48,7 +48,7 @@ StageMaterial fitted_material(const StageFit& fit, const std::vector<TestResult>
   constexpr double back = 1e-3;
   const auto times = logarithmic_times({back * fit.times.begin, fit.times.end}, std::max(fit.points_per_decade, 20));
   const auto curve = [&](TestLoad load) {
-    return curve_at(preferred_test(tests, load, boundary, method), fit.side, tests, fit.mixing, times);
+    return curve_at(preferred_test(tests, load, boundary, method), fit.side, fit.dimensions, tests, fit.mixing, times);
   };
   StageMaterial material{
       boundary, method,

@@ -341,9 +341,10 @@ std::optional<std::string> warning_of_gap_on_grids(const Stage& stage) {
       gap, gap);
 }
 
-std::optional<std::string> warning_of_unknown_times(const Stage& stage, const Tests& tests) {
+std::vector<std::string> warnings_of_unknown_times(const Stage& stage, const Tests& tests) {
   const auto* matrix = std::get_if<Material>(&stage.matrix);
-  return matrix == nullptr ? std::nullopt : warning_of_unknown_times(*matrix, {tests.first_time, tests.last_time});
+  if (matrix == nullptr) return {};
+  return warnings_of_unknown_times(*matrix, {tests.first_time, tests.last_time});
 }
 
 /// A warning on a measurement that has no time in common with the tests; empty if it has one.
@@ -377,10 +378,10 @@ std::vector<std::string> warnings_on(const Study& study, const Stage& stage,
         warning_of_touching_particles(study, stage, microstructure),
         warning_of_small_spheres(stage, microstructure, mixing_of(study, stage, microstructure)),
         warning_of_lost_grains(stage, microstructure),
-        warning_of_cut_particles(stage, study.tests.boundaries, microstructure),
-        warning_of_unknown_times(stage, study.tests)}) {
+        warning_of_cut_particles(stage, study.tests.boundaries, microstructure)}) {
     if (warning) of_stage.push_back(*warning);
   }
+  std::ranges::move(warnings_of_unknown_times(stage, study.tests), std::back_inserter(of_stage));
   for (const auto& measurement : study.measurements) {
     if (measurement.stage != stage.name) continue;
     const auto warning = warning_of_other_times(measurement, {study.tests.first_time, study.tests.last_time});

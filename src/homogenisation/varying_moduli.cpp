@@ -47,20 +47,27 @@ ResponsesUnderLoad responses_under(Load load, const Stage& stage, const StageRes
 /// The reduced responses of a stage whose mean is one of its moduli.
 struct ResponsesOfModulus {
   std::vector<ResponsesUnderLoad> under_loads;
+  Boundary boundary = Boundary::displacement;
 
   [[nodiscard]] bool are_known() const {
     return std::ranges::none_of(under_loads, [](const auto& under_load) { return under_load.responses.empty(); });
   }
+  /// Mean modulus [Pa], under tractions that of the mean compliance (theory, Eqs. 13a and 13b).
   [[nodiscard]] double modulus(const std::vector<Moduli>& of_phases) const {
+    const bool is_of_creep = boundary == Boundary::traction;
     double sum = 0.0;
-    for (const auto& under_load : under_loads) sum += under_load.modulus(of_phases);
-    return sum / static_cast<double>(under_loads.size());
+    for (const auto& under_load : under_loads) {
+      const double modulus = under_load.modulus(of_phases);
+      sum += is_of_creep ? 1.0 / modulus : modulus;
+    }
+    const double mean = sum / static_cast<double>(under_loads.size());
+    return is_of_creep ? 1.0 / mean : mean;
   }
 };
 
 ResponsesOfModulus responses_of_modulus(TestLoad load, const Stage& stage, const StageResult& result, Mixing mixing,
                                         Boundary boundary) {
-  ResponsesOfModulus found;
+  ResponsesOfModulus found{{}, boundary};
   const auto add = [&](Load one) {
     found.under_loads.push_back(responses_under(one, stage, result, mixing, boundary));
   };

@@ -153,7 +153,7 @@ bool contains_one_of(std::string_view text, std::initializer_list<std::string_vi
 
 /// UDUNITS-2 takes a radian for the number 1, and rad/s for Hz.
 bool is_angle_per_time(std::string_view unit) {
-  return contains_one_of(unit, {"rad", "deg", "arc", "°", "'", "\"", "sr"});
+  return contains_one_of(unit, {"rad", "deg", "arc", "°", "'", "\""});
 }
 
 bool is_in_hertz(std::string_view unit) {

@@ -48,22 +48,24 @@ std::string label_of(const Study& study, const TestResult& test) {
   return label;
 }
 
-/// The curves of a stage that `shown` accepts; for each load, boundary and method the curve of the preferred test.
-template <class Shown>
-ModulusPlot plot_of(const Study& study, const Stage& stage, const StageResult& result, const Shown& shown) {
+/// The curves of a stage that `drawn` accepts; for each load, boundary and method the curve of the preferred test. The
+/// windows are those of the first dynamic test that `belongs` accepts.
+template <class Belongs, class Drawn>
+ModulusPlot plot_of(const Study& study, const Stage& stage, const StageResult& result, const Belongs& belongs,
+                    const Drawn& drawn) {
   ModulusPlot plot;
   plot.title = fmt::format("{}: {}", study.title, stage.name);
   bool has_windows = false;
   for (const auto& test : result.tests) {
     const auto* dynamic = std::get_if<DynamicRecord>(&test.record);
-    if (!shown(test)) continue;
-    if (dynamic != nullptr && !has_windows) {
+    if (dynamic != nullptr && !has_windows && belongs(test)) {
       has_windows = true;
       for (const auto& domain : dynamic->domains) {
         plot.windows.push_back(
             {fmt::format("density x {}", three_digits(domain.mass_scaling)), domain.window.begin, domain.window.end});
       }
     }
+    if (!belongs(test) || !drawn(test)) continue;
     if (find_preferred_test(result.tests, test.id.load, test.id.boundary, test.id.method) != &test) continue;
     auto curve = plot_curve(label_of(study, test), test.modulus);
     curve.colour = colour_of(test.id.boundary, test.id.load);
@@ -105,10 +107,13 @@ std::vector<ReferenceCurve> references(const Study& study, const Stage& stage, c
 void write_plots(const std::filesystem::path& directory, const Study& study, const Stage& stage,
                  const StudyResult& study_result) {
   const auto& result = study_result.stages.back();
-  const bool shows_mean = asks_for_isotropic(study.tests);
-  auto shear = plot_of(study, stage, result, [shows_mean](const TestResult& test) {
-    return shows_mean ? test.id.load.is_isotropic() : !test.id.load.is_bulk();
-  });
+  const auto is_bulk = [](const TestResult& test) { return test.id.load.is_bulk(); };
+  const auto is_shear = [&](const TestResult& test) { return !is_bulk(test); };
+  const auto is_no_part_of_a_mean = [&](const TestResult& test) {
+    return !asks_for_isotropic(study.tests) || test.id.load.is_isotropic() ||
+           !is_in_mean(test.id.load, stage.dimensions());
+  };
+  auto shear = plot_of(study, stage, result, is_shear, is_no_part_of_a_mean);
   if (!shear.curves.empty()) {
     for (const auto& [label, modulus, boundary] : references(study, stage, study_result)) {
       auto& curve = shear.curves.emplace_back(plot_curve(label, modulus));
@@ -118,7 +123,7 @@ void write_plots(const std::filesystem::path& directory, const Study& study, con
     shear.quantity = "Relaxation modulus G(t)";
     write_text(directory / "modulus.svg", modulus_plot(shear));
   }
-  auto bulk = plot_of(study, stage, result, [](const TestResult& test) { return test.id.load.is_bulk(); });
+  auto bulk = plot_of(study, stage, result, is_bulk, is_bulk);
   if (!bulk.curves.empty()) {
     bulk.quantity =
         is_plane_strain(stage.dimensions()) ? "Plane-strain bulk modulus K(t) + G(t)/3" : "Bulk modulus K(t)";

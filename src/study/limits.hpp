@@ -7,7 +7,7 @@
 /// The numbers that a study may have, for the deck reader and for require_sound.
 namespace breccia::allowed {
 
-/// Poisson's ratio [-]. Below -0.9 no material is known, and units are wrong rather.
+/// Poisson's ratio [-]. Below -0.9 no material is known; more likely the units are wrong.
 inline constexpr Range poisson = Range::between(-0.9, 0.5);
 
 inline constexpr Range side = {.lower = 1e-12, .upper = 1e6};       ///< side of a box [m]

@@ -11,6 +11,11 @@ std::span<const Load> isotropic_shears(int dimensions) {
   return dimensions == 2 ? std::span(in_space).first(in_plane) : std::span<const Load>(in_space);
 }
 
+bool is_in_mean(TestLoad load, int dimensions) {
+  const auto shears = isotropic_shears(dimensions);
+  return std::ranges::find(shears, load) != shears.end();
+}
+
 bool has_test_load(TestLoad load, int dimensions) {
   return load.is_isotropic() || dimensions == 3 || has_load<2>(*load.of_test());
 }

@@ -10,6 +10,7 @@
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/responder.hpp"
 #include "breccia/homogenisation/solve.hpp"
+#include "breccia/viscoelasticity/interconversion.hpp"
 
 #include "homogenisation/anisotropy.hpp"
 #include "homogenisation/run/stage_extrapolation.hpp"
@@ -44,27 +45,35 @@ TEST(IsotropicMean, IsThatOfTheModuliAndOfTheirSeries) {
   EXPECT_THAT(std::get<MeanRecord>(mean.record).loads, ElementsAre(Load::shear, Load::diagonal_shear));
 }
 
-TEST(IsotropicMean, OfCreepTestsHasTheComplianceOfItsModulus) {
-  std::vector<TestResult> tests = {relaxing(Load::shear, 2.0), relaxing(Load::diagonal_shear, 4.0)};
-  for (auto& test : tests) test.compliance = {{1.0, 1.0}};
+/// A creep test of a standard linear solid, J = 1 - q exp(-t / 40 ms) 1/Pa, whose modulus is 1 + q / (1 - q) exp(...)
+/// Pa.
+TestResult creeping(Load load, double q) {
+  auto test = relaxing(load, 1.0, 20, Boundary::traction);
+  test.series = relaxation_modulus(CreepCompliance(1.0 - q, {{4e-2, q}}));
+  for (auto& [time, modulus] : test.modulus) {
+    modulus = test.series.at(time);
+    test.compliance.push_back({time, 1.0 - q * std::exp(-time / 4e-2)});
+  }
+  return test;
+}
+
+// The compliances add up: with q = 3/4 and 1/4 their mean has q = 1/2.
+TEST(IsotropicMean, UnderTractionsIsThatOfTheCompliances) {
+  const std::vector<TestResult> tests = {creeping(Load::shear, 0.75), creeping(Load::diagonal_shear, 0.25)};
   const auto mean = isotropic_mean(2, tests[0].id, tests);
-  ASSERT_EQ(mean.compliance.size(), mean.modulus.size());
-  // A standard linear solid of 4 and 1 Pa: J = 1 - 3/4 exp(-t / (4 * 10 ms)).
-  for (const auto& [time, compliance] : mean.compliance) {
-    EXPECT_NEAR(compliance, 1.0 - 0.75 * std::exp(-time / 4e-2), 1e-12);
+  const auto expected = creeping(Load::shear, 0.5);
+  ASSERT_EQ(mean.compliance.size(), expected.compliance.size());
+  for (std::size_t i = 0; i < mean.modulus.size(); ++i) {
+    EXPECT_NEAR(mean.compliance[i].compliance, expected.compliance[i].compliance, 1e-15);
+    EXPECT_NEAR(mean.modulus[i].modulus, expected.modulus[i].modulus, 1e-12);
   }
 }
 
-TEST(IsotropicMean, InterpolatesWhereTimesDiffer) {
+TEST(IsotropicMean, NeedsCurvesOfTheSameTimes) {
   std::vector<TestResult> tests = {relaxing(Load::shear, 2.0), relaxing(Load::diagonal_shear, 2.0)};
-  tests[1].modulus.clear();
-  for (const double time : logarithmic_times({2e-3, 0.5}, 37)) {
-    tests[1].modulus.push_back({time, tests[1].series.at(time)});
-  }
-  const auto mean = isotropic_mean(2, tests[0].id, tests);
-  EXPECT_GE(mean.modulus.front().time, 2e-3);
-  EXPECT_LE(mean.modulus.back().time, 0.5);
-  for (const auto& [time, modulus] : mean.modulus) EXPECT_NEAR(modulus / tests[0].series.at(time), 1.0, 1e-3);
+  tests[1].modulus.pop_back();
+  EXPECT_THAT(test::message_of<InputError>([&] { isotropic_mean(2, tests[0].id, tests); }),
+              HasSubstr("the curve under shear-xx-yy has other times than that under shear"));
 }
 
 TEST(IsotropicMean, OfAnUnknownErrorHasNone) {
@@ -106,6 +115,21 @@ TEST(AnisotropyOfTests, IsTheDistanceOfTheShears) {
   EXPECT_NEAR(anisotropy.first.distance, (1.0 + 4.0 * relaxed) / (1.0 + 2.0 * relaxed) - 1.0, 1e-12);
   EXPECT_EQ(anisotropy.last.time, 1.0);
   EXPECT_NEAR(anisotropy.last.distance, 0.0, 1e-12);
+  for (auto& test : tests) test.modulus.back().modulus = 0.0;
+  EXPECT_FALSE(anisotropy_of_tests(2, tests)) << "of nothing";
+}
+
+// With points the mean of two limits that change in opposite ways would have nearly no band.
+TEST(IsotropicMean, HasTheLargestBandOfItsShearsWithPointsToo) {
+  std::vector<TestResult> tests = {relaxing(Load::shear, 0.0, 20), relaxing(Load::diagonal_shear, 0.0, 20),
+                                   relaxing(Load::shear, 0.0, 40), relaxing(Load::diagonal_shear, 0.0, 40)};
+  for (auto& sample : tests[0].modulus) sample.modulus *= 1.10;
+  for (auto& sample : tests[1].modulus) sample.modulus *= 0.92;
+  for (const int cells : {20, 40}) tests.push_back(isotropic_mean(2, relaxing(Load::shear, 0.0, cells).id, tests));
+  const auto limits = extrapolate_tests("A", 1e-3, 2, tests, Mixing::points);
+  const auto& shear = preferred_test(limits, Load::shear, Boundary::displacement);
+  const auto& mean = preferred_test(limits, TestLoad::isotropic(), Boundary::displacement);
+  EXPECT_NEAR(mean.half_bands[0] / mean.modulus[0].modulus, shear.half_bands[0] / shear.modulus[0].modulus, 1e-12);
 }
 
 /// Two stages of a few discs, whose results are means.
@@ -147,19 +171,27 @@ TEST(IsotropicMean, IsAnsweredWithOtherMaterials) {
   }
 }
 
-// The modulus at a Laplace variable is that of the mean series, s times its Laplace transform.
-TEST(IsotropicMean, HasAModulusAtALaplaceVariable) {
+// The modulus at a Laplace variable is that of the mean series, s times its Laplace transform; its derivative is that
+// of finite differences.
+TEST(IsotropicMean, HasAModulusAndAGradientAtALaplaceVariable) {
   auto study = isotropic_chain();
   study.stages.resize(1);
   const auto result = solve(study);
-  const auto& series = preferred_test(result.stages[0].tests, TestLoad::isotropic(), Boundary::displacement).series;
+  const auto responder = responder_of(study, result);
   constexpr double s = 100.0;
-  double expected = series.equilibrium();
-  for (const auto& [time, modulus] : series.terms()) expected += modulus * s * time / (1.0 + s * time);
-  const auto found = responder_of(study, result)
-                         .modulus_and_gradient(study.stages[0].name, TestLoad::isotropic(), Boundary::displacement, s);
-  EXPECT_NEAR(found.modulus / expected, 1.0, 1e-6);
-  EXPECT_FALSE(found.gradient.empty());
+  for (const auto boundary : study.tests.boundaries) {
+    const auto& series = preferred_test(result.stages[0].tests, TestLoad::isotropic(), boundary).series;
+    double expected = series.equilibrium();
+    for (const auto& [time, modulus] : series.terms()) expected += modulus * s * time / (1.0 + s * time);
+    const auto at = [&](double shear) {
+      return responder.modulus_and_gradient(study.stages[0].name, TestLoad::isotropic(), boundary,
+                                            {{"binder", {.bulk = 1e9, .shear = shear}}});
+    };
+    const double shear = 1e4 + 0.5e6 * s * 0.01 / (1.0 + s * 0.01), step = 1e-4 * shear;
+    EXPECT_NEAR(at(shear).modulus / expected, 1.0, 1e-6);
+    const double difference = (at(shear + step).modulus - at(shear - step).modulus) / (2.0 * step);
+    EXPECT_NEAR(at(shear).gradient.at("binder").shear / difference, 1.0, 1e-5);
+  }
 }
 
 }  // namespace

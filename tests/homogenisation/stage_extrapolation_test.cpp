@@ -163,7 +163,7 @@ TestResult with_series(int cells, const PronySeries& series) {
 TEST(CurveAt, FollowsASeriesBeyondTheCurve) {
   const PronySeries series(2.0, {{1.0, 4.0}});
   const auto test = with_series(20, series);
-  const auto curve = curve_at(test, 1e-3, {test}, Mixing::points, {1e-5, 100.0});
+  const auto curve = curve_at(test, 1e-3, 2, {test}, Mixing::points, {1e-5, 100.0});
   EXPECT_EQ(curve, (Curve{{1e-5, series.at(1e-5)}, {100.0, series.at(100.0)}}));
 }
 
@@ -171,7 +171,7 @@ TEST(CurveAt, FollowsTheLimitOfTheSeriesOfAllGrids) {
   const std::vector tests = {with_series(10, PronySeries(14.0)), with_series(20, PronySeries(12.0))};
   TestResult limit{.id = {.grid = TestGrid::extrapolated()}};
   limit.modulus = {{1.0, 1.0}};
-  const auto curve = curve_at(limit, 1e-3, tests, Mixing::points, {1e-5});
+  const auto curve = curve_at(limit, 1e-3, 2, tests, Mixing::points, {1e-5});
   ASSERT_EQ(curve.size(), 1U);
   EXPECT_EQ(curve[0].time, 1e-5);
   EXPECT_THAT(curve[0].modulus, DoubleNear(10.0, 1e-12));
@@ -181,14 +181,14 @@ TEST(CurveAt, FollowsTheSeriesOfTheFinestGridOfMixedCells) {
   const std::vector tests = {with_series(10, PronySeries(14.0)), with_series(20, PronySeries(12.0))};
   TestResult limit{.id = {.grid = TestGrid::extrapolated()}};
   limit.modulus = {{1.0, 1.0}};
-  EXPECT_EQ(curve_at(limit, 1e-3, tests, Mixing::series, {1e-5}), (Curve{{1e-5, 12.0}}));
+  EXPECT_EQ(curve_at(limit, 1e-3, 2, tests, Mixing::series, {1e-5}), (Curve{{1e-5, 12.0}}));
 }
 
 // A series that was fitted to a curve is not valid beyond the curve.
 TEST(CurveAt, KeepsToTheCurveWhereASeriesIsAFit) {
   auto test = constant(20, 3.0);
   test.series = PronySeries(5.0);
-  EXPECT_EQ(curve_at(test, 1e-3, {test}, Mixing::points, {1e-5, 100.0}), test.modulus);
+  EXPECT_EQ(curve_at(test, 1e-3, 2, {test}, Mixing::points, {1e-5, 100.0}), test.modulus);
 }
 
 }  // namespace

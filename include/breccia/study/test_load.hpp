@@ -45,6 +45,9 @@ inline constexpr auto words<TestLoad> = std::to_array<Word<TestLoad>>({{"isotrop
 /// orthogonal to the others.
 std::span<const Load> isotropic_shears(int dimensions);
 
+/// Whether the isotropic mean of a box of so many dimensions takes the shear of a load.
+bool is_in_mean(TestLoad load, int dimensions);
+
 /// Whether a box of so many dimensions has a load.
 bool has_test_load(TestLoad load, int dimensions);
 

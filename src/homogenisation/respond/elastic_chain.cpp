@@ -63,11 +63,24 @@ ModulusAndGradient ElasticChain::modulus(const std::string& name, TestLoad load)
   const auto shears = isotropic_shears(stage.dimensions);
   const double share = 1.0 / static_cast<double>(shears.size());
   ModulusAndGradient mean;
-  for (const auto shear : shears) {
-    const auto of_shear = modulus_under(stage, shear);
-    mean.modulus += share * of_shear.modulus;
-    add(mean.gradient, share, of_shear.gradient);
+  if (boundary_ != Boundary::traction) {
+    for (const auto shear : shears) {
+      const auto of_shear = modulus_under(stage, shear);
+      mean.modulus += share * of_shear.modulus;
+      add(mean.gradient, share, of_shear.gradient);
+    }
+    return mean;
   }
+  // The mean of the compliances 1/m is 1/M, so that dM = M^2 mean(dm / m^2) (theory, Eq. 13b).
+  double compliance = 0.0;
+  std::map<std::string, Moduli> gradient;
+  for (const auto shear : shears) {
+    const auto [modulus, of_shear] = modulus_under(stage, shear);
+    compliance += share / modulus;
+    add(gradient, share / (modulus * modulus), of_shear);
+  }
+  mean.modulus = 1.0 / compliance;
+  add(mean.gradient, mean.modulus * mean.modulus, gradient);
   return mean;
 }
 

@@ -81,12 +81,6 @@ void add_once(std::vector<std::string>& warnings, const std::string& warning) {
   if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
 }
 
-/// A warning about times outside the spectrum, "fine: times end at ...", if there is reason for one.
-std::optional<std::string> warning_of_times(const StageResponses& stage, const Material& matrix) {
-  const auto warning = warning_of_unknown_times(matrix, stage.times);
-  return warning ? std::optional(fmt::format("{}: {}", stage.stage, *warning)) : std::nullopt;
-}
-
 /// The binder of a stage: its matrix, or the matrix of the earlier stages that it builds on; nullptr where the binder
 /// is unknown.
 const Material* binder_of(const std::vector<StageResponses>& stages, const StageResponses& stage) {
@@ -106,7 +100,9 @@ std::vector<std::string> warnings_on_varying(const std::vector<StageResponses>& 
     if (auto warning = warning_of_poisson_ratio(*material, stage.times)) warnings.push_back(*std::move(warning));
   }
   if (const auto* const matrix = std::get_if<Material>(&stage.matrix)) {
-    if (auto warning = warning_of_times(stage, *matrix)) warnings.push_back(*std::move(warning));
+    for (const auto& warning : warnings_of_unknown_times(*matrix, stage.times)) {
+      warnings.push_back(fmt::format("{}: {}", stage.stage, warning));
+    }
   }
   if (const auto* const binder = binder_of(stages, stage)) {
     for (const auto& name : stage.fillers) {
@@ -145,6 +141,9 @@ Responder::Responder(std::vector<StageResponses> stages, std::vector<ShiftedMate
   // These warnings are made anew for the materials and the times of each response.
   for (auto& stage : stages_) {
     for (const auto& warning : warnings_on_varying(stages_, stage, materials_)) std::erase(stage.warnings, warning);
+    // Results of earlier versions word it in this way.
+    const auto of_times = fmt::format("{}: times reach from ", stage.stage);
+    std::erase_if(stage.warnings, [&](const std::string& warning) { return warning.starts_with(of_times); });
   }
 }
 

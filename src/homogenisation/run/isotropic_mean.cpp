@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -12,26 +13,73 @@
 namespace breccia {
 namespace {
 
-bool has_time(const Curve& curve, double time) {
-  return !curve.empty() && curve.front().time <= time && time <= curve.back().time;
-}
-
-/// The modulus of a test at a time of the first of the shears, whose sample `index` it is.
-double modulus_at(const TestResult& test, std::size_t index, double time) {
-  const bool has_same_times = index < test.modulus.size() && test.modulus[index].time == time;
-  return has_same_times ? test.modulus[index].modulus : smoothed_at(test.modulus, time);
-}
+using Shears = std::vector<const TestResult*>;
 
 /// The larger one of two errors; NaN, which is an error that is not known, if one of them is NaN.
 double larger_error(double one, double other) {
   return std::isnan(one) || one >= other ? one : other;
 }
 
+void require_equal_times(const Shears& shears) {
+  const auto& first = *shears.front();
+  for (const auto* shear : shears) {
+    const auto have_one_time = [](const Sample& one, const Sample& other) { return one.time == other.time; };
+    if (std::ranges::equal(first.modulus, shear->modulus, have_one_time) &&
+        first.compliance.size() == shear->compliance.size()) {
+      continue;
+    }
+    throw InputError(fmt::format("isotropic mean: the curve under {} has other times than that under {}",
+                                 name_of(shear->id.load), name_of(first.id.load)));
+  }
+}
+
+PronySeries mean_of_moduli(const Shears& shears) {
+  PronySeries mean;
+  for (const auto* shear : shears) {
+    mean = PronySeries::sum(mean, shear->series.scaled(1.0 / static_cast<double>(shears.size())));
+  }
+  return mean;
+}
+
+/// The modulus whose creep compliance is the mean of those of the shears.
+PronySeries modulus_of_mean_compliance(const Shears& shears) {
+  const double share = 1.0 / static_cast<double>(shears.size());
+  double instantaneous = 0.0, fluidity = 0.0;
+  std::vector<RetardationTerm> terms;
+  for (const auto* shear : shears) {
+    const auto compliance = creep_compliance(shear->series);
+    instantaneous += share * compliance.instantaneous();
+    fluidity += share * compliance.fluidity();
+    for (const auto& [time, of_term] : compliance.terms()) terms.push_back({time, share * of_term});
+  }
+  return relaxation_modulus(CreepCompliance(instantaneous, std::move(terms), fluidity));
+}
+
+Curve mean_curve(const Shears& shears) {
+  Curve mean = shears.front()->modulus;
+  for (std::size_t i = 0; i < mean.size(); ++i) {
+    double sum = 0.0;
+    for (const auto* shear : shears) sum += shear->modulus[i].modulus;
+    mean[i].modulus = sum / static_cast<double>(shears.size());
+  }
+  return mean;
+}
+
+Creep mean_creep(const Shears& shears) {
+  Creep mean = shears.front()->compliance;
+  for (std::size_t i = 0; i < mean.size(); ++i) {
+    double sum = 0.0;
+    for (const auto* shear : shears) sum += shear->compliance[i].compliance;
+    mean[i].compliance = sum / static_cast<double>(shears.size());
+  }
+  return mean;
+}
+
 }  // namespace
 
 std::vector<const TestResult*> shears_beside(int dimensions, const TestId& beside,
                                              const std::vector<TestResult>& tests) {
-  std::vector<const TestResult*> shears;
+  Shears shears;
   for (const auto load : isotropic_shears(dimensions)) {
     auto id = beside;
     id.load = load;
@@ -47,30 +95,26 @@ std::vector<const TestResult*> shears_beside(int dimensions, const TestId& besid
 
 TestResult isotropic_mean(int dimensions, const TestId& beside, const std::vector<TestResult>& tests) {
   const auto shears = shears_beside(dimensions, beside, tests);
-  const double share = 1.0 / static_cast<double>(shears.size());
+  require_equal_times(shears);
   TestResult mean{.id = beside};
   mean.id.load = TestLoad::isotropic();
-  const auto& first = shears.front()->modulus;
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    const double time = first[i].time;
-    if (!std::ranges::all_of(shears, [&](const auto* shear) { return has_time(shear->modulus, time); })) continue;
-    double modulus = 0.0;
-    for (const auto* shear : shears) modulus += share * modulus_at(*shear, i, time);
-    mean.modulus.push_back({time, modulus});
+  if (beside.boundary == Boundary::traction) {
+    mean.series = modulus_of_mean_compliance(shears);
+    mean.compliance = mean_creep(shears);
+    for (const auto& sample : shears.front()->modulus) {
+      mean.modulus.push_back({sample.time, mean.series.at(sample.time)});
+    }
+  } else {
+    mean.series = mean_of_moduli(shears);
+    mean.modulus = mean_curve(shears);
   }
   mean.error_estimate = 0.0;
   MeanRecord record;
   for (const auto* shear : shears) {
-    mean.series = PronySeries::sum(mean.series, shear->series.scaled(share));
     mean.error_estimate = larger_error(mean.error_estimate, shear->error_estimate);
     record.loads.push_back(*shear->id.load.of_test());
   }
   mean.record = std::move(record);
-  const bool is_of_creep = std::ranges::none_of(shears, [](const auto* shear) { return shear->compliance.empty(); });
-  if (is_of_creep) {
-    const auto compliance = creep_compliance(mean.series);
-    for (const auto& [time, modulus] : mean.modulus) mean.compliance.push_back({time, compliance.at(time)});
-  }
   return mean;
 }
 

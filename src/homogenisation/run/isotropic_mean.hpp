@@ -11,9 +11,8 @@ namespace breccia {
 std::vector<const TestResult*> shears_beside(int dimensions, const TestId& beside,
                                              const std::vector<TestResult>& tests);
 
-/// The mean relaxation modulus of all shears of a box (theory, Eq. 13a), at the times of the first of them. Curves that
-/// have other times are interpolated; beyond the ends of the others the mean has no samples. Of creep tests it has the
-/// creep compliance that belongs to the mean modulus. Throws as shears_beside().
+/// The mean of all shears of a box: of the relaxation moduli (theory, Eq. 13a) or, under tractions, of the creep
+/// compliances (Eq. 13b). Throws as shears_beside(), and InputError where the curves have different times.
 TestResult isotropic_mean(int dimensions, const TestId& beside, const std::vector<TestResult>& tests);
 
 }  // namespace breccia

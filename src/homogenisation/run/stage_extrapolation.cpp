@@ -8,6 +8,7 @@
 
 #include "breccia/error.hpp"
 
+#include "homogenisation/run/isotropic_mean.hpp"
 #include "homogenisation/run/named_errors.hpp"
 #include "homogenisation/run/stage_tests.hpp"
 #include "io/display.hpp"
@@ -91,12 +92,11 @@ std::vector<double> errors_of_shears(const TestResult& beside, const std::vector
 }
 
 /// The relative half widths of the error band of a test at each time (theory, Eq. 43). A bulk modulus changes little
-/// between two grids that are both wrong. In the mean of shears the changes of some may cancel those of others, so that
-/// it has the largest of their bands.
+/// between two grids that are both wrong.
 std::vector<double> half_widths_of(const TestResult& finest, const std::vector<const TestResult*>& grids,
                                    const std::vector<TestResult>& tests) {
   const bool is_bulk = finest.id.load.is_bulk();
-  const auto own = finest.id.load.is_isotropic() ? errors_of_shears(finest, tests) : errors_of(grids);
+  const auto own = errors_of(grids);
   const auto beside = is_bulk ? errors_of_shears(finest, tests) : std::vector<double>();
   const double factor = is_bulk && beside.empty() ? 4.0 : 2.0;
   std::vector<double> half_widths;
@@ -110,6 +110,16 @@ std::vector<double> half_widths_of(const TestResult& finest, const std::vector<c
 /// model does not show: 14 % was the largest that was measured (docs/gaps-in-space.md).
 double least_half_width(Mixing mixing, int dimensions) {
   return mixing == Mixing::flow && dimensions == 3 ? 0.14 : 0.0;
+}
+
+/// Widens the band of the mean of shears to the widest relative band of these: in the mean the errors of some may
+/// cancel those of others.
+void widen_band(TestResult& mean, const std::vector<const TestResult*>& shears) {
+  for (std::size_t i = 0; i < mean.half_bands.size(); ++i) {
+    double widest = mean.half_bands[i] / mean.modulus[i].modulus;
+    for (const auto* shear : shears) widest = std::max(widest, shear->half_bands[i] / shear->modulus[i].modulus);
+    mean.half_bands[i] = widest * mean.modulus[i].modulus;
+  }
 }
 
 /// The test on the finest grid, with its error band.
@@ -148,14 +158,10 @@ TestResult extrapolate_test(double side, const std::vector<const TestResult*>& g
 }
 
 /// Whether the series of a test is exact, from a reduced response or a mean of several, instead of a fit to its curve.
-bool has_exact_series(const TestResult& test, const std::vector<TestResult>& tests) {
-  if (const auto* mean = std::get_if<MeanRecord>(&test.record)) {
-    return std::ranges::all_of(mean->loads, [&](Load load) {
-      auto id = test.id;
-      id.load = load;
-      const auto shear = std::ranges::find(tests, id, &TestResult::id);
-      return shear != tests.end() && has_exact_series(*shear, tests);
-    });
+bool has_exact_series(const TestResult& test, int dimensions, const std::vector<TestResult>& tests) {
+  if (test.id.load.is_isotropic()) {
+    return std::ranges::all_of(shears_beside(dimensions, test.id, tests),
+                               [&](const TestResult* shear) { return has_exact_series(*shear, dimensions, tests); });
   }
   const auto* record = std::get_if<QuasistaticRecord>(&test.record);
   return record != nullptr && record->reduced.has_value();
@@ -175,15 +181,17 @@ std::vector<TestResult> extrapolate_tests(const std::string& stage, double side,
       return has_mixed_cells(mixing) ? finest_with_band(grids, tests, least_half_width(mixing, dimensions))
                                      : extrapolate_test(side, grids);
     }));
+    auto& latest = extrapolated.back();
+    if (latest.id.load.is_isotropic()) widen_band(latest, shears_beside(dimensions, latest.id, extrapolated));
   }
   return extrapolated;
 }
 
-Curve curve_at(const TestResult& test, double side, const std::vector<TestResult>& tests, Mixing mixing,
+Curve curve_at(const TestResult& test, double side, int dimensions, const std::vector<TestResult>& tests, Mixing mixing,
                const std::vector<double>& times) {
   auto grids = test.id.grid.is_extrapolated() ? same_on_all_grids(test, tests) : std::vector{&test};
   if (has_mixed_cells(mixing)) grids.erase(grids.begin(), std::prev(grids.end()));
-  const auto is_exact = [&tests](const TestResult* grid) { return has_exact_series(*grid, tests); };
+  const auto is_exact = [&](const TestResult* grid) { return has_exact_series(*grid, dimensions, tests); };
   if (!std::ranges::all_of(grids, is_exact)) return test.modulus;
   Curve curve;
   for (const double time : times) {

@@ -17,7 +17,7 @@ std::vector<TestResult> extrapolate_tests(const std::string& stage, double side,
 
 /// The relaxation modulus of a test of a stage at the given times [s], if it follows from exact series (`tests` are all
 /// tests of the stage); otherwise the curve of the test. `side` is the side of the box [m].
-Curve curve_at(const TestResult& test, double side, const std::vector<TestResult>& tests, Mixing mixing,
+Curve curve_at(const TestResult& test, double side, int dimensions, const std::vector<TestResult>& tests, Mixing mixing,
                const std::vector<double>& times);
 
 }  // namespace breccia

@@ -77,12 +77,6 @@ function endLabel(curve, seen) {
   return curve.role === "stage" && isAlone ? curve.label.slice(curve.stage.length + 2) : curve.label;
 }
 
-/// Where there is the mean of all shears it is shown first, without them.
-function loadsShownFirst(curves) {
-  const loads = curves.map(({load}) => load);
-  return new Set(loads.includes("isotropic") ? loads.filter((load) => !load?.startsWith("shear")) : loads);
-}
-
 /// Fills the section and returns the function that draws the figure.
 export function curvesFigure(curves) {
   const plot = document.getElementById("curve-plot");
@@ -93,7 +87,7 @@ export function curvesFigure(curves) {
     stages: new Set(stagesOfInterest(study).map(({name}) => name)),
     boundaries: new Set(Object.keys(boundNames)),
     methods: new Set(Object.keys(methodNames)),
-    loads: loadsShownFirst(curves),
+    loads: new Set(loadsShownFirst(curves.map(({load}) => load))),
     grids: new Set(["best"]),
     extras: new Set(["measured", "matrix", "band", "domains"]),
     reference: "",

@@ -1,8 +1,14 @@
 /// The loads of curves. The load "isotropic" is the mean of all shears of a box.
 
-/// The load whose modulus is shown as G: the isotropic mean, else shear, else the first one; undefined without any.
+/// The load whose modulus is shown as G: the isotropic mean, else shear, else the first shear; bulk where there is
+/// nothing else, and undefined without any.
 export function mainLoad(loads) {
-  return ["isotropic", "shear"].find((load) => loads.includes(load)) ?? loads[0];
+  return ["isotropic", "shear"].find((load) => loads.includes(load)) ?? loads.find((load) => load !== "bulk") ?? loads[0];
+}
+
+/// The loads to be shown at first: where there is the mean of all shears, without them.
+export function loadsShownFirst(loads) {
+  return loads.includes("isotropic") ? loads.filter((load) => !load?.startsWith("shear")) : loads;
 }
 
 /// The load of shear that serves for a stage of study.json: the isotropic mean where it was tested, else shear.

@@ -74,10 +74,15 @@ function moduliAt(phases, j) {
 function moduliOnGrids(responses, variables, phases) {
   return groupsOf(responses, ["cells"]).map((ofGrid) => ({
     cells: ofGrid[0].cells,
-    moduli: variables.map((_, j) => ofGrid.reduce((sum, response) =>
-      sum + compositeModulus(response, moduliAt(phases, j)), 0) / ofGrid.length)}));
+    moduli: variables.map((_, j) => meanModulus(ofGrid, moduliAt(phases, j)))}));
 }
 
+/// The mean modulus, under tractions that of the mean compliance (docs/theory.md, Eqs. 13a and 13b).
+function meanModulus(responses, phases) {
+  const moduli = responses.map((response) => compositeModulus(response, phases));
+  const mean = (values) => values.reduce((sum, value) => sum + value, 0) / values.length;
+  return responses[0].boundary === "traction" ? 1 / mean(moduli.map((modulus) => 1 / modulus)) : mean(moduli);
+}
 
 /// The part of a time window in which the phases stay within the sampled moduli of all responses, and the first modulus
 /// outside of them: {window, refusal: {material, name, value, range}}; `refusal` is undefined if there is none. The

@@ -7,6 +7,7 @@ import {chips, chooser, element} from "./elements.js";
 import {drawFigure, layoutOf, saveFigure, tracesOf} from "./figure.js";
 import {csvOf, fileName, save} from "./files.js";
 import {quantities} from "./names.js";
+import {loadsShownFirst} from "./loads.js";
 import {distinct} from "./records.js";
 import {dimensionsOf, partnerOf, sweptKeys} from "./sweep_curves.js";
 import {measuredCurves} from "./sweep_measurements.js";
@@ -19,9 +20,9 @@ const palette = ["#4477aa", "#cc6677", "#228833", "#aa8800", "#7755bb", "#009999
 export function sweepChoice(curves) {
   const dimensions = dimensionsOf(curves);
   const coloured = dimensions.findLast(({name}) => sweep.keys.includes(name)) ?? dimensions.at(-1);
-  const isKept = ({name}) => name !== "stage";
+  const shownFirst = {stage: (stages) => stages.slice(-1), load: loadsShownFirst};
   const values = Object.fromEntries(dimensions.map((one) => [one.name,
-    new Set(isKept(one) ? one.values : one.values.slice(-1))]));
+    new Set(shownFirst[one.name]?.(one.values) ?? one.values)]));
   return {dimensions, values, coloured, reference: undefined,
     quantity: quantities.find(({name}) => name === curves[0].quantity)};
 }
