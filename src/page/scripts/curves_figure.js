@@ -9,6 +9,7 @@ import {element} from "./elements.js";
 import {addEndLabels} from "./end_labels.js";
 import {drawFigure, layoutOf, saveFigure, tracesOf} from "./figure.js";
 import {csvOf, fileName, save} from "./files.js";
+import {loadsShownFirst} from "./loads.js";
 import {axes, boundNames, methodNames, quantities} from "./names.js";
 import {display, shortNumber} from "./numbers.js";
 import {groupsOf} from "./records.js";
