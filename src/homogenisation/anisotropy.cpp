@@ -10,6 +10,7 @@ namespace {
 /// The distance of the shears at a time; nothing where one of them has no modulus any more.
 std::optional<AnisotropyAtTime> at_time(const std::vector<const TestResult*>& shears, double time) {
   std::vector<double> moduli;
+  moduli.reserve(shears.size());
   for (const auto* shear : shears) moduli.push_back(smoothed_at(shear->modulus, time));
   const auto [least, most] = std::ranges::minmax(moduli);
   return least > 0.0 ? std::optional(AnisotropyAtTime{time, most / least - 1.0}) : std::nullopt;

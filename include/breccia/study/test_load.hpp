@@ -16,7 +16,7 @@ class TestLoad {
  public:
   // NOLINTNEXTLINE(google-explicit-constructor): a load of a virtual test is one of the loads of curves
   constexpr TestLoad(Load load) noexcept : load_(load) {}
-  static constexpr TestLoad isotropic() noexcept { return TestLoad(); }
+  static constexpr TestLoad isotropic() noexcept { return {}; }
 
   [[nodiscard]] constexpr bool is_isotropic() const noexcept { return !load_; }
   [[nodiscard]] constexpr bool is_bulk() const noexcept { return load_ == Load::bulk; }
