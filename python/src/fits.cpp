@@ -26,8 +26,8 @@ namespace py = pybind11;
 /// Numbers of a caller; a copy only where they are not contiguous doubles already.
 using ContiguousNumbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// The numbers of an argument, a list in this unit.
-ContiguousNumbers list_of(const char* name, const char* unit, const py::object& values) {
+/// The numbers of an argument, a list in this unit. Throws InputError for anything else.
+ContiguousNumbers checked_list(const char* name, const char* unit, const py::object& values) {
   const auto expected = fmt::format("a list of numbers in {}", unit);
   refuse_what_numpy_drops(name, expected, values);
   auto array = ContiguousNumbers::ensure(values);
@@ -172,7 +172,7 @@ void bind_functions(py::module_& module) {
   module.def(
       "fit",
       [](const py::object& time, const py::object& modulus, double ramp, double times_per_decade) {
-        const auto time_list = list_of("time", "s", time), modulus_list = list_of("modulus", "Pa", modulus);
+        const auto time_list = checked_list("time", "s", time), modulus_list = checked_list("modulus", "Pa", modulus);
         require_equal_lengths("time", time_list, "modulus", modulus_list);
         const auto times = numbers_of(time_list), moduli = numbers_of(modulus_list);
         const auto options = fit_options(ramp, times_per_decade);
@@ -185,7 +185,8 @@ void bind_functions(py::module_& module) {
   module.def(
       "fit_creep",
       [](const py::object& time, const py::object& compliance, double ramp, double times_per_decade) {
-        const auto time_list = list_of("time", "s", time), compliance_list = list_of("compliance", "1/Pa", compliance);
+        const auto time_list = checked_list("time", "s", time),
+                   compliance_list = checked_list("compliance", "1/Pa", compliance);
         require_equal_lengths("time", time_list, "compliance", compliance_list);
         const auto times = numbers_of(time_list), compliances = numbers_of(compliance_list);
         const auto options = fit_options(ramp, times_per_decade);
@@ -197,8 +198,8 @@ void bind_functions(py::module_& module) {
   module.def(
       "fit_dynamic",
       [](const py::object& frequency, const py::object& storage, const py::object& loss, double times_per_decade) {
-        const auto frequency_list = list_of("angular_frequency", "rad/s", frequency);
-        const auto storage_list = list_of("storage", "Pa", storage), loss_list = list_of("loss", "Pa", loss);
+        const auto frequency_list = checked_list("angular_frequency", "rad/s", frequency);
+        const auto storage_list = checked_list("storage", "Pa", storage), loss_list = checked_list("loss", "Pa", loss);
         require_equal_lengths("angular_frequency", frequency_list, "storage", storage_list);
         require_equal_lengths("angular_frequency", frequency_list, "loss", loss_list);
         const auto frequencies = numbers_of(frequency_list), stored = numbers_of(storage_list),

@@ -156,10 +156,6 @@ bool is_angle_per_time(std::string_view unit) {
   return contains_one_of(unit, {"rad", "deg", "arc", "°", "'", "\""});
 }
 
-bool is_in_hertz(std::string_view unit) {
-  return unit.ends_with("Hz") || unit.ends_with("hertz") || unit.ends_with("Hertz");
-}
-
 /// UDUNITS-2 takes a turn for the number 2 pi, and rpm for 0.105 Hz.
 bool counts_turns(std::string_view unit) {
   return contains_one_of(unit, {"rpm", "rps", "cps", "cycle", "circle", "revolution", "rotation", "turn"});
@@ -188,6 +184,10 @@ std::variant<double, std::string> to_si(const NumberAndUnit& quantity, Dimension
 }
 
 }  // namespace
+
+bool is_in_hertz(std::string_view unit) {
+  return unit.ends_with("Hz") || unit.ends_with("hertz") || unit.ends_with("Hertz");
+}
 
 std::string_view name(Dimension dimension) {
   return facts(dimension).name;

@@ -49,6 +49,9 @@ std::optional<NumberAndUnit> split_quantity(std::string_view text);
 /// dimensions, or when they are unknown and differ.
 std::optional<double> number_in_unit(const NumberAndUnit& quantity, const std::string& unit);
 
+/// Whether a unit of a frequency certainly counts cycles, as kHz and megahertz do.
+bool is_in_hertz(std::string_view unit);
+
 /// An SI value as text with a unit that fits its size: "48 um". It has 6 digits, and parse_quantity() can read it.
 std::string readable(double value, Dimension dimension);
 

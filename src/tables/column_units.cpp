@@ -44,11 +44,6 @@ Conversion reciprocal_pressure(std::string_view unit) {
   throw InputError(fmt::format("expected a unit such as 1_per_Pa, got \"{}\"", unit));
 }
 
-/// Whether a unit certainly counts cycles, as kHz and megahertz do.
-bool is_in_hertz(std::string_view unit) {
-  return unit.ends_with("Hz") || unit.ends_with("hertz") || unit.ends_with("Hertz");
-}
-
 /// The conversion of a frequency to an angular frequency. The unit determines whether it counts cycles or radians. An
 /// inverse time determines neither: it is accepted only if the name of the column is that of an angular frequency.
 Conversion frequency(std::string_view unit, bool counts_cycles) {

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "breccia/discretisation/load.hpp"
@@ -31,15 +33,18 @@ class TestLoad {
   std::optional<Load> load_ = {};
 };
 
+namespace detail {
+
+template <std::size_t... index>
+constexpr std::array<Word<TestLoad>, sizeof...(index) + 1> words_of_test_loads(
+    std::index_sequence<index...> /*loads*/) {
+  return {{{"isotropic", TestLoad::isotropic()}, {words<Load>[index].first, words<Load>[index].second}...}};
+}
+
+}  // namespace detail
+
 template <>
-inline constexpr auto words<TestLoad> = std::to_array<Word<TestLoad>>({{"isotropic", TestLoad::isotropic()},
-                                                                       {"shear", Load::shear},
-                                                                       {"shear-xx-yy", Load::diagonal_shear},
-                                                                       {"bulk", Load::bulk},
-                                                                       {"shear-yz", Load::shear_yz},
-                                                                       {"shear-zx", Load::shear_zx},
-                                                                       {"shear-yy-zz", Load::diagonal_shear_yz},
-                                                                       {"shear-zz", Load::axial_shear}});
+inline constexpr auto words<TestLoad> = detail::words_of_test_loads(std::make_index_sequence<words<Load>.size()>());
 
 /// The shears of a box of so many dimensions whose mean modulus is isotropic: two in the plane, five in space, each
 /// orthogonal to the others.

@@ -55,22 +55,14 @@ PronySeries modulus_of_mean_compliance(const Shears& shears) {
   return relaxation_modulus(CreepCompliance(instantaneous, std::move(terms), fluidity));
 }
 
-Curve mean_curve(const Shears& shears) {
-  Curve mean = shears.front()->modulus;
+/// The mean of curves at the same times: `samples` are those of a test, `value` the mean quantity of a sample.
+template <class Samples, class Value>
+Samples mean_curve(const Shears& shears, Samples TestResult::*samples, Value value) {
+  Samples mean = shears.front()->*samples;
   for (std::size_t i = 0; i < mean.size(); ++i) {
     double sum = 0.0;
-    for (const auto* shear : shears) sum += shear->modulus[i].modulus;
-    mean[i].modulus = sum / static_cast<double>(shears.size());
-  }
-  return mean;
-}
-
-Creep mean_creep(const Shears& shears) {
-  Creep mean = shears.front()->compliance;
-  for (std::size_t i = 0; i < mean.size(); ++i) {
-    double sum = 0.0;
-    for (const auto* shear : shears) sum += shear->compliance[i].compliance;
-    mean[i].compliance = sum / static_cast<double>(shears.size());
+    for (const auto* shear : shears) sum += (shear->*samples)[i].*value;
+    mean[i].*value = sum / static_cast<double>(shears.size());
   }
   return mean;
 }
@@ -100,13 +92,13 @@ TestResult isotropic_mean(int dimensions, const TestId& beside, const std::vecto
   mean.id.load = TestLoad::isotropic();
   if (beside.boundary == Boundary::traction) {
     mean.series = modulus_of_mean_compliance(shears);
-    mean.compliance = mean_creep(shears);
+    mean.compliance = mean_curve(shears, &TestResult::compliance, &CreepSample::compliance);
     for (const auto& sample : shears.front()->modulus) {
       mean.modulus.push_back({sample.time, mean.series.at(sample.time)});
     }
   } else {
     mean.series = mean_of_moduli(shears);
-    mean.modulus = mean_curve(shears);
+    mean.modulus = mean_curve(shears, &TestResult::modulus, &Sample::modulus);
   }
   mean.error_estimate = 0.0;
   MeanRecord record;
