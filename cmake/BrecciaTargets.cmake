@@ -120,7 +120,7 @@ function(breccia_test module)
     breccia_options breccia_test_options breccia::breccia GTest::gtest_main GTest::gmock ${test_LIBRARIES})
   target_precompile_headers(${module}_test REUSE_FROM breccia_test_headers)
   gtest_discover_tests(${module}_test TEST_PREFIX ${module}. NO_PRETTY_TYPES NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60
-    PROPERTIES TIMEOUT ${breccia_test_limit})
+    PROPERTIES TIMEOUT ${breccia_test_limit} ENVIRONMENT GOMP_SPINCOUNT=1000) # as src/cli/thread_waiting.hpp, beside tests
 endfunction()
 
 # breccia_mpirun_test(<name> <processes> <target> [<argument>...]): a program that several processes run together. Root in

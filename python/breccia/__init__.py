@@ -8,6 +8,12 @@ Numbers are in SI units: m, s, Pa, kg/m^3, K, rad/s. Where a deck takes a quanti
 """
 
 import atexit as _atexit
+import os as _os
+
+# Threads that wait for others sleep after a few microseconds instead of a millisecond, in which they would keep the
+# threads of other programs from the cores. libgomp reads this when _native is loaded.
+if "OMP_WAIT_POLICY" not in _os.environ:
+    _os.environ.setdefault("GOMP_SPINCOUNT", "1000")
 
 from . import _errors, _html, _native
 from ._calculations import pack, plan, respond, run, solve

@@ -5,6 +5,7 @@
 #include <new>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <thread>
 
 #include <fmt/format.h>
@@ -16,6 +17,7 @@
 #include "cli/command.hpp"
 #include "cli/help.hpp"
 #include "cli/misuse.hpp"
+#include "cli/thread_waiting.hpp"
 #include "cli/version.hpp"
 #include "parallel/session.hpp"
 
@@ -139,6 +141,7 @@ void give_back_large_blocks() noexcept {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc > 1 && argv[1] == std::string_view("run")) breccia::cli::have_threads_sleep_soon(argv);
   give_back_large_blocks();
   const auto outcome = guarded_run(argc, argv);
   if (outcome.exit_code != breccia::ExitCode::done) end_all(outcome);

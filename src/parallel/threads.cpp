@@ -20,6 +20,11 @@ int& own_cores() noexcept {
   return cores;
 }
 
+/// Whether the user has said how many threads a process has.
+bool is_wished_in_environment() noexcept {
+  return std::getenv("OMP_NUM_THREADS") != nullptr;
+}
+
 /// The cores on which this process may run; none where the system has more than a cpu_set_t can hold.
 cpu_set_t allowed_cores() noexcept {
   cpu_set_t cores;
@@ -52,8 +57,14 @@ void share_cores() {
 
 int threads_for(int asked) {
   if (asked > 0) return asked;
-  if (std::getenv("OMP_NUM_THREADS") != nullptr) return omp_get_max_threads();
+  if (is_wished_in_environment()) return omp_get_max_threads();
   return std::min(omp_get_max_threads(), own_cores());
+}
+
+int threads_for(int asked, std::int64_t pieces, std::int64_t least) {
+  const int threads = threads_for(asked);
+  if (asked > 0 || is_wished_in_environment()) return threads;
+  return static_cast<int>(std::clamp<std::int64_t>(pieces / least, 1, threads));
 }
 
 }  // namespace breccia::parallel

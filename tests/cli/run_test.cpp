@@ -2,6 +2,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <optional>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -12,6 +13,7 @@
 #include "io/text_file.hpp"
 #include "messages.hpp"
 #include "model_deck.hpp"
+#include "scoped_variable.hpp"
 #include "study_directory.hpp"
 #include "tables/csv.hpp"
 
@@ -139,6 +141,21 @@ TEST(Run, TheNumberOfThreadsDoesNotChangeABit) {
                 .exit_code,
             0);
   EXPECT_EQ(read_text(study.result("curves.csv")), with_one);
+}
+
+// libgomp prints its settings when it is loaded: those of the program as it was started, and once more after a new
+// start.
+TEST(Run, ThreadsSleepSoonUnlessTheEnvironmentSaysHowTheyWait) {
+  const StudyDirectory study(homogeneous_deck);
+  const test::ScopedVariable display("OMP_DISPLAY_ENV", "verbose"), none("GOMP_SPINCOUNT", std::nullopt);
+  const auto settings = [&] { return test::run_breccia(study.path(), {"run", "--help"}).errors; };
+  {
+    const test::ScopedVariable policy("OMP_WAIT_POLICY", std::nullopt);
+    if (settings().find("GOMP_SPINCOUNT") == std::string::npos) GTEST_SKIP() << "another OpenMP than libgomp";
+    EXPECT_THAT(settings(), HasSubstr("GOMP_SPINCOUNT = '1000'"));
+  }
+  const test::ScopedVariable policy("OMP_WAIT_POLICY", "active");
+  EXPECT_THAT(settings(), Not(HasSubstr("GOMP_SPINCOUNT = '1000'")));
 }
 
 TEST(Run, QuietPrintsNothing) {

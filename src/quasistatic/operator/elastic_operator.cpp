@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -50,6 +52,15 @@ std::shared_ptr<const gaps::GapCells<dim>> gaps_of(const Discretisation<dim>& di
   return found.unknowns() > 0 ? std::make_shared<const gaps::GapCells<dim>>(std::move(found)) : nullptr;
 }
 
+/// The number of threads for so many cells along each axis. A thread of few cells waits for the others for longer than
+/// it works: of cubes with 8, 12, 16, 20 and 24 cells a side, two threads solved those with 20 and 24 sooner than one.
+template <int dim>
+int threads_for(int asked, const Index<dim>& cells) {
+  constexpr std::int64_t least = 4000;
+  return parallel::threads_for(asked, std::accumulate(cells.begin(), cells.end(), std::int64_t{1}, std::multiplies<>()),
+                               least);
+}
+
 }  // namespace
 
 template <int dim>
@@ -59,7 +70,7 @@ ElasticOperator<dim>::ElasticOperator(const Discretisation<dim>& discretisation,
     : gaps_(gaps_of(discretisation, boundary, materials)),
       nodes_({discretisation.grid().cells, 1.0}, boundary),
       kinds_(discretisation, volumetric, nodes_.cells(), crystals, materials, gaps_.get()),
-      threads_(parallel::threads_for(threads)) {
+      threads_(threads_for<dim>(threads, nodes_.cells().size())) {
   find_first_strains();
   if (!has_gaps()) return;
   gap_layout_ = GapLayout(*gaps_, nodes_.own_nodes(), nodes_.cells());

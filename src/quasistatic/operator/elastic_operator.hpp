@@ -36,11 +36,11 @@ class ElasticOperator {
   using Shape = CellShape<dim>;
   using CellValues = typename Shape::Values;
 
-  /// `threads` is the number of threads that find forces in 3 dimensions, 0 for all cores of the process; the forces do
-  /// not depend on it. The materials, by PhaseIndex, decide the rules of mixed cells, whose phases are in series
-  /// without them. Throws InputError when a point has no phase, for mixed cells with the volumetric strains of points,
-  /// for mixed cells with crystals, and for gaps that find_gap_cells() refuses or in a box that is not that of the
-  /// grid.
+  /// `threads` is the number of threads that find forces in 3 dimensions, 0 for as many cores of the process as gain
+  /// from it; the forces do not depend on it. The materials, by PhaseIndex, decide the rules of mixed cells, whose
+  /// phases are in series without them. Throws InputError when a point has no phase, for mixed cells with the
+  /// volumetric strains of points, for mixed cells with crystals, and for gaps that find_gap_cells() refuses or in a
+  /// box that is not that of the grid.
   ElasticOperator(const Discretisation<dim>& discretisation, Volumetric volumetric, Boundary boundary, int threads = 1,
                   const Crystals<dim>& crystals = {}, std::span<const Material> materials = {});
 
