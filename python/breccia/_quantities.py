@@ -6,6 +6,7 @@ import os
 from typing import Any, Mapping, Sequence, Union
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _native
 from ._errors import InputError
@@ -79,6 +80,15 @@ def window(argument: str, ends: Sequence[Quantity], dimension: str) -> tuple[flo
     if both is None or len(both) != 2:
         raise InputError(f"{argument}: expected the first and the last one, got {ends!r}")
     return si(argument, both[0], dimension), si(argument, both[1], dimension)
+
+
+def numbers(argument: str, values: Any, unit: str) -> NDArray[np.float64]:
+    """An argument that is numbers in an SI unit, as an array."""
+    _native.refuse_what_numpy_drops(argument, f"numbers in {unit}", values)
+    try:
+        return np.asarray(values, dtype=float)
+    except (TypeError, ValueError):
+        raise InputError(f"{argument}: expected numbers in {unit}, got something else among them") from None
 
 
 def share(argument: str, value: Any) -> float:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from . import _deck
 from ._errors import InputError
 from ._materials import Material, Table, name_of, several_of
-from ._quantities import PathLike, Quantity
+from ._quantities import PathLike, Quantity, numbers
 
 
 class Coating(Table):
@@ -63,13 +63,6 @@ class Filler(Table):
                 "coating": _table_of("Filler: coating", self.coating, files), **self.keys}
 
 
-def _numbers(particles: Any) -> NDArray[Any]:
-    try:
-        return np.asarray(particles, dtype=float)
-    except (TypeError, ValueError):
-        raise InputError("Packing: particles: expected numbers in m, got something else among them") from None
-
-
 class Packing(Table):
     """Where the particles of all fillers are.
 
@@ -90,7 +83,7 @@ class Packing(Table):
     def _table(self, files: _deck.Files) -> dict[str, Any]:
         particles: Any = self.particles
         if isinstance(particles, (list, tuple, np.ndarray)):
-            rows = _numbers(particles)
+            rows = numbers("Packing: particles", particles, "m")
             names = {3: ["x_m", "y_m", "diameter_m"], 4: ["x_m", "y_m", "z_m", "diameter_m"]}
             if rows.ndim != 2 or rows.shape[1] not in names:
                 raise InputError("Packing: particles: expected n rows x, y, diameter or x, y, z, diameter, got an array "

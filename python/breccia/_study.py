@@ -11,7 +11,7 @@ import numpy as np
 from . import _deck, _native
 from ._errors import InputError
 from ._materials import Material, Table, name_of, several_of
-from ._quantities import PathLike, Quantity, in_deck, in_path
+from ._quantities import PathLike, Quantity, in_deck, in_path, numbers
 from ._stages import Stage
 
 
@@ -73,9 +73,9 @@ class Measurement(Table):
 
 def _curve(curve: Sequence[Any]) -> dict[str, Any]:
     """The columns of a measured curve: times and moduli."""
-    columns = [np.asarray(column) for column in curve]
-    if len(columns) != 2 or columns[0].ndim != 1 or columns[0].shape != columns[1].shape:
-        shapes = " and ".join(str(column.shape) for column in columns)
+    columns = [numbers("Measurement: shear", column, unit) for column, unit in zip(curve, ("s", "Pa"))]
+    if len(curve) != 2 or columns[0].ndim != 1 or columns[0].shape != columns[1].shape:
+        shapes = " and ".join(str(np.shape(column)) for column in curve)
         raise InputError(f"Measurement: shear: expected (times [s], moduli [Pa]), two lists of one length, got {shapes}")
     return {"time_s": columns[0], "shear_modulus_Pa": columns[1]}
 

@@ -7,6 +7,7 @@
 
 #include "breccia/error.hpp"
 
+#include "arguments.hpp"
 #include "io/units.hpp"
 
 namespace breccia::python {
@@ -38,6 +39,9 @@ void bind_quantities(pybind11::module_& module) {
       },
       pybind11::arg("text"), pybind11::arg("dimension"),
       R"(The SI value of a number with its unit: quantity("0.5 um", "length") is 5e-07 [m].)");
+  module.def("refuse_what_numpy_drops", &refuse_what_numpy_drops, pybind11::arg("argument"), pybind11::arg("expected"),
+             pybind11::arg("value"),
+             "InputError for numbers with a unit of another package, or with an imaginary part.");
 }
 
 }  // namespace breccia::python
