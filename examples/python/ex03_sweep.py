@@ -25,9 +25,9 @@ def study(fraction, seed):
     return breccia.Study(stage, breccia.Tests(times=(0.1, 10.0), points_per_decade=5, fields="none"))
 
 
-def bounds(result, time=10.0):
-    """Upper and lower bound of G(t) [Pa]."""
-    return [result["box"].prony(boundary=boundary).at(time) for boundary in ("displacement", "traction")]
+def modulus(result, time=10.0):
+    """G(t) [Pa], the mean of both shears of a periodic box."""
+    return result["box"].prony().at(time)
 
 
 # %%
@@ -37,9 +37,8 @@ if __name__ == "__main__":
     studies = [study(fraction, seed) for fraction in fractions for seed in seeds]
     with ProcessPoolExecutor(max_workers=2, mp_context=get_context("spawn")) as processes:
         results = list(processes.map(breccia.solve, studies))
-    moduli = np.reshape([bounds(result) for result in results], (len(fractions), len(seeds), 2)) / 1e6
+    moduli = np.reshape([modulus(result) for result in results], (len(fractions), len(seeds))) / 1e6
     for fraction, packings in zip(fractions, moduli):
-        (upper, lower), (spread, _) = packings.mean(axis=0), packings.std(axis=0, ddof=1)
-        print(f"{100 * fraction:3.0f} %: G(10 s) between {lower:.2f} and {upper:.2f} MPa; "
-              f"packings differ by {spread:.2f}")
-        assert lower < upper
+        print(f"{100 * fraction:3.0f} %: G(10 s) = {packings.mean():.2f} MPa; "
+              f"packings differ by {packings.std(ddof=1):.2f}")
+    assert (np.diff(moduli.mean(axis=1)) > 0).all()

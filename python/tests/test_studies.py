@@ -12,7 +12,8 @@ from conftest import MODEL, OVERRIDES, ROOT
 
 
 def test_study_built_in_python_has_the_bits_of_its_deck(model, composite):
-    tests = breccia.Tests(times=(1e-3, "50 ms"), boundaries=["displacement", "traction"], volumetric="standard")
+    tests = breccia.Tests(times=(1e-3, "50 ms"), loads=["shear"], boundaries=["displacement", "traction"],
+                          volumetric="standard")
     result = breccia.solve(breccia.Study(composite, tests, title="built"))
     for boundary in ("displacement", "traction"):
         assert np.array_equal(result["model"].curve(boundary=boundary), model["model"].curve(boundary=boundary))

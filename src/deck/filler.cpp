@@ -192,14 +192,14 @@ struct RequireRoom {
 
 }  // namespace
 
-void read_fillers(const Section& section, const std::vector<ShiftedMaterial>& materials, Stage& stage) {
+void read_fillers(const Section& section, const std::vector<ShiftedMaterial>& materials, Walls walls, Stage& stage) {
   const auto tables = filler_sections(section);
   if (tables.empty()) {
     if (section.kind("filler") == Kind::array) section.report("filler", "expected at least one table");
     section.refuse({"packing"}, "there is no filler to pack; method = \"image\" alone needs none");
     return;
   }
-  auto packing = read_packing(section, stage, tables.size());
+  auto packing = read_packing(section, stage, tables.size(), walls);
   if (!packing) {
     for (const auto& table : tables) {
       static_cast<void>(read_material_reference(table, "material", materials));

@@ -74,14 +74,16 @@ std::vector<Ball<dim>> read_balls(const MeasuredTable& table, double side, FileM
   return balls;
 }
 
-Walls read_walls(const Section& packing, bool by_default = true) {
-  return packing.optional_boolean("walls").value_or(by_default) ? Walls::hard : Walls::periodic;
+Walls read_walls(const Section& packing, Walls by_default) {
+  const auto has_walls = packing.optional_boolean("walls");
+  if (!has_walls) return by_default;
+  return *has_walls ? Walls::hard : Walls::periodic;
 }
 
 /// A packing at random: its walls and its seed.
 template <class Packing>
-Packing read_random(const Section& packing) {
-  const auto walls = read_walls(packing);
+Packing read_random(const Section& packing, Walls by_default) {
+  const auto walls = read_walls(packing, by_default);
   const auto seed = packing.optional_integer("seed", Range::not_negative()).value_or(1);
   return {walls, static_cast<std::uint64_t>(seed)};
 }
@@ -181,7 +183,7 @@ ExplicitPacking<dim> read_explicit(const Section& packing, double side, std::siz
 template <>
 ExplicitPacking<3> read_explicit<3>(const Section& packing, double side, std::size_t fillers) {
   packing.refuse({"discs", "polygons"}, "they are particles of a box of two dimensions");
-  ExplicitPacking<3> listed = {.file = packing.file("particles"), .walls = read_walls(packing)};
+  ExplicitPacking<3> listed = {.file = packing.file("particles"), .walls = read_walls(packing, Walls::hard)};
   if (!listed.file.empty()) read_particles(packing, "particles", side, fillers, listed);
   return listed;
 }
@@ -189,7 +191,7 @@ ExplicitPacking<3> read_explicit<3>(const Section& packing, double side, std::si
 template <>
 ExplicitPacking<2> read_explicit<2>(const Section& packing, double side, std::size_t fillers) {
   const auto key = key_of_particles(packing);
-  ExplicitPacking<2> listed = {.file = key.empty() ? "" : packing.file(key), .walls = read_walls(packing)};
+  ExplicitPacking<2> listed = {.file = key.empty() ? "" : packing.file(key), .walls = read_walls(packing, Walls::hard)};
   const bool is_known = !is_picture(listed.file);
   if (!listed.file.empty()) read_particles(packing, key, side, fillers, listed);
   if (!is_known || !packing.has("polygons")) return listed;
@@ -239,7 +241,7 @@ LaguerrePacking<dim> read_laguerre(const Section& packing, double side) {
     grains.wall_film = packing.choice<WallFilm>("walls", {{"cut", WallFilm::none}}).value_or(WallFilm::half);
     grains.walls = Walls::hard;
   } else {
-    grains.walls = read_walls(packing, false);
+    grains.walls = read_walls(packing, Walls::periodic);
   }
   // A film that is no length has been reported; the filler still needs no fraction.
   if (packing.has("film")) grains.film = packing.quantity("film", Dimension::length, Range::positive());
@@ -284,12 +286,12 @@ namespace {
 
 template <int dim>
 std::optional<PackingMethod<dim>> read_method(const Section& packing, const Stage& stage, std::size_t fillers,
-                                              PackingName name) {
+                                              Walls walls, PackingName name) {
   switch (name) {
     case PackingName::lubachevsky_stillinger:
-      return read_random<LubachevskyStillingerPacking<dim>>(packing);
+      return read_random<LubachevskyStillingerPacking<dim>>(packing, walls);
     case PackingName::random_sequential:
-      return read_random<RandomSequentialPacking<dim>>(packing);
+      return read_random<RandomSequentialPacking<dim>>(packing, walls);
     case PackingName::regular:
       return read_regular<dim>(packing);
     case PackingName::listed:
@@ -304,7 +306,7 @@ std::optional<PackingMethod<dim>> read_method(const Section& packing, const Stag
 
 }  // namespace
 
-std::optional<StagePacking> read_packing(const Section& section, const Stage& stage, std::size_t fillers) {
+std::optional<StagePacking> read_packing(const Section& section, const Stage& stage, std::size_t fillers, Walls walls) {
   const auto packing = section.section("packing");
   if (stage.dimensions() == 2 && asks_for_other_shapes(packing)) {
     packing.report("method", shapes_elsewhere);
@@ -317,8 +319,8 @@ std::optional<StagePacking> read_packing(const Section& section, const Stage& st
     packing.accept_all_keys();
     return std::nullopt;
   }
-  if (stage.dimensions() == 3) return read_method<3>(packing, stage, fillers, *name);
-  return read_method<2>(packing, stage, fillers, *name);
+  if (stage.dimensions() == 3) return read_method<3>(packing, stage, fillers, walls, *name);
+  return read_method<2>(packing, stage, fillers, walls, *name);
 }
 
 }  // namespace breccia

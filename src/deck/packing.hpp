@@ -19,8 +19,9 @@ inline constexpr auto image_elsewhere =
     "an image is a packing without a filler: packing = { method = \"image\", file = \"...\", pixel = \"...\", labels = "
     "[{ value = ..., material = \"...\" }, ...] } (docs/decks.md)";
 
-/// Reads `packing` of a stage whose box and number of fillers are known, from its section.
-std::optional<StagePacking> read_packing(const Section& section, const Stage& stage, std::size_t fillers);
+/// Reads `packing` of a stage whose box and number of fillers are known, from its section. `walls` are those of a
+/// random packing that does not name its own.
+std::optional<StagePacking> read_packing(const Section& section, const Stage& stage, std::size_t fillers, Walls walls);
 
 /// Whether a packing has this method.
 bool has_method(const Section& packing, PackingName name);

@@ -8,6 +8,7 @@
 
 #include "deck/materials.hpp"
 #include "deck/measurements.hpp"
+#include "deck/stage_defaults.hpp"
 #include "deck/stages.hpp"
 #include "deck/tests.hpp"
 #include "deckfile/deck.hpp"
@@ -27,9 +28,9 @@ Study resolve(const Deck& document) {
   study.provenance.deck = document.path();
   study.provenance.deck_text = document.text();
   study.materials = read_materials(root);
-  const auto model = read_model(root);
-  study.stages = read_stages(root, study.materials, model);
-  study.tests = read_tests(root, study.stages, model);
+  const auto defaults = read_stage_defaults(root);
+  study.stages = read_stages(root, study.materials, defaults);
+  study.tests = read_tests(root, study.stages, defaults.model);
   const auto mixing = read_mixing(root);
   study.tests.mixing = mixing ? *mixing : default_mixing(study);
   study.measurements = read_measurements(root, study.stages, study.tests);

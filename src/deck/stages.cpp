@@ -90,7 +90,8 @@ constexpr int cells_of_labels = 512;
 
 }  // namespace
 
-std::vector<Stage> read_stages(const Section& deck, const std::vector<ShiftedMaterial>& materials, Model model) {
+std::vector<Stage> read_stages(const Section& deck, const std::vector<ShiftedMaterial>& materials,
+                               const StageDefaults& defaults) {
   const bool is_of_space = deck.optional_integer("dimensions", allowed::dimensions).value_or(2) == 3;
   std::vector<Stage> stages;
   for (const auto& section : deck.sections("stages")) {
@@ -111,13 +112,13 @@ std::vector<Stage> read_stages(const Section& deck, const std::vector<ShiftedMat
       stage.coarser_cells.pop_back();
     } else if (is_image && !section.has("cells") && !section.has("resolution")) {
       stage.cells = cells_of_points(section, stage);
-    } else if (!section.has("cells") && !section.has("resolution") && needs_no_cells(section, model)) {
+    } else if (!section.has("cells") && !section.has("resolution") && needs_no_cells(section, defaults.model)) {
       stage.cells = cells_of_labels;
     } else {
       stage.cells = read_cells(section, stage.side);
     }
     section.refuse({"image"}, image_elsewhere);
-    if (!is_image) read_fillers(section, materials, stage);
+    if (!is_image) read_fillers(section, materials, defaults.walls, stage);
     stages.push_back(std::move(stage));
   }
   return stages;

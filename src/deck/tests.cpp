@@ -134,12 +134,6 @@ std::vector<TestLoad> read_loads(const Section& section, const std::vector<Stage
 
 }  // namespace
 
-Model read_model(const Section& deck) {
-  const auto section = deck.optional_section("tests");
-  if (!section || !section->has("model")) return Model::cells;
-  return section->choice<Model>("model").value_or(Model::cells);
-}
-
 Tests read_tests(const Section& deck, const std::vector<Stage>& stages, Model model) {
   const auto section = deck.section("tests");
   Tests tests;
@@ -156,6 +150,7 @@ Tests read_tests(const Section& deck, const std::vector<Stage>& stages, Model mo
     section.refuse({"films"}, R"(it belongs to model = "films")");
   }
   tests.boundaries = default_boundaries(stages);
+  tests.loads = {TestLoad::isotropic()};
   if (section.has("loads")) tests.loads = read_loads(section, stages);
   section.refuse({"bounds"}, R"(it is called boundaries now: "upper" is "displacement", "lower" is "traction" there)");
   if (section.has("boundaries")) {

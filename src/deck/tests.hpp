@@ -10,9 +10,6 @@
 
 namespace breccia {
 
-/// Reads tests.model.
-Model read_model(const Section& deck);
-
 /// Reads tests.mixing, whose default depends on the whole study: nothing where the deck does not have it.
 std::optional<Mixing> read_mixing(const Section& deck);
 

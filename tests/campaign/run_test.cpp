@@ -62,6 +62,7 @@ matrix = "binder"
 box = "6 mm"
 cells = 8
 [tests]
+loads = ["shear"]
 times = ["1 ms", "50 ms"]
 boundaries = ["displacement"]
 )";

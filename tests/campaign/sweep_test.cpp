@@ -45,6 +45,7 @@ cells = 12
 filler = { material = "glass", sizes = { diameter = "20 mm" } }
 packing = { method = "regular", columns = 2, rows = 2 }
 [tests]
+loads = ["shear"]
 times = ["1 ms", "50 ms"]
 [[measurements]]
 name = "rheometer"

@@ -85,7 +85,7 @@ TEST(BadDecks, AllMistakesComeAtOnce) {
   EXPECT_EQ(outcome.errors,
             "deck.toml:5:11: materials.binder.bulk: expected a pressure, got \"3.6 um\"\n"
             "deck.toml:17:11: stages.A.cells: expected an integer from 2 to 1048576, got 1\n"
-            "deck.toml:22:20: tests.times: expected a time, got \"100 m\"\n");
+            "deck.toml:23:20: tests.times: expected a time, got \"100 m\"\n");
 }
 
 }  // namespace

@@ -148,7 +148,7 @@ TEST(DeckWarnings, ASweepOverCellsWithAGapInPoints) {
 }
 
 TEST(DeckWarnings, APeriodicMicrostructureIsReadBackToTheSameBits) {
-  auto deck = replaced(std::string(good_deck), "seed = 1", "walls = false, seed = 1");
+  auto deck = replaced(std::string(good_deck), "walls = true", "walls = false");
   deck = replaced(deck, "cells   = 60", "cells   = 20");
   const StudyDirectory packed(deck);
   ASSERT_EQ(packed.breccia("run").exit_code, 0);
@@ -169,7 +169,7 @@ TEST(DeckWarnings, APeriodicMicrostructureIsReadBackToTheSameBits) {
 }
 
 TEST(DeckWarnings, BoundariesThatCutPeriodicParticlesAreOnlyUsedOnRequest) {
-  const StudyDirectory study(replaced(std::string(good_deck), "seed = 1", "walls = false"));
+  const StudyDirectory study(replaced(std::string(good_deck), "walls = true", "walls = false"));
   EXPECT_THAT(study.breccia("check").output, Not(HasSubstr("cut the particles")));
   EXPECT_THAT(study.breccia("check", {"--set", R"(tests.boundaries=["displacement", "periodic"])"}).output,
               HasSubstr("warning: A: tests.boundaries asks for the displacement or the traction boundary of a "
@@ -177,8 +177,8 @@ TEST(DeckWarnings, BoundariesThatCutPeriodicParticlesAreOnlyUsedOnRequest) {
 }
 
 TEST(DeckWarnings, BytesThatAreNotPrintableStayOffTheTerminal) {
-  const StudyDirectory study(
-      replaced(std::string(good_deck), R"("lubachevsky-stillinger", seed = 1)", R"("explicit", discs = "grains.png")"));
+  const StudyDirectory study(replaced(std::string(good_deck), R"("lubachevsky-stillinger", walls = true, seed = 1)",
+                                      R"("explicit", discs = "grains.png")"));
   study.write("grains.png", "\x89PNG\r\n\x1a\n\x1b[31m");
   const auto check = study.breccia("check");
   EXPECT_EQ(check.exit_code, 2);

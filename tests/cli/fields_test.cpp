@@ -140,8 +140,9 @@ matrix  = "rubber"
 box     = "1 mm"
 cells   = 8
 filler  = { material = "glass", sizes = { list = ["0.45 mm", "0.5 mm"] }, gap = "50 um" }
-packing = { method = "lubachevsky-stillinger", seed = 1 }
+packing = { method = "lubachevsky-stillinger", walls = true, seed = 1 }
 [tests]
+loads = ["shear"]
 times      = ["0.1 ms", "10 ms"]
 boundaries = ["displacement", "traction", "periodic"]
 fields     = ["1 ms", "10 ms"]

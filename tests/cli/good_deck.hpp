@@ -23,9 +23,10 @@ matrix  = "binder"
 box     = "6 mm"
 cells   = 60
 filler  = { material = "hmx", fraction = 0.5, sizes = { diameter = "1 mm" }, gap = "0.1 mm" }
-packing = { method = "lubachevsky-stillinger", seed = 1 }
+packing = { method = "lubachevsky-stillinger", walls = true, seed = 1 }
 
 [tests]
+loads  = ["shear"]
 times  = ["10 us", "100 ms"]
 )";
 

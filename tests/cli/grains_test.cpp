@@ -42,6 +42,7 @@ filler  = { material = "hmx" }
 packing = { method = "laguerre", sites = "sites.csv", film = "9.375 um" }
 
 [tests]
+loads = ["shear"]
 times  = ["10 ns", "10 ms"]
 mixing = "points"
 fields = "none"

@@ -46,6 +46,7 @@ shear   = "20 MPa"
 
 constexpr std::string_view tests = R"(
 [tests]
+loads = ["shear"]
 times  = ["10 us", "100 ms"]
 points_per_decade = 3
 fields = "none"
@@ -103,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(
         Original{
             "Discs",
             "box = \"1 mm\"\ncells = 33\nfiller = { material = \"hmx\", fraction = 0.5, sizes = { diameter = \"0.25 "
-            "mm\" } }\npacking = { method = \"lubachevsky-stillinger\" }",
+            "mm\" } }\npacking = { method = \"lubachevsky-stillinger\", walls = true }",
             "false", "{ value = 1, material = \"hmx\" }", "particle"},
         Original{
             "CoatedDiscs",

@@ -95,6 +95,7 @@ filler  = { material = "glass", sizes = { diameter = "4 mm" } }
 packing = { method = "regular", columns = 2, rows = 2 }
 
 [tests]
+loads = ["shear"]
 times  = ["10 us", "10 s"]
 fields = "none"
 )";
@@ -219,6 +220,7 @@ gap      = "5 um"
 coating  = { material = "interphase", thickness = "15 um" }
 
 [tests]
+loads = ["shear"]
 times  = ["1 us", "100 ms"]
 mixing = "flow"
 )";

@@ -26,6 +26,7 @@ filler  = { material = "particle", sizes = { diameter = "2 mm" } }
 packing = { method = "regular", columns = 2, rows = 2 }
 
 [tests]
+loads = ["shear"]
 times      = ["1 ms", "50 ms"]
 boundaries     = ["displacement"]
 method     = "dynamic"
@@ -47,6 +48,7 @@ box     = "6 mm"
 cells   = 24
 
 [tests]
+loads = ["shear"]
 times  = ["1 ms", "50 ms"]
 boundaries = ["displacement"]
 method = "dynamic"

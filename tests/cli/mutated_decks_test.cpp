@@ -89,6 +89,7 @@ filler  = { material = "p" }
 packing = { method = "explicit", discs = "discs.csv" }
 
 [tests]
+loads = ["shear"]
 times  = ["1 ms", "30 ms"]
 solver = "stepping"
 boundaries = ["periodic"]
@@ -115,6 +116,7 @@ filler  = { material = "p", fraction = 0.2, from = "1 mm", to = "2 mm", sizes = 
 packing = { method = "lubachevsky-stillinger", walls = false }
 
 [tests]
+loads = ["shear"]
 times  = ["1 ms", "10 ms"]
 method = "dynamic"
 boundaries = ["displacement"]

@@ -11,6 +11,7 @@ namespace breccia {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 TEST(New, WritesADeckWithoutAMistake) {
   const test::TemporaryDirectory directory;
@@ -22,7 +23,7 @@ TEST(New, WritesADeckWithoutAMistake) {
   const auto check = test::run_breccia(directory.path(), {"check", "mine.toml"});
   EXPECT_EQ(check.exit_code, 0) << check.errors;
   EXPECT_EQ(check.errors, "");
-  EXPECT_THAT(check.output, HasSubstr("warning: composite: only 4 particles in the box"));
+  EXPECT_THAT(check.output, Not(HasSubstr("warning")));
 }
 
 TEST(New, OverwritesNothing) {

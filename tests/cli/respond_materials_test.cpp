@@ -46,6 +46,7 @@ filler  = { material = "glass", sizes = { diameter = "1.8 mm" }, coating = { mat
 packing = { method = "regular", columns = 2, rows = 2 }
 
 [tests]
+loads = ["shear"]
 times      = ["1 ms", "1 s"]
 fields     = "none"
 boundaries = ["displacement"]

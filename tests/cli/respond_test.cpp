@@ -59,6 +59,7 @@ filler  = { material = "particle", sizes = { diameter = "20 mm" } }
 packing = { method = "regular", columns = 2, rows = 2 }
 
 [tests]
+loads = ["shear"]
 times  = ["1 ms", "1 s"]
 fields = "none"
 )";

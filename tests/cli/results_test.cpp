@@ -254,7 +254,8 @@ TEST(PackResults, AreAnExplicitPacking) {
   study.write("discs.csv", first);
   auto deck = std::string(test::good_deck);
   deck = test::replaced(deck, R"(, fraction = 0.5, sizes = { diameter = "1 mm" }, gap = "0.1 mm")", "");
-  deck = test::replaced(deck, R"("lubachevsky-stillinger", seed = 1)", R"("explicit", discs = "discs.csv")");
+  deck =
+      test::replaced(deck, R"("lubachevsky-stillinger", walls = true, seed = 1)", R"("explicit", discs = "discs.csv")");
   study.write("deck.toml", deck);
   const auto pack = study.breccia("pack");
   ASSERT_EQ(pack.exit_code, 0) << pack.errors;

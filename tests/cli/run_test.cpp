@@ -180,12 +180,13 @@ TEST(Run, ReplacesTheFilesOfParticlesOfAnotherShape) {
   const StudyDirectory study(test::good_deck);
   study.write("triangle.csv", "x_mm,y_mm\n0,0\n3,0\n1,3\n");
   const auto run = [&study](const std::string& shape) {
-    return study.breccia("run",
-                         {"--set", "stages.A.cells=12", "--set", R"(tests.fields="none")", "--set",
-                          fmt::format(R"(stages.A.filler={{ material = "hmx", fraction = 0.2, shape = {{ {} }}, )"
-                                      R"(sizes = {{ diameter = "2 mm" }} }})",
-                                      shape),
-                          "--set", R"(stages.A.packing={ method = "random-sequential", seed = 1 })", "--overwrite"});
+    return study.breccia(
+        "run",
+        {"--set", "stages.A.cells=12", "--set", R"(tests.fields="none")", "--set",
+         fmt::format(R"(stages.A.filler={{ material = "hmx", fraction = 0.2, shape = {{ {} }}, )"
+                     R"(sizes = {{ diameter = "2 mm" }} }})",
+                     shape),
+         "--set", R"(stages.A.packing={ method = "random-sequential", walls = true, seed = 1 })", "--overwrite"});
   };
   const std::string triangles = R"(polygon = "triangle.csv")";
   const auto polygons = run(triangles);

@@ -177,7 +177,7 @@ TEST(SpaceWithGaps, WhatFlowDoesNotServeIsRefused) {
   EXPECT_THAT(
       mistakes({R"(stages.0.filler={ material = "sphere", fraction = 0.2, sizes = { diameter = "0.3 mm" }, gap = )"
                 R"("1 um" })",
-                R"(stages.0.packing={ method = "lubachevsky-stillinger" })"}),
+                R"(stages.0.packing={ method = "lubachevsky-stillinger", walls = true })"}),
       HasSubstr("stage A: in three dimensions: expected a periodic box"));
   EXPECT_THAT(mistakes({R"(tests.method="dynamic")"}), HasSubstr(R"(expected method "quasistatic")"));
 }

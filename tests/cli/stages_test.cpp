@@ -81,7 +81,8 @@ TEST(Stages, OfASweepAreComputedOnceIfTheyAreTheSame) {
 TEST(Stages, OfASweepThatFailAreTriedOnce) {
   auto deck = test::replaced(chain, "sizes = { diameter = \"2 mm\" }",
                              R"(fraction = 0.85, gap = "0 m", sizes = { diameter = "0.5 mm" })");
-  deck = test::replaced(deck, "method = \"regular\", columns = 2, rows = 2", "method = \"lubachevsky-stillinger\"");
+  deck = test::replaced(deck, "method = \"regular\", columns = 2, rows = 2",
+                        "method = \"lubachevsky-stillinger\", walls = true");
   const StudyDirectory study(deck);
   const auto run = study.breccia("run", {"--sweep", "stages.B.cells=[8, 6]"});
   EXPECT_EQ(run.exit_code, 3);

@@ -23,7 +23,7 @@ TEST(Documentation, ItsDeckIsOne) {
   const auto deck = test::replaced(first_deck(read_text(documentation / "decks.md")), "../data", data);
   const auto study = directory.study(deck);
   EXPECT_EQ(study.title, "PBX-9501 at 19 degC");
-  EXPECT_EQ(study.stages.at(0).cells, 300);
+  EXPECT_EQ(study.stages.at(0).cells, 200);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ TEST(StudyDeck, ResolvesEverything) {
   ASSERT_EQ(study.stages.size(), 1U);
   EXPECT_EQ(std::get<Material>(study.stages[0].matrix), study.materials[0].material);
   EXPECT_DOUBLE_EQ(study.stages[0].cell_size(), 0.16e-6);
-  EXPECT_EQ(study.tests.loads, std::vector<TestLoad>{Load::shear});
+  EXPECT_EQ(study.tests.loads, std::vector{TestLoad::isotropic()});
 }
 
 TEST(StudyText, IsTheStudyOfADeckWithoutAFile) {

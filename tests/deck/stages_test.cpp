@@ -72,7 +72,7 @@ packing = { method = "lubachevsky-stillinger" })");
   EXPECT_THAT(std::get<TabulatedSizes>(random.sizes.value()).diameters, ElementsAre(1e-4, 2e-4, 3e-4));
   EXPECT_DOUBLE_EQ(random.smallest.value(), 1e-4);
   EXPECT_DOUBLE_EQ(random.largest.value(), 2.5e-4);
-  EXPECT_EQ(box.packed_by<LubachevskyStillingerPacking<2>>()->walls, Walls::hard);
+  EXPECT_EQ(box.packed_by<LubachevskyStillingerPacking<2>>()->walls, Walls::periodic);
 }
 
 TEST_F(DeckStages, RandomPackingOfAList) {

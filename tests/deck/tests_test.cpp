@@ -26,8 +26,8 @@ class DeckTests : public testing::Test {
 
 TEST_F(DeckTests, Defaults) {
   const auto defaults = tests(times);
-  EXPECT_THAT(defaults.loads, ElementsAre(Load::shear));
-  EXPECT_THAT(defaults.boundaries, ElementsAre(Boundary::displacement, Boundary::traction));
+  EXPECT_THAT(defaults.loads, ElementsAre(TestLoad::isotropic()));
+  EXPECT_THAT(defaults.boundaries, ElementsAre(Boundary::periodic));
   EXPECT_THAT(defaults.methods, ElementsAre(Method::quasistatic));
   EXPECT_EQ(defaults.quasistatic.solver, Solver::reduced);
   EXPECT_EQ(defaults.volumetric, Volumetric::averaged);
@@ -39,6 +39,23 @@ TEST_F(DeckTests, Defaults) {
   EXPECT_EQ(defaults.dynamic.courant, DynamicOptions().courant);
   EXPECT_THAT(defaults.dynamic.mass_scaling_factors, IsEmpty());
   EXPECT_THAT(defaults.field_times, ElementsAre(defaults.last_time));
+}
+
+TEST_F(DeckTests, ARandomPackingIsPeriodicUnlessABoundaryWouldCutIt) {
+  const auto walls_of = [&](const std::string& packing, std::string_view boundaries) {
+    const auto stage = test::replaced(std::string(test::stage), "{ method = \"lubachevsky-stillinger\" }", packing);
+    const auto study = directory.study(test::join(test::materials, stage, "[tests]\n", times, boundaries));
+    return study.stages.at(0).packed_by<LubachevskyStillingerPacking<2>>()->walls;
+  };
+  const std::string without = R"({ method = "lubachevsky-stillinger", seed = 2 })",
+                    with = R"({ method = "lubachevsky-stillinger", walls = true })",
+                    periodic = R"({ method = "lubachevsky-stillinger", walls = false })";
+  EXPECT_EQ(walls_of(without, ""), Walls::periodic);
+  EXPECT_EQ(walls_of(without, R"(boundaries = ["periodic"])"), Walls::periodic);
+  EXPECT_EQ(walls_of(without, R"(boundaries = ["displacement"])"), Walls::hard);
+  EXPECT_EQ(walls_of(without, R"(boundaries = ["periodic", "traction"])"), Walls::hard);
+  EXPECT_EQ(walls_of(with, R"(boundaries = ["periodic"])"), Walls::hard);
+  EXPECT_EQ(walls_of(periodic, R"(boundaries = ["displacement"])"), Walls::periodic);
 }
 
 TEST_F(DeckTests, APeriodicBoxIsTestedUnderThePeriodicBoundaryAlone) {

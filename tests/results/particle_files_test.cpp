@@ -25,6 +25,7 @@ density = "1.85 g/cm^3"
 bulk = "13.4 GPa"
 shear = "5.84 GPa"
 [tests]
+loads = ["shear"]
 times = ["10 ns", "10 ms"]
 [[stages]]
 name = "a"

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "breccia/microstructure/microstructure.hpp"
+#include "breccia/study/tests.hpp"
+
+#include "deckfile/deck.hpp"
+
+namespace breccia {
+
+/// What [tests] says about the stages, which are read before it.
+struct StageDefaults {
+  Model model = Model::cells;
+  /// Walls of random packings that do not name theirs: a box is periodic, unless the tests name a boundary that would
+  /// cut its particles.
+  Walls walls = Walls::periodic;
+};
+
+StageDefaults read_stage_defaults(const Section& deck);
+
+}  // namespace breccia
