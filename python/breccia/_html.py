@@ -83,6 +83,8 @@ def stage_html(stage: _native.StageResult) -> str:
         parts.append(f"<div>Relaxation modulus, {html.escape(load)}</div>" + _plot_of(stage, tests) + _table(tests))
     elif stage.microstructure is not None:
         parts.append(microstructure_html(stage.microstructure))
+    if stage.accuracy:
+        parts.append(f"<div>This box: {html.escape(stage.accuracy)}</div>")
     if stage.warnings:
         parts.append(f"<ul>{_warnings(stage)}</ul>")
     return f"<div><b>{html.escape(stage.name)}</b>{''.join(parts)}</div>"

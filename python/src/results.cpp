@@ -200,6 +200,15 @@ void bind_stage(py::module_& module) {
       .def_property_readonly("solids", &solids_of,
                              "The stage as a solid, for each boundary condition, where it serves as a matrix.")
       .def_property_readonly(
+          "accuracy", [](const SolvedStage& stage) { return stage.result.accuracy.summary; },
+          "What the run knows of the errors of the stage, in words; empty without particles.")
+      .def_property_readonly(
+          "grid_error", [](const SolvedStage& stage) { return stage.result.accuracy.grid_error; },
+          "Error of the grid over the modulus, largest over the times [-], as several grids show it; None for one.")
+      .def_property_readonly(
+          "expected_grid_error", [](const SolvedStage& stage) { return stage.result.accuracy.expected_grid_error; },
+          "Error of a single grid over the modulus that is to be expected by a rule [-]; None where no rule holds.")
+      .def_property_readonly(
           "warnings", [](const SolvedStage& stage) { return stage.result.warnings; }, "Reasons to doubt the results.")
       .def("test", of_test([](const py::object& self, const TestResult& test) {
              return py::cast(&test, py::return_value_policy::reference_internal, self);

@@ -22,7 +22,7 @@ namespace {
 namespace py = pybind11;
 namespace fs = std::filesystem;
 
-constexpr int format = 4;
+constexpr int format = 5;
 
 /// A directory that exists as long as this object.
 class ScratchDirectory {

@@ -305,6 +305,26 @@ def test_what_notebooks_show(model):
     assert repr(model["model"].microstructure) == "<breccia.Microstructure: 4 discs, 34.91 % of a box of 6 mm>"
 
 
+def test_results_say_how_accurate_they_are(tmp_path):
+    rubber = {"materials.binder.shear": breccia.PronySeries([(0.01, 0.5e6)], equilibrium=1e5), "stages.0.packing": {
+        "method": "lubachevsky-stillinger", "walls": True, "seed": 1}, "stages.0.filler.fraction": 0.35,
+              "tests.mixing": "series", "tests.volumetric": "averaged"}
+    one = breccia.solve(breccia.read_study(MODEL, {**OVERRIDES, **rubber, "stages.0.cells": 60}))["model"]
+    assert one.grid_error is None and 0.0 < one.expected_grid_error < 0.2
+    two = breccia.run(breccia.read_study(MODEL, {**OVERRIDES, **rubber, "stages.0.cells": [30, 60]}), tmp_path)
+    stage = two["model"]
+    bands = [stage.test(boundary=boundary).half_bands / stage.curve(boundary=boundary)[1]
+             for boundary in ("displacement", "traction")]
+    assert stage.expected_grid_error is None
+    assert 0.0 < stage.grid_error <= np.max(bands) * (1 + 1e-12)
+    assert f"grid: error up to {100 * stage.grid_error:.2g} %" in stage.accuracy
+    assert "This box: bounds " in stage._repr_html_() and "packing: one seed" in stage._repr_html_()
+    for same in (breccia.read_results(tmp_path)["model"], pickle.loads(pickle.dumps(two))["model"]):
+        assert (same.accuracy, same.grid_error) == (stage.accuracy, stage.grid_error)
+    answer = breccia.respond(two, binder=breccia.PronySeries([(0.02, 0.4e6)], equilibrium=1e5))["model"]
+    assert "error of the grid unknown" in answer.accuracy and answer.grid_error is None
+
+
 def test_errors_of_a_calculation(binder, particle, tmp_path):
     tests = breccia.Tests(times=(1e-3, 1e-2))
     full = breccia.Stage("full", matrix=binder, box="1 mm", cells=64, packing="lubachevsky-stillinger",

@@ -267,6 +267,11 @@ std::string summary_of(const StageQuality& quality) {
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 
+StageAccuracy accuracy_of(const StageQuality& quality) {
+  return {summary_of(quality), quality.grid_share,
+          quality.one_grid ? quality.one_grid->error() : std::optional<double>()};
+}
+
 std::vector<std::string> warnings_on_bounds(const StageQuality& quality) {
   std::vector<std::string> warnings;
   for (const auto& load : quality.loads) {

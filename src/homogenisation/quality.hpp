@@ -80,6 +80,9 @@ std::string words_on_rule(const GridPlan& grid);
 /// box without particles.
 std::string summary_of(const StageQuality& quality);
 
+/// The quality as a result of the stage has it.
+StageAccuracy accuracy_of(const StageQuality& quality);
+
 /// A warning, without the name of the stage, for each load and method whose upper bound is below the lower one beyond
 /// the error of the grids, with the likely causes.
 std::vector<std::string> warnings_on_bounds(const StageQuality& quality);

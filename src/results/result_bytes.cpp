@@ -76,12 +76,18 @@ inline constexpr auto fields<Comparison> = std::tuple(field("measurement", &Comp
                                                       field("samples", &Comparison::samples));
 
 template <>
+inline constexpr auto fields<StageAccuracy> = std::tuple(field("summary", &StageAccuracy::summary),
+                                                         field("grid_error", &StageAccuracy::grid_error),
+                                                         field("expected_grid_error",
+                                                               &StageAccuracy::expected_grid_error));
+
+template <>
 inline constexpr auto fields<StageFindings> =
     std::tuple(field("name", &StageFindings::name), field("cells", &StageFindings::cells),
                field("dimensions", &StageFindings::dimensions), field("points", &StageFindings::points),
                field("point_fraction", &StageFindings::point_fraction), field("tests", &StageFindings::tests),
                field("materials", &StageFindings::materials), field("comparisons", &StageFindings::comparisons),
-               field("warnings", &StageFindings::warnings));
+               field("accuracy", &StageFindings::accuracy), field("warnings", &StageFindings::warnings));
 
 template <>
 inline constexpr auto fields<ShiftedMaterial> = std::tuple(field("material", &ShiftedMaterial::material),

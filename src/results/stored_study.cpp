@@ -140,6 +140,8 @@ StageFindings findings_of(const StageEntry& entry) {
   stage.points = entry.points;
   stage.point_fraction = entry.point_fraction;
   stage.warnings = entry.warnings;
+  const auto& quality = entry.quality;
+  stage.accuracy = {quality.summary, quality.grid_error, quality.expected_grid_error};
   for (const auto& grid : entry.grids) stage.cells = std::max(stage.cells, grid.cells().value_or(0));
   return stage;
 }

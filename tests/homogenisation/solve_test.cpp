@@ -15,6 +15,7 @@
 #include "breccia/campaign/run.hpp"
 #include "breccia/error.hpp"
 
+#include "homogenisation/quality.hpp"
 #include "study/two_stages.hpp"
 #include "temporary_directory.hpp"
 
@@ -136,6 +137,9 @@ TEST(Solve, TakesOverStagesThatASinkKnows) {
   for (std::size_t stage = 0; stage < 2; ++stage) {
     ASSERT_EQ(result.stages[stage].tests.size(), solved.stages[stage].tests.size());
     EXPECT_EQ(result.stages[stage].tests.back().modulus, solved.stages[stage].tests.back().modulus);
+    EXPECT_EQ(result.stages[stage].accuracy.summary, solved.stages[stage].accuracy.summary);
+    EXPECT_EQ(result.stages[stage].accuracy.summary,
+              summary_of(quality_of(study, study.stages[stage], solved.stages[stage])));
   }
 }
 

@@ -33,6 +33,7 @@ StageFindings findings() {
        Method::dynamic,
        {{"A", 1500.0, PronySeries::difference(PronySeries(3.0), creep.series), creep.series}, {0.1, 10.0}, 1e-3, 0.0}}};
   stage.comparisons = {{"measured \xc2\xb5", limit.id, {{1.0, 2.0, 3.0}}}};
+  stage.accuracy = {"grid: one grid, error up to about 4 % by a rule", {}, 0.04};
   stage.warnings = {"doubt"};
   return stage;
 }
@@ -55,6 +56,9 @@ TEST(ResultBytes, GiveTheSameBits) {
   EXPECT_EQ(found.materials.at(0).result.material, stage.materials[0].result.material);
   EXPECT_EQ(found.comparisons.at(0).measurement, stage.comparisons[0].measurement);
   EXPECT_EQ(found.comparisons.at(0).best().ratio(), 2.0 / 3.0);
+  EXPECT_EQ(found.accuracy.summary, stage.accuracy.summary);
+  EXPECT_FALSE(found.accuracy.grid_error);
+  EXPECT_EQ(found.accuracy.expected_grid_error, 0.04);
   EXPECT_EQ(found.warnings, stage.warnings);
 }
 

@@ -43,6 +43,7 @@ class StoredStudyTest : public testing::Test {
     entry.points = 1024;
     entry.point_fraction = 0.25;
     entry.warnings = {"doubt"};
+    entry.quality = {.summary = "grid: error up to 2 %", .grids = 2, .grid_error = 0.02};
     write_study_document(directory.path(), document);
   }
   [[nodiscard]] std::string refusal() const {
@@ -61,6 +62,9 @@ TEST_F(StoredStudyTest, HasCurvesRecordsAndTheSeriesOfThePreferredTest) {
   EXPECT_EQ(stage.cells, 16);
   EXPECT_EQ(stage.points, 1024U);
   EXPECT_EQ(stage.warnings, std::vector<std::string>{"doubt"});
+  EXPECT_EQ(stage.accuracy.summary, "grid: error up to 2 %");
+  EXPECT_EQ(stage.accuracy.grid_error, 0.02);
+  EXPECT_FALSE(stage.accuracy.expected_grid_error);
   ASSERT_EQ(stage.tests.size(), 2U);
   EXPECT_EQ(stage.tests[0].modulus, (Curve{{1.0, 4.0}, {2.0, 3.0}}));
   EXPECT_EQ(stage.tests[1].error_estimate, 2e-4);

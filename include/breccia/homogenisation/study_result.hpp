@@ -96,6 +96,13 @@ struct Comparison {
   [[nodiscard]] const ComparedSample& worst() const;
 };
 
+/// What is known of the accuracy of a stage's moduli.
+struct StageAccuracy {
+  std::string summary = {};                        ///< in words; empty for a box without particles
+  std::optional<double> grid_error = {};           ///< error of several grids [-]; nothing for one, and for films
+  std::optional<double> expected_grid_error = {};  ///< error of one grid by a rule [-]; nothing where none holds
+};
+
 /// The results of the tests of one stage so far.
 struct StageFindings {
   std::string name;
@@ -106,6 +113,7 @@ struct StageFindings {
   std::vector<TestResult> tests;
   std::vector<StageMaterial> materials;  ///< the stage as a material, for later stages
   std::vector<Comparison> comparisons;   ///< comparisons with all measurements of the stage
+  StageAccuracy accuracy = {};           ///< of the complete stage
   std::vector<std::string> warnings;     ///< reasons to doubt the results
 };
 

@@ -6,6 +6,7 @@
 #include "breccia/homogenisation/plan.hpp"
 #include "breccia/study/soundness.hpp"
 
+#include "homogenisation/quality.hpp"
 #include "homogenisation/run/comparison.hpp"
 #include "homogenisation/run/solve_stage.hpp"
 #include "parallel/available_memory.hpp"
@@ -19,6 +20,7 @@ namespace {
 void solve_stage(const Study& study, const Stage& stage, int threads, StudySink& sink, StudyResult& result) {
   if (auto known = sink.known_stage(stage)) {
     known->comparisons = compare(study, stage, known->tests);
+    known->accuracy = accuracy_of(quality_of(study, stage, *known));
     result.stages.push_back(std::move(*known));
     sink.happened(StageAdopted{stage, result});
     return;

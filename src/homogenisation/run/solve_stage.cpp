@@ -48,7 +48,9 @@ class StageSolution {
     for (auto& test : extrapolate_tests(stage_.name, stage_.side, stage_.dimensions(), done_.tests, mixing)) {
       add(std::move(test));
     }
-    for (const auto& warning : warnings_on_bounds(quality_of(study_, stage_, done_))) {
+    const auto quality = quality_of(study_, stage_, done_);
+    done_.accuracy = accuracy_of(quality);
+    for (const auto& warning : warnings_on_bounds(quality)) {
       done_.warnings.push_back(fmt::format("{}: {}", stage_.name, warning));
     }
     if (serves_as_matrix(study_.stages, stage_.name))
