@@ -11,11 +11,17 @@ import atexit as _atexit
 import os as _os
 
 # Threads that wait for others sleep after a few microseconds instead of a millisecond, in which they would keep the
-# threads of other programs from the cores. libgomp reads this when _native is loaded.
-if "OMP_WAIT_POLICY" not in _os.environ:
-    _os.environ.setdefault("GOMP_SPINCOUNT", "1000")
+# threads of other programs from the cores. libgomp reads this when it is loaded, by _native if not by another module
+# before.
+_says_nothing = not {"OMP_WAIT_POLICY", "GOMP_SPINCOUNT"} & set(_os.environ)
+if _says_nothing:
+    _os.environ["GOMP_SPINCOUNT"] = "1000"
 
 from . import _errors, _html, _native
+
+if _says_nothing:
+    del _os.environ["GOMP_SPINCOUNT"]
+
 from ._calculations import pack, plan, respond, run, solve
 from ._errors import Error, FileError, InputError, Interrupted, NumericalError
 from ._exports import Isochrone, export, isochrone

@@ -43,6 +43,7 @@ def in_deck(key: str, value: Any) -> Any:
         reference = f"{value.reference_temperature!r} K"
         return {"law": "wlf", "c1": value.c1, "c2": f"{value.c2!r} K", "reference": reference, "temperature": reference}
     if isinstance(value, (list, tuple, np.ndarray)):
+        _native.refuse_what_numpy_drops(key or "study", "numbers, or text with units", value)
         return [in_deck(key, entry) for entry in (value.tolist() if isinstance(value, np.ndarray) else value)]
     return f"{float(value)!r} {UNITS[key]}" if key in UNITS and is_number(value) else value
 
@@ -85,10 +86,10 @@ def window(argument: str, ends: Sequence[Quantity], dimension: str) -> tuple[flo
 def numbers(argument: str, values: Any, unit: str) -> NDArray[np.float64]:
     """An argument that is numbers in an SI unit, as an array."""
     _native.refuse_what_numpy_drops(argument, f"numbers in {unit}", values)
-    try:
-        return np.asarray(values, dtype=float)
-    except (TypeError, ValueError):
-        raise InputError(f"{argument}: expected numbers in {unit}, got something else among them") from None
+    array = np.asarray(values)
+    if array.dtype.kind not in "iuf":
+        raise InputError(f"{argument}: expected numbers in {unit}, got something else among them")
+    return array.astype(float)
 
 
 def share(argument: str, value: Any) -> float:

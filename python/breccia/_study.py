@@ -19,8 +19,8 @@ class Tests(Table):
     """The virtual tests of every stage.
 
     times: first and last time of the curves [s]; frequencies: in their place, the first and the last of the dynamic
-    moduli [Hz]; loads: "isotropic", "shear", "bulk", ...; boundaries: "displacement" (upper bound), "traction" (lower bound),
-    "periodic"; method: "quasistatic", "dynamic" or a list of both; fields: "none", "last" or times [s]; quasistatic, dynamic:
+    moduli [Hz]; loads: "isotropic" (default), "shear", "bulk", ...; boundaries: "periodic" (default of random packings),
+    "displacement" (upper bound), "traction" (lower bound); method: "quasistatic", "dynamic" or a list of both; fields: "none", "last" or times [s]; quasistatic, dynamic:
     tables of their settings. All other keys are those of [tests] in a deck.
     """
 

@@ -15,6 +15,12 @@ BOX = breccia.Stage("box", matrix=RUBBER, box=1e-3, cells=4)
 TESTS = breccia.Tests(times=(0.1, 10.0))
 
 
+class WithUnits(np.ndarray):
+    """An array as packages for quantities have it."""
+
+    units = "um"
+
+
 def test_materials_by_youngs_modulus_and_poissons_ratio():
     bulk, shear = 210e9 / (3.0 * (1.0 - 0.6)), 210e9 / 2.6
     for given in ({"young": "210 GPa", "poisson": 0.3}, {"young": 210e9, "poisson": np.float64(0.3)},
@@ -173,6 +179,9 @@ def test_series_take_text_with_units_and_pairs_of_any_kind():
      "Measurement: shear: expected numbers in Pa, got a complex number"),
     (lambda: breccia.Study(BOX, TESTS, measurements=breccia.Measurement("m", shear=([1, 2], ["3 MPa", "2 MPa"]))),
      "Measurement: shear: expected numbers in Pa, got something else among them"),
+    (lambda: breccia.Study(breccia.Stage("a", matrix=RUBBER, box=1e-3, cells=4, fillers=breccia.Filler(
+        GLASS.name, fraction=0.3, sizes=np.array([1e-4, 2e-4]).view(WithUnits))), TESTS, materials=GLASS),
+     "list: expected numbers, or text with units, got a quantity of another package"),
     (lambda: breccia.solve("deck.toml"), r"study: expected a Study, .*read_study\('deck.toml'\)"),
     (lambda: breccia.run(breccia.Study(BOX, TESTS), "nowhere", time_limit=-1), "time_limit: expected a positive number"),
     (lambda: breccia.run(breccia.Study(BOX, TESTS), "nowhere", time_limit=[1]), "time_limit: expected a time"),

@@ -51,7 +51,8 @@ void add_run_arguments(CLI::App& command, RunArguments& arguments) {
       ->type_name("DIR");
   command
       .add_option("--threads", arguments.threads,
-                  "number of threads of each process (default: one for each core, shared by processes)")
+                  "number of threads of each process (default: as many as gain, at most one for each core, shared by "
+                  "processes)")
       ->type_name("N")
       ->check(CLI::Range(1, 1024).description(""));
   command.add_flag("--quiet", arguments.quiet, "print nothing but errors");

@@ -13,7 +13,8 @@ void have_threads_sleep_soon(char** arguments) {
   if (std::getenv("OMP_WAIT_POLICY") != nullptr || std::getenv(rounds_before_sleep) != nullptr) return;
   std::error_code error;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
-  if (error || setenv(rounds_before_sleep, "1000", 0) != 0) return;
+  const bool is_breccia = !error && program.filename().string().starts_with("breccia");  // not a loader or an emulator
+  if (!is_breccia || setenv(rounds_before_sleep, "1000", 0) != 0) return;
   execv(program.c_str(), arguments);
 }
 

@@ -77,11 +77,22 @@ std::vector<std::string> stage_hashes_of(const Deck& document, const Study& stud
     // A later stage that builds on this one adds loads to its tests.
     for (const auto load : loads_of(study, stage)) content += name_of(load);
     content += serves_as_matrix(study.stages, stage.name) ? "matrix" : "last";
-    // The default mixing depends on other stages, too.
+    // The default boundaries and the default mixing depend on other stages, too.
+    for (const auto boundary : study.tests.boundaries) content += name_of(boundary);
     if (study.tests.mixing == Mixing::flow) content += name_of(Mixing::flow);
     hashes.push_back(content_hash(content));
   }
   return hashes;
+}
+
+/// The loads and boundaries that a deck does not name, whose defaults may differ from those of another version.
+std::string default_tests_of(const Deck& document, const Study& study) {
+  const auto tests = document.root().optional_section("tests");
+  const auto is_named = [&](const char* key) { return tests && tests->has(key); };
+  std::string names;
+  for (const auto load : study.tests.loads) names += is_named("loads") ? "" : name_of(load);
+  for (const auto boundary : study.tests.boundaries) names += is_named("boundaries") ? "" : name_of(boundary);
+  return names;
 }
 
 }  // namespace
@@ -91,7 +102,7 @@ void add_hashes(const Deck& document, const std::vector<std::string>& overrides,
   study.provenance.overrides = overrides;
   study.provenance.deck_content_hash = content_hash(deck);
   study.provenance.file_hashes = file_hashes_of(document);
-  study.provenance.hash = content_hash(deck + joined(study.provenance.file_hashes));
+  study.provenance.hash = content_hash(deck + joined(study.provenance.file_hashes) + default_tests_of(document, study));
   study.provenance.stage_hashes = stage_hashes_of(document, study);
   study.provenance.content = content_of(study);
 }

@@ -11,7 +11,7 @@ namespace breccia {
 struct StageDefaults {
   Model model = Model::cells;
   /// Walls of random packings that do not name theirs: a box is periodic, unless the tests name a boundary that would
-  /// cut its particles.
+  /// cut its particles, or name none and another stage asks for walls.
   Walls walls = Walls::periodic;
 };
 

@@ -58,6 +58,20 @@ TEST_F(DeckTests, ARandomPackingIsPeriodicUnlessABoundaryWouldCutIt) {
   EXPECT_EQ(walls_of(periodic, R"(boundaries = ["displacement"])"), Walls::periodic);
 }
 
+TEST_F(DeckTests, ARandomPackingHasWallsBesideAStageThatAsksForThem) {
+  constexpr std::string_view second = R"([[stages]]
+name = "second"
+matrix = "HB-1"
+box = "1 mm"
+cells = 20
+filler = { material = "hmx", fraction = 0.3, sizes = { diameter = "0.2 mm" } }
+packing = { method = "random-sequential", walls = true }
+)";
+  const auto two = directory.study(test::join(test::materials, test::stage, second, "[tests]\n", times));
+  EXPECT_EQ(two.stages.at(0).packed_by<LubachevskyStillingerPacking<2>>()->walls, Walls::hard);
+  EXPECT_THAT(two.tests.boundaries, ElementsAre(Boundary::displacement, Boundary::traction));
+}
+
 TEST_F(DeckTests, APeriodicBoxIsTestedUnderThePeriodicBoundaryAlone) {
   const auto periodic = test::replaced(std::string(test::stage), "stillinger\"", "stillinger\", walls = false");
   const auto boundaries_of = [&](std::string_view lines) {
