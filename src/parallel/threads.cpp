@@ -51,7 +51,9 @@ void share_cores() {
   std::vector<cpu_set_t> all(static_cast<std::size_t>(processes));
   MPI_Allgather(&own, sizeof own, MPI_BYTE, all.data(), sizeof own, MPI_BYTE, machine);
   MPI_Comm_free(&machine);
-  const auto sharing = std::ranges::count_if(all, [&own](const cpu_set_t& other) { return meet(own, other); });
+  // This process is one of them.
+  const auto sharing = std::max<std::ptrdiff_t>(
+      std::ranges::count_if(all, [&own](const cpu_set_t& other) { return meet(own, other); }), 1);
   own_cores() = std::max(1, omp_get_num_procs() / static_cast<int>(sharing));
 }
 
