@@ -34,11 +34,11 @@ struct GapGeometry {
   }
   /// A particle with a share of the cell that has this lowest corner.
   [[nodiscard]] ParticleShare with_share(ImageIndex image, double share, const Vector<dim>& corner) const {
-    constexpr double rounding = 1e-9;
+    constexpr double of_rounding = 1e-9;
     const auto& of_image = phases(image);
     if (of_image.coating_thickness == 0.0) return {of_image, share, 1.0};
     const double all = images.content(image, corner);
-    return {of_image, share, all > rounding ? images.content_of_core(image, corner) / all : 0.0};
+    return {of_image, share, all > of_rounding ? images.content_of_core(image, corner) / all : 0.0};
   }
 };
 
