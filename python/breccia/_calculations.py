@@ -19,9 +19,10 @@ def solve(study: Study, *, threads: int = 0, ignore_memory: bool = False,
           progress: Progress = None) -> _native.Result:
     """Packs the stages of a study and runs their tests. No file is written.
 
-    threads: 0 takes as many as gain, at most the cores; ignore_memory: start even if the study may not fit into the memory;
-    progress: True or False, or a function (what, share, details) that is called a few times a second; by default it is
-    shown in terminals and notebooks. Ctrl-C ends it. Raises InputError and NumericalError.
+    threads: number of threads, 0 for as many as shorten the calculation, at most one for each core; ignore_memory: start
+    even if the study may not fit into the memory; progress: True or False, or a function (what, share, details) that is
+    called a few times a second; by default it is shown in terminals and notebooks. Ctrl-C ends it. Raises InputError and
+    NumericalError.
     """
     with shown(progress) as show:
         return _native.solve(checked(study), threads, ignore_memory, show)

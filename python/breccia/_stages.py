@@ -68,8 +68,8 @@ class Packing(Table):
 
     method: "lubachevsky-stillinger", "random-sequential", "regular", "explicit", "laguerre"; the keys of each are those
     of a deck, such as seed, walls (False in random packings, unless the boundaries of the tests cut particles), columns,
-    rows, lattice, film. particles: of an explicit packing, a file or an array
-    of n rows x, y, diameter [m], in a cube x, y, z, diameter.
+    rows, lattice, film. particles: of an explicit packing, a file or an array of n rows x, y, diameter [m], in a cube
+    x, y, z, diameter.
     """
 
     def __init__(self, method: str | None = None, *, seed: int | None = None, walls: bool | str | None = None,
