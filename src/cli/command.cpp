@@ -51,7 +51,7 @@ void add_run_arguments(CLI::App& command, RunArguments& arguments) {
       ->type_name("DIR");
   command
       .add_option("--threads", arguments.threads,
-                  "number of threads of each process (default: as many as gain, at most one for each core, shared by "
+                  "number of threads of each process (default: as many as help, at most one for each core, shared by "
                   "processes)")
       ->type_name("N")
       ->check(CLI::Range(1, 1024).description(""));

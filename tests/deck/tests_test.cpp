@@ -58,8 +58,7 @@ TEST_F(DeckTests, ARandomPackingIsPeriodicUnlessABoundaryWouldCutIt) {
   EXPECT_EQ(walls_of(periodic, R"(boundaries = ["displacement"])"), Walls::periodic);
 }
 
-TEST_F(DeckTests, ARandomPackingHasWallsBesideAStageThatAsksForThem) {
-  constexpr std::string_view second = R"([[stages]]
+constexpr std::string_view second_stage = R"([[stages]]
 name = "second"
 matrix = "HB-1"
 box = "1 mm"
@@ -67,9 +66,23 @@ cells = 20
 filler = { material = "hmx", fraction = 0.3, sizes = { diameter = "0.2 mm" } }
 packing = { method = "random-sequential", walls = true }
 )";
-  const auto two = directory.study(test::join(test::materials, test::stage, second, "[tests]\n", times));
+
+TEST_F(DeckTests, ARandomPackingHasWallsBesideAStageThatAsksForThem) {
+  const auto two = directory.study(test::join(test::materials, test::stage, second_stage, "[tests]\n", times));
   EXPECT_EQ(two.stages.at(0).packed_by<LubachevskyStillingerPacking<2>>()->walls, Walls::hard);
   EXPECT_THAT(two.tests.boundaries, ElementsAre(Boundary::displacement, Boundary::traction));
+}
+
+// Tasks of a sweep share a stage whose hash is the same; its default boundaries depend on the stages after it.
+TEST_F(DeckTests, TheHashOfAStageHasItsBoundaries) {
+  const auto hash_with = [&](const std::string& later) {
+    const auto study =
+        directory.study(test::join(test::materials, test::stage, later, "[tests]\nmixing = \"series\"\n", times));
+    return study.provenance.stage_hashes.at(0);
+  };
+  const std::string with_walls(second_stage);
+  EXPECT_EQ(hash_with(with_walls), hash_with(test::replaced(with_walls, "0.3", "0.4")));
+  EXPECT_NE(hash_with(with_walls), hash_with(test::replaced(with_walls, "walls = true", "walls = false")));
 }
 
 TEST_F(DeckTests, APeriodicBoxIsTestedUnderThePeriodicBoundaryAlone) {
