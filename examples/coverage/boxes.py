@@ -41,11 +41,13 @@ def volume_of(dim, diameter):
     return pi / 4.0 * diameter**2 if dim == 2 else pi / 6.0 * diameter**3
 
 
-def box_of(dim, kind, seed):
-    """A box of this kind whose smallest particle has a diameter of 1 mm: its side [mm], and its deck."""
+def box_of(dim, kind, seed, wanted=None):
+    """A box of this kind whose smallest particle has a diameter of 1 mm, of so many particles or, without this number, of
+    a few: its side [mm], and its deck."""
     draw = random.Random(f"{dim} {kind} {seed}")
     glassy, binder = binder_of(draw)
     particles = draw.randint(12, 30) if dim == 2 else draw.randint(8, 16)
+    particles = wanted or particles
     fraction = draw.uniform(0.2, 0.65) if dim == 2 else draw.uniform(0.15, 0.5)
     gap = between(draw, 0.005, 0.05)
     method, more, sizes = "lubachevsky-stillinger", "", 'diameter = "1 mm"'

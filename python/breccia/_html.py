@@ -41,13 +41,20 @@ def _decades(test: _native.TestResult) -> Floats:
     return 10.0 ** whole[:: max(1, math.ceil(len(whole) / 9))]
 
 
+def _error(share: float) -> str:
+    """The error of a modulus; nothing where it is not known."""
+    return f" \u00b1 {100 * share:.2g} %" if math.isfinite(share) else ""
+
+
 def _table(tests: list[_native.TestResult]) -> str:
     times = _decades(tests[0])
     head = "".join(f'<th style="text-align:right">{_three_digits(time, "s")}</th>' for time in times)
     rows = []
     for test in tests:
         values = np.exp(np.interp(np.log(times), np.log(test.time), np.log(test.modulus)))
-        cells = "".join(f'<td style="text-align:right">{_three_digits(value, "Pa")}</td>' for value in values)
+        errors = np.interp(np.log(times), np.log(test.time), test.error) if len(test.error) else np.full(len(times), np.nan)
+        cells = "".join(f'<td style="text-align:right">{_three_digits(value, "Pa")}{_error(error)}</td>'
+                        for value, error in zip(values, errors))
         rows.append(f'<tr><th style="text-align:left">{_label(test, tests)}</th>{cells}</tr>')
     return f"<table><tr><th></th>{head}</tr>{''.join(rows)}</table>"
 
@@ -60,6 +67,9 @@ def _plot_of(stage: _native.StageResult, tests: list[_native.TestResult]) -> str
         upper, lower = bounds["displacement"], bounds["traction"]
         if np.array_equal(upper.time, lower.time):
             bands.append(Band(upper.time, lower.modulus, upper.modulus))
+    elif len(tests) == 1 and np.isfinite(tests[0].error).all() and len(tests[0].error):
+        error = np.minimum(tests[0].error, 0.999)
+        bands.append(Band(tests[0].time, tests[0].modulus * (1 - error), tests[0].modulus * (1 + error)))
     for number, comparison in enumerate(stage.comparisons[:1]):
         curves.append(Curve(comparison["measurement"], comparison["time"], comparison["measured"], 5, marks=True))
     return plot(curves, bands)

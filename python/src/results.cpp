@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -52,6 +53,28 @@ py::tuple curve_of(const py::object& owner, const TestResult& test) {
   return py::make_tuple(view_of(test.modulus, &Sample::time, owner), view_of(test.modulus, &Sample::modulus, owner));
 }
 
+/// A part of the error of a test at each of its times [-], NaN where it is not known.
+template <class Part>
+py::array_t<double> shares_of(const TestResult& test, const Part& part) {
+  std::vector<double> shares;
+  for (const auto& error : test.errors) {
+    shares.push_back(std::optional<double>(part(error)).value_or(std::numeric_limits<double>::quiet_NaN()));
+  }
+  return py::array_t<double>(static_cast<py::ssize_t>(shares.size()), shares.data());
+}
+
+py::dict errors_of_test(const TestResult& test) {
+  py::dict errors;
+  const auto add = [&](const char* cause, std::optional<double> ModulusError::*part) {
+    errors[cause] = shares_of(test, [part](const ModulusError& error) { return error.*part; });
+  };
+  add("grid", &ModulusError::grid);
+  add("sample", &ModulusError::sample);
+  add("solver", &ModulusError::solver);
+  add("matrix", &ModulusError::matrix);
+  return errors;
+}
+
 void bind_test(py::module_& module) {
   py::class_<TestResult>(module, "TestResult", "The result of one virtual test under one load. Arrays are views.")
       .def_property_readonly("load", [](const TestResult& test) { return name_of(test.id.load); })
@@ -87,6 +110,16 @@ void bind_test(py::module_& module) {
             return view_of(bands.data(), {static_cast<py::ssize_t>(bands.size())}, self);
           },
           "Half width of the error band of an extrapolated curve at these times [Pa]; else empty.")
+      .def_property_readonly(
+          "error",
+          [](const TestResult& test) { return shares_of(test, [](const auto& error) { return error.whole(); }); },
+          "Error of the modulus at these times over it [-], of all causes; NaN where one is not known. Empty for a "
+          "grid "
+          "beside others.")
+      .def_property_readonly("errors", &errors_of_test,
+                             "Parts of the error by their causes, an array each as `error`: grid, sample (a box that "
+                             "holds few particles), "
+                             "solver, and matrix (of an earlier stage).")
       .def_property_readonly(
           "seconds", [](const TestResult& test) { return test.seconds; },
           "Wall time, of all loads together [s]; None of an extrapolation.")
@@ -206,7 +239,7 @@ void bind_stage(py::module_& module) {
           "grid_error", [](const SolvedStage& stage) { return stage.result.accuracy.grid_error; },
           "Error of the grid over the modulus, largest over the times [-], as several grids show it; None for one.")
       .def_property_readonly(
-          "expected_grid_error", [](const SolvedStage& stage) { return stage.result.accuracy.expected_grid_error; },
+          "expected_grid_error", [](const SolvedStage& stage) { return stage.result.accuracy.rules.one_grid; },
           "Error of a single grid over the modulus that is to be expected by a rule [-]; None where no rule holds.")
       .def_property_readonly(
           "warnings", [](const SolvedStage& stage) { return stage.result.warnings; }, "Reasons to doubt the results.")

@@ -322,7 +322,40 @@ def test_results_say_how_accurate_they_are(tmp_path):
     for same in (breccia.read_results(tmp_path)["model"], pickle.loads(pickle.dumps(two))["model"]):
         assert (same.accuracy, same.grid_error) == (stage.accuracy, stage.grid_error)
     answer = breccia.respond(two, binder=breccia.PronySeries([(0.02, 0.4e6)], equilibrium=1e5))["model"]
-    assert "error of the grid unknown" in answer.accuracy and answer.grid_error is None
+    assert "the whole error is unknown" in answer.accuracy and 0.0 < answer.grid_error < 0.3
+    alone = breccia.respond(pickle.loads(pickle.dumps(breccia.solve(breccia.read_study(
+        MODEL, {**OVERRIDES, **rubber, "stages.0.cells": 60})))), binder=breccia.PronySeries([(0.02, 0.4e6)], equilibrium=1e5))
+    assert "error of the grid unknown" in alone["model"].accuracy
+
+
+def test_moduli_have_errors_by_their_causes(tmp_path):
+    def solved(cells, **more):
+        return breccia.run(breccia.read_study(MODEL, {
+            **OVERRIDES, "materials.binder.shear": breccia.PronySeries([(0.01, 0.5e6)], equilibrium=1e5),
+            "stages.0.packing": {"method": "lubachevsky-stillinger", "walls": False, "seed": 1}, "stages.0.box": "12 mm",
+            "stages.0.cells": cells, "tests.boundaries": ["periodic"], "tests.mixing": "flow", **more}), tmp_path / str(cells),
+            overwrite=True)
+
+    result = solved([48, 96])
+    test = result["model"].test()
+    assert len(test.error) == len(test.time) and np.isfinite(test.error).all()
+    causes = test.errors
+    assert list(causes) == ["grid", "sample", "solver", "matrix"] and not causes["matrix"].any()
+    assert np.allclose(causes["grid"], test.half_bands / test.modulus)
+    assert np.allclose(test.error**2, sum(share**2 for share in causes.values()))
+    assert (causes["sample"] > 0.005).all() and (causes["solver"] < 1e-3).all()
+    assert len(result["model"].test(grid=48).error) == 0, "the result of all grids alone has errors"
+    assert "\u00b1" in result._repr_html_()
+    for same in (breccia.read_results(tmp_path / "[48, 96]"), pickle.loads(pickle.dumps(result))):
+        assert np.array_equal(same["model"].test().error, test.error)
+        assert f"error up to {100 * test.error.max():.2g} %" in same["model"].accuracy
+    answer = breccia.respond(result, breccia.PronySeries([(0.02, 0.4e6)], equilibrium=2e5))["model"]
+    assert np.isfinite(answer.test().error).all() and "error up to" in answer.accuracy
+
+    walled = solved([48, 96], **{"stages.0.packing": {"method": "lubachevsky-stillinger", "walls": True, "seed": 1},
+                                 "tests.boundaries": ["displacement"]})["model"].test()
+    assert np.isnan(walled.error).all() and np.isnan(walled.errors["sample"]).all()
+    assert np.isfinite(walled.errors["grid"]).all()
 
 
 def test_errors_of_a_calculation(binder, particle, tmp_path):

@@ -12,6 +12,7 @@
 #include "results/comparison_file.hpp"
 #include "results/field_files.hpp"
 #include "results/film_field_files.hpp"
+#include "results/error_file.hpp"
 #include "results/history_file.hpp"
 #include "results/microstructure_files.hpp"
 #include "results/provenance.hpp"
@@ -146,6 +147,7 @@ StudyDocument DirectorySink::write_record(const StudyResult& result) const {
 
 void DirectorySink::write_finished_stage(const Stage& stage, const StudyResult& result) const {
   write_comparisons(directory_, result);
+  write_errors(directory_ / "errors.csv", result);
   const auto record = write_record(result);
   write_plots(directory_ / stage.name, study_, stage, result);
   write_study_report(directory_, record);

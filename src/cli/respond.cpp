@@ -188,15 +188,17 @@ void print_warnings(const RespondedStudy& study, std::set<std::string>& printed)
 
 void print(const RespondedStudy& study, const TimeWindow& times) {
   double error = 0.0;
+  std::string accuracies;
   for (const auto& stage : study.stages) {
+    accuracies += fmt::format("{}: {}\n", stage.name, stage.accuracy.summary);
     for (const auto& test : stage.tests) {
       if (!std::isnan(test.error_estimate)) error = std::max(error, test.error_estimate);
     }
   }
   fmt::print(
-      "{}\nwith {}; error of the reduced responses (at the Laplace variables of these times) about {:.1g} %\n"
+      "{}\n{}with {}; error of the reduced responses (at the Laplace variables of these times) about {:.1g} %\n"
       "Curves are in {}\n",
-      tables_of(study.stages, times), study.materials, 100.0 * error, study.out.string());
+      tables_of(study.stages, times), accuracies, study.materials, 100.0 * error, study.out.string());
 }
 
 /// First and last time of the curves of several stages.

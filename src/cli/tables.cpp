@@ -44,18 +44,36 @@ std::array<std::string, 3> heading(const TestResult& test, int dimensions) {
   return {modulus_in_words(test.id.load, dimensions), bound_of(test.id.boundary), name_of(test.id.method)};
 }
 
+/// Whether the whole error of a test is known at one time at least.
+bool has_known_error(const TestResult& test) {
+  return std::ranges::any_of(test.errors, [](const ModulusError& error) { return error.whole().has_value(); });
+}
+
+/// The whole error of a test at its time nearest to the given one: "3.4 %".
+std::string error_at(const TestResult& test, double time) {
+  const auto nearest = std::ranges::min_element(
+      test.modulus, {}, [time](const Sample& sample) { return std::abs(std::log(sample.time / time)); });
+  const auto error = test.errors.at(static_cast<std::size_t>(nearest - test.modulus.begin())).whole();
+  return error ? fmt::format("{:.2g} %", 100.0 * *error) : "unknown";
+}
+
 std::string table_of(const StageResult& stage, const TimeWindow& times) {
   const auto shown = shown_tests(stage);
   if (shown.empty()) return {};
   auto text = "\n" + stage.name;
   for (std::size_t line = 0; line < 3; ++line) {
     text += fmt::format("\n{:>12}", line == 2 ? "time" : "");
-    for (const auto* test : shown) text += fmt::format("  {:>12}", heading(*test, stage.dimensions)[line]);
+    for (const auto* test : shown) {
+      text += fmt::format("  {:>12}", heading(*test, stage.dimensions)[line]);
+      if (has_known_error(*test)) text += fmt::format("  {:>8}", line == 2 ? "error" : "");
+    }
+    text.erase(text.find_last_not_of(' ') + 1);
   }
   for (const double t : logarithmic_times(times, 1)) {
     text += fmt::format("\n{:>12}", display_time(t));
     for (const auto* test : shown) {
       text += fmt::format("  {:>12}", display(smoothed_at(test->modulus, t), "Pa"));
+      if (has_known_error(*test)) text += fmt::format("  {:>8}", error_at(*test, t));
     }
   }
   return text + "\n";

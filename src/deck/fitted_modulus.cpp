@@ -1,5 +1,6 @@
 #include "deck/fitted_modulus.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -73,10 +74,19 @@ struct FitModulus {
 
 }  // namespace
 
+std::string words_on_taken_kind(const std::filesystem::path& file, ModulusKind kind) {
+  return fmt::format(
+      "{} does not say which modulus it has: it is taken for {}; a column such as \"{}modulus_Pa\" says it",
+      file.filename().string(), symbol(kind), column_prefix(kind));
+}
+
 FittedModulus fitted_modulus(const std::filesystem::path& file, ModulusKind kind,
                              std::optional<double> reference_temperature) {
-  const auto [data, measured] = fit_data_in(read_measured_table(file), kind);
-  return std::visit(FitModulus{reference_temperature}, data);
+  const auto table = read_measured_table(file);
+  auto fitted = std::visit(FitModulus{reference_temperature}, fit_data_in(table, kind).data);
+  fitted.names_kind =
+      std::ranges::any_of(table.kinds(), [](ModulusKind one) { return one != ModulusKind::unspecified; });
+  return fitted;
 }
 
 }  // namespace breccia

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "breccia/tables/modulus_kind.hpp"
 #include "breccia/viscoelasticity/prony_series.hpp"
@@ -16,7 +17,12 @@ struct FittedModulus {
   /// Times of the data [s], for dynamic moduli 1 / omega; nothing for a Prony series.
   std::optional<TimeWindow> measured_times;
   std::optional<ShiftLaw> shift_law = {};  ///< law of a master curve (shift_law_of)
+  bool names_kind = false;                 ///< whether the file says which kind of modulus it has
 };
+
+/// The sentence on a modulus whose file does not say of which kind it is: "data.csv does not say which modulus it has:
+/// it is taken for G".
+std::string words_on_taken_kind(const std::filesystem::path& file, ModulusKind kind);
 
 /// The modulus fitted to the measured data in a file (fit_data_in): a relaxation modulus, a creep compliance, dynamic
 /// moduli, or dynamic moduli at several temperatures, as a master curve at the reference temperature [K], which must be

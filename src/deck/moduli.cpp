@@ -59,6 +59,7 @@ PronySeries ModuliReader::read_measured_modulus(const Section& modulus, ModulusK
   modulus.report_errors_of("measured", [&] {
     auto fitted = fitted_modulus(path, kind, temperature);
     series = std::move(fitted.series);
+    if (!fitted.names_kind) modulus.remark("measured", words_on_taken_kind(path, kind));
     if (fitted.shift_law) measured_laws_.push_back(*std::move(fitted.shift_law));
   });
   return series;

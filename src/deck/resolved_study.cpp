@@ -35,6 +35,9 @@ Study resolve(const Deck& document) {
   study.tests.mixing = mixing ? *mixing : default_mixing(study);
   study.measurements = read_measurements(root, study.stages, study.tests);
   for (const auto& mistake : contradictions(study)) root.report("tests", mistake);
+  if (!study.stages.empty() && !document.remarks().empty()) {
+    study.provenance.warnings[study.stages.front().name] = document.remarks();
+  }
   study.provenance.inputs = document.files();
   study.provenance.inputs.push_back(document.path());
   // A study is one task of a sweep: read_sweep makes the others.

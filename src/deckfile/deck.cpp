@@ -123,6 +123,10 @@ Section Deck::root() const {
   return {*state_, &state_->root, ""};
 }
 
+const std::vector<std::string>& Deck::remarks() const noexcept {
+  return state_->remarks;
+}
+
 std::vector<Mistake> Deck::mistakes() const {
   auto mistakes = state_->mistakes;
   add_unknown_keys(*state_, mistakes);

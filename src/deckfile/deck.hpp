@@ -106,6 +106,9 @@ class Section {
 
   /// Reports a mistake in the value of a key, or in the section when it has no such key.
   void report(const std::string& key, const std::string& message) const;
+  /// Records how an ambiguous value of an existing key was read, in words that begin with its path: what is no mistake,
+  /// but the reader of the deck has to know.
+  void remark(const std::string& key, const std::string& message) const;
   /// Runs an action. If it throws InputError, reports each line of the message as a mistake in the value of a key.
   void report_errors_of(const std::string& key, const std::function<void()>& action) const;
   /// Reports those of these keys that are present: they are not allowed here, for the reason given.
@@ -189,6 +192,8 @@ class Deck {
   [[nodiscard]] Section root() const;
   /// All mistakes found so far, including the unknown keys of all tables that were accessed.
   [[nodiscard]] std::vector<Mistake> mistakes() const;
+  /// The readings of ambiguous values so far (Section::remark).
+  [[nodiscard]] const std::vector<std::string>& remarks() const noexcept;
   /// Throws one InputError with all mistakes (refuse_mistakes).
   void finish() const { refuse_mistakes(path(), mistakes()); }
 

@@ -184,6 +184,10 @@ void Section::report(const std::string& key, const std::string& message) const {
   state_->mistakes.push_back({location, path.empty() ? message : fmt::format("{}: {}", path, message)});
 }
 
+void Section::remark(const std::string& key, const std::string& message) const {
+  state_->remarks.push_back(fmt::format("{}: {}", path_of(key), message));
+}
+
 void Section::report_errors_of(const std::string& key, const std::function<void()>& action) const {
   try {
     action();

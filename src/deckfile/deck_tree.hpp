@@ -52,6 +52,7 @@ struct DeckState {
   DeckTable root;
   std::map<const DeckTable*, TableUse> uses;
   std::vector<Mistake> mistakes;
+  std::vector<std::string> remarks;
   std::set<std::filesystem::path> files;  ///< existing files that the deck names
   std::shared_ptr<FileCache> file_cache = std::make_shared<FileCache>();
 };

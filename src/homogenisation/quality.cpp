@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "homogenisation/modulus_errors.hpp"
 #include "homogenisation/narrow_gaps.hpp"
 #include "homogenisation/plan/grid_error.hpp"
 #include "io/display.hpp"
@@ -88,7 +89,6 @@ const LoadQuality& shown_bounds(std::span<const LoadQuality> loads) {
 
 /// The distance of the bounds at the first and the last time.
 std::string words_on_bounds(const StageQuality& quality) {
-  if (quality.loads.empty() && quality.is_periodic) return "periodic boundary: no bounds";
   if (quality.loads.empty()) return "bounds: not tested";
   const auto& shown = shown_bounds(quality.loads);
   if (shown.times.empty()) return "bounds: not tested";
@@ -139,6 +139,36 @@ std::string words_on_grid(const StageQuality& quality) {
   if (quality.grid_share) return fmt::format("grid: error up to {}", words_of(*quality.grid_share));
   if (quality.grids.size() > 1) return "grid: error unknown until every grid is tested";
   return fmt::format("grid: one grid, error {}{}", words_on_expected_error(quality), words_on_second_grid(quality));
+}
+
+/// Whether there is a test under the same load and boundary that is preferred to this one.
+bool has_better(const StageResult& result, const TestResult& test) {
+  return std::ranges::any_of(result.tests, [&](const TestResult& other) {
+    return other.id.load == test.id.load && other.id.boundary == test.id.boundary && is_preferred(other.id, test.id);
+  });
+}
+
+/// The largest of the errors of the preferred tests, of the shears only that of their mean, at all times. `of` returns
+/// one of an error's parts. Nothing where one is not known.
+template <class Part>
+std::optional<double> largest_error(const StageResult& result, const Part& of) {
+  const bool has_mean = std::ranges::any_of(result.tests, [](const auto& test) { return test.id.load.is_isotropic(); });
+  std::optional<double> largest;
+  for (const auto& test : result.tests) {
+    if ((has_mean && is_in_mean(test.id.load, result.dimensions)) || has_better(result, test)) continue;
+    for (const auto& error : test.errors) {
+      const std::optional<double> part = of(error);
+      if (!part) return std::nullopt;
+      largest = std::max(largest.value_or(0.0), *part);
+    }
+  }
+  return largest;
+}
+
+/// The scatter of the packing.
+std::string words_on_packing(const StageQuality& quality) {
+  if (!quality.sample_error) return "packing: one seed, scatter unknown";
+  return fmt::format("packing: one seed, scatter up to about {} by a rule", words_of(*quality.sample_error));
 }
 
 /// The largest ratio of the half band of a test to its modulus; nothing for a single grid.
@@ -225,6 +255,9 @@ StageQuality quality_of(const Study& study, const Stage& stage, const StageResul
   quality.is_periodic =
       std::ranges::any_of(result.tests, [](const TestResult& test) { return test.id.boundary == Boundary::periodic; });
   quality.grid_share = largest_grid_share(result);
+  quality.rules = error_rules_of(study, stage, packed);
+  quality.error = largest_error(result, [](const ModulusError& error) { return error.whole(); });
+  quality.sample_error = largest_error(result, [](const ModulusError& error) { return error.sample; });
   if (const auto* earlier = std::get_if<EarlierStage>(&stage.matrix)) quality.matrix_stage = earlier->name;
   quality.fraction_asked = fraction_asked_of(stage);
   quality.is_random = !stage.fillers.empty() && stage.has_seed();
@@ -255,7 +288,9 @@ std::string words_on_rule(const GridPlan& grid) {
 
 std::string summary_of(const StageQuality& quality) {
   if (quality.particles == 0 && !(quality.fraction > 0.0)) return {};
-  std::vector<std::string> parts{words_on_bounds(quality)};
+  std::vector<std::string> parts;
+  if (quality.error) parts.push_back(fmt::format("error up to {}", words_of(*quality.error)));
+  if (!quality.is_periodic || !quality.loads.empty()) parts.push_back(words_on_bounds(quality));
   if (quality.anisotropy) parts.push_back(words_on_anisotropy(*quality.anisotropy));
   parts.push_back(words_on_grid(quality));
   if (std::isfinite(quality.gap_cells)) parts.push_back(words_on_gap(quality));
@@ -263,13 +298,26 @@ std::string summary_of(const StageQuality& quality) {
   if (!quality.matrix_stage.empty()) {
     parts.push_back(fmt::format("matrix: the errors of stage {} add to these", quality.matrix_stage));
   }
-  if (quality.is_random) parts.emplace_back("packing: one seed, scatter unknown");
+  if (quality.is_random) parts.push_back(words_on_packing(quality));
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 
 StageAccuracy accuracy_of(const StageQuality& quality) {
-  return {summary_of(quality), quality.grid_share,
-          quality.one_grid ? quality.one_grid->error() : std::optional<double>()};
+  return {summary_of(quality), quality.grid_share, quality.rules};
+}
+
+StageAccuracy accuracy_of_answer(const StageResult& answer, const ErrorRules& rules) {
+  StageAccuracy accuracy{.grid_error = largest_grid_share(answer), .rules = rules};
+  const auto whole = largest_error(answer, [](const ModulusError& error) { return error.whole(); });
+  accuracy.summary = "answered from an earlier result; ";
+  if (whole) {
+    accuracy.summary += fmt::format("error up to {}", words_of(*whole));
+  } else if (accuracy.grid_error && *accuracy.grid_error < 1.0) {
+    accuracy.summary += fmt::format("grid: error up to {}; the whole error is unknown", words_of(*accuracy.grid_error));
+  } else {
+    accuracy.summary += "error of the grid unknown for these materials";
+  }
+  return accuracy;
 }
 
 std::vector<std::string> warnings_on_bounds(const StageQuality& quality) {

@@ -52,6 +52,10 @@ struct StageQuality {
   std::optional<double> grid_share;  ///< largest half band of a test over its modulus [-]; nothing for a single grid
   /// The error of a single grid to be expected by a rule; nothing for several grids, and for films.
   std::optional<GridPlan> one_grid = {};
+  ErrorRules rules = {};
+  /// The largest whole error, and the largest part of the sample in it, of the preferred tests at all times [-];
+  /// nothing where one of them is not known.
+  std::optional<double> error = {}, sample_error = {};
   std::vector<LoadQuality> loads;             ///< bounds of the finished tests
   std::optional<Anisotropy> anisotropy = {};  ///< of the shears of which the result is the mean
 
@@ -75,13 +79,16 @@ std::optional<std::array<int, 2>> grids_that_measure(const StageQuality& quality
 std::string words_on_rule(const GridPlan& grid);
 
 /// The quality in words: "bounds 18 % apart at 1 ms, 34 % at 100 s; grid: one grid, error up to about 4 % by a
-/// rule (cells = [75, 150] measures it); narrowest gap: 3 cells; packing: one seed, scatter unknown". For several loads
-/// or methods it reports the bounds that cross each other by most, or else the first ones, and names them. Empty for a
-/// box without particles.
+/// rule (cells = [75, 150] measures it); narrowest gap: 3 cells; packing: one seed, scatter unknown". It begins with
+/// the whole error where that is known, "error up to 5.2 %". For several loads or methods it reports the bounds that
+/// cross each other by most, or else the first ones, and names them. Empty for a box without particles.
 std::string summary_of(const StageQuality& quality);
 
 /// The quality as a result of the stage has it.
 StageAccuracy accuracy_of(const StageQuality& quality);
+
+/// The accuracy of a stage that was answered from its reduced responses under these rules.
+StageAccuracy accuracy_of_answer(const StageResult& answer, const ErrorRules& rules);
 
 /// A warning, without the name of the stage, for each load and method whose upper bound is below the lower one beyond
 /// the error of the grids, with the likely causes.

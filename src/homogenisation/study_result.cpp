@@ -16,6 +16,25 @@ double distance_from_one(const ComparedSample& sample) {
 
 }  // namespace
 
+std::optional<double> ModulusError::whole() const {
+  double squares = 0.0;
+  for (const auto& cause : {grid, sample, solver, matrix}) {
+    if (!cause) return std::nullopt;
+    squares += *cause * *cause;
+  }
+  return std::sqrt(squares);
+}
+
+std::optional<double> largest_whole(const std::vector<ModulusError>& errors) {
+  std::optional<double> largest;
+  for (const auto& error : errors) {
+    const auto whole = error.whole();
+    if (!whole) return std::nullopt;
+    largest = std::max(largest.value_or(0.0), *whole);
+  }
+  return largest;
+}
+
 const TestResult* find_preferred_test(const std::vector<TestResult>& tests, TestLoad load, Boundary boundary,
                                       Method method) {
   const TestResult* best = nullptr;

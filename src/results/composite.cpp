@@ -177,7 +177,7 @@ StudyContent study_content(const Study& study, const StudyResult& result) {
 std::vector<StageSeries> series_of(const StageFindings& stage) {
   std::vector<StageSeries> all;
   for (const auto* const test : best_tests(stage)) {
-    all.push_back({stage.name, test->id.load, test->id.boundary, test->series});
+    all.push_back({stage.name, test->id.load, test->id.boundary, test->series, largest_whole(test->errors)});
   }
   return all;
 }
@@ -185,11 +185,11 @@ std::vector<StageSeries> series_of(const StageFindings& stage) {
 Composite composite_of(const StudyContent& content, const std::vector<StageSeries>& series,
                        const CompositeChoice& choice, const std::string& place) {
   const auto chosen = Chooser(place, series, choice).resolved();
-  const auto find = [&](TestLoad load) -> std::optional<PronySeries> {
+  const auto find = [&](TestLoad load) {
     const auto found = std::ranges::find_if(series, [&](const StageSeries& one) {
       return one.stage == chosen.stage && one.boundary == *chosen.boundary && one.load == load;
     });
-    return found == series.end() ? std::nullopt : std::optional(found->series);
+    return found == series.end() ? std::nullopt : std::optional(*found);
   };
   const auto* const stage = find_stage(content, chosen.stage);
   if (stage == nullptr) throw FileError(fmt::format("{}: no stage {}", place, chosen.stage));
@@ -199,8 +199,10 @@ Composite composite_of(const StudyContent& content, const std::vector<StageSerie
   composite.boundary = *chosen.boundary;
   composite.shear_load = *chosen.shear_load;
   composite.dimensions = stage->dimensions;
-  composite.shear = find(*chosen.shear_load).value();
-  composite.dilatational = find(Load::bulk);
+  const auto shear = find(*chosen.shear_load).value();
+  composite.shear = shear.series;
+  composite.shear_error = shear.error;
+  if (const auto bulk = find(Load::bulk)) composite.dilatational = bulk->series;
   composite.times = content.times;
   add_materials(content, *stage, place, composite);
   return composite;

@@ -36,6 +36,7 @@ struct Composite {
   std::optional<PronySeries> dilatational;  ///< modulus of the bulk test: K(t), in plane strain K(t) + G(t)/3 [Pa]
   std::optional<TemperatureShift> shift;    ///< shift of the binder, if no other material of the composite relaxes
   TimeWindow times;                         ///< first and last time of the study [s]
+  std::optional<double> shear_error = {};   ///< largest whole error of G(t) [-]; nothing where it is not known
 
   /// K(t) [Pa], where there was a bulk test. In plane strain it is a difference, whose terms may be negative.
   [[nodiscard]] std::optional<PronySeries> bulk() const;
@@ -70,6 +71,7 @@ struct StageSeries {
   TestLoad load = Load::shear;
   Boundary boundary = Boundary::displacement;
   PronySeries series = {};
+  std::optional<double> error = {};  ///< largest whole error of the modulus [-]; nothing where it is not known
 };
 
 /// The series of the preferred test (is_preferred) for each load and boundary condition of a stage.

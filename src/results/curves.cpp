@@ -11,6 +11,7 @@
 #include "results/best_tests.hpp"
 #include "results/dynamic_curves.hpp"
 #include "results/engineering_tables.hpp"
+#include "results/error_file.hpp"
 #include "results/test_columns.hpp"
 #include "tables/csv.hpp"
 
@@ -84,11 +85,6 @@ void write_series(const std::filesystem::path& file, const StudyResult& result) 
                    {"modulus_Pa", moduli}});
 }
 
-/// A number with all its digits; empty if it is unknown.
-std::string text_of(const std::optional<double>& number) {
-  return number ? fmt::format("{}", *number) : "";
-}
-
 void write_quality(const std::filesystem::path& file, const StudyResult& result) {
   std::vector<std::string> stages, loads, methods, upper, lower, distances, half_bands;
   std::vector<double> times;
@@ -99,10 +95,10 @@ void write_quality(const std::filesystem::path& file, const StudyResult& result)
         loads.push_back(name_of(load));
         methods.push_back(name_of(method));
         times.push_back(at.time);
-        upper.push_back(text_of(at.upper));
-        lower.push_back(text_of(at.lower));
-        distances.push_back(text_of(at.distance()));
-        half_bands.push_back(text_of(at.grid_half_band));
+        upper.push_back(text_if_known(at.upper));
+        lower.push_back(text_if_known(at.lower));
+        distances.push_back(text_if_known(at.distance()));
+        half_bands.push_back(text_if_known(at.grid_half_band));
       }
     }
   }
@@ -131,6 +127,7 @@ void write_curves(const std::filesystem::path& directory, const StudyResult& res
   write_dynamic_curves(directory / "dynamic.csv", result, rows);
   write_engineering_tables(directory, result, rows);
   write_quality(directory / "quality.csv", result);
+  write_errors(directory / "errors.csv", result);
 }
 
 }  // namespace breccia

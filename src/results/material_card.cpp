@@ -196,6 +196,9 @@ std::vector<std::string> origin_of(const Composite& composite, const CardSetting
   if (card.bulk_deviation) {
     lines.back() += fmt::format(", within {}, by {}", percent(*card.bulk_deviation), terms_in_words(card.bulk));
   }
+  lines.push_back(composite.shear_error
+                      ? fmt::format("The error of G(t) in the results is up to {}", percent(*composite.shear_error))
+                      : "The error of G(t) in the results is not known");
   if (is_plane_strain(composite.dimensions)) {
     lines.emplace_back("The results are of plane strain; the card takes their G and K for those of a solid");
   }

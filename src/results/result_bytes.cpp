@@ -36,14 +36,21 @@ template <>
 struct JsonForm<Creep> : JsonColumns<Creep> {};
 
 template <>
+inline constexpr auto fields<ModulusError> = std::tuple(field("grid", &ModulusError::grid),
+                                                        field("sample", &ModulusError::sample),
+                                                        field("solver", &ModulusError::solver),
+                                                        field("matrix", &ModulusError::matrix));
+
+template <>
 TestResult blank_value() {
   return {.id = blank_value<TestId>()};
 }
 template <>
-inline constexpr auto fields<TestResult> = std::tuple(
-    field("id", &TestResult::id), field("modulus", &TestResult::modulus), field("compliance", &TestResult::compliance),
-    field("series", &TestResult::series), field("error_estimate", &TestResult::error_estimate),
-    field("half_bands", &TestResult::half_bands), field("seconds", &TestResult::seconds));
+inline constexpr auto fields<TestResult> =
+    std::tuple(field("id", &TestResult::id), field("modulus", &TestResult::modulus),
+               field("compliance", &TestResult::compliance), field("series", &TestResult::series),
+               field("error_estimate", &TestResult::error_estimate), field("half_bands", &TestResult::half_bands),
+               field("errors", &TestResult::errors), field("seconds", &TestResult::seconds));
 
 template <>
 inline constexpr auto fields<Material> = std::tuple(field("name", &Material::name),
@@ -76,10 +83,14 @@ inline constexpr auto fields<Comparison> = std::tuple(field("measurement", &Comp
                                                       field("samples", &Comparison::samples));
 
 template <>
+inline constexpr auto fields<ErrorRules> = std::tuple(field("one_grid", &ErrorRules::one_grid),
+                                                      field("sample", &ErrorRules::sample),
+                                                      field("effective_particles", &ErrorRules::effective_particles));
+
+template <>
 inline constexpr auto fields<StageAccuracy> = std::tuple(field("summary", &StageAccuracy::summary),
                                                          field("grid_error", &StageAccuracy::grid_error),
-                                                         field("expected_grid_error",
-                                                               &StageAccuracy::expected_grid_error));
+                                                         field("rules", &StageAccuracy::rules));
 
 template <>
 inline constexpr auto fields<StageFindings> =

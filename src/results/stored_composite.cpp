@@ -1,6 +1,7 @@
 #include "results/stored_composite.hpp"
 
 #include <cmath>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -8,12 +9,34 @@
 
 #include "breccia/error.hpp"
 
+#include "results/error_file.hpp"
 #include "results/stored_document.hpp"
 #include "tables/csv.hpp"
 
 namespace breccia {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+/// Adds the largest errors of the moduli; none where the results have no such file.
+void add_errors(const fs::path& file, std::vector<StageSeries>& all) {
+  if (!fs::exists(file)) return;
+  const auto table = read_error_table(file);
+  for (auto& one : all) {
+    std::map<std::string, std::vector<ModulusError>> errors;  // by methods
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+      const bool is_of_it = table.text("stage")[row] == one.stage && table.text("load")[row] == name_of(one.load) &&
+                            table.text("boundary")[row] == name_of(one.boundary);
+      if (is_of_it) errors[table.text("method")[row]].push_back(error_in(table, row));
+    }
+    // Where both methods ran, the series is that of the quasi-static one.
+    const auto found = errors.size() > 1 ? errors.find(name_of(Method::quasistatic)) : errors.begin();
+    if (found != errors.end()) one.error = largest_whole(found->second);
+  }
+}
+
+}  // namespace
 
 std::vector<StageSeries> read_stored_series(const fs::path& directory) {
   const auto table = read_csv(directory / "prony.csv", {"stage", "load", "boundary"});
@@ -46,6 +69,7 @@ std::vector<StageSeries> read_stored_series(const fs::path& directory) {
     }
   }
   finish();
+  add_errors(directory / "errors.csv", all);
   return all;
 }
 

@@ -37,6 +37,7 @@ std::vector<StageResponses> read_stored_responses(const fs::path& directory, con
     }
     for (const auto& filler : stage.fillers) responses.fillers.push_back(filler.material);
     responses.warnings = stage.warnings;
+    responses.rules = rules_of_responses(rules_in(stage.quality));
     if (const auto note = note_on_responses(file)) responses.warnings.push_back(*note);
     if (const auto note = note_on_completeness(directory, document)) responses.warnings.push_back(*note);
     all.push_back(std::move(responses));

@@ -11,6 +11,7 @@
 #include "breccia/error.hpp"
 
 #include "results/best_tests.hpp"
+#include "results/error_file.hpp"
 #include "results/stored_composite.hpp"
 #include "results/stored_document.hpp"
 #include "results/stored_responses.hpp"
@@ -73,6 +74,21 @@ void add_half_bands(const fs::path& file, std::vector<StageFindings>& stages) {
   for (std::size_t row = 0; row < table.rows(); ++row) {
     auto& test = test_in(stages, table.text("stage")[row], id_of_row(table, row), table.location(row));
     test.half_bands.push_back(table.numbers("half_band_Pa")[row]);
+  }
+}
+
+void add_errors(const fs::path& file, std::vector<StageFindings>& stages) {
+  if (!fs::exists(file)) return;
+  const auto table = read_error_table(file);
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    auto& test = test_in(stages, table.text("stage")[row], id_of_row(table, row), table.location(row));
+    test.errors.push_back(error_in(table, row));
+  }
+  for (const auto& stage : stages) {
+    for (const auto& test : stage.tests) {
+      const bool is_complete = test.errors.empty() || test.errors.size() == test.modulus.size();
+      if (!is_complete) refuse(file.string(), ": not an error for each row of curves.csv");
+    }
   }
 }
 
@@ -141,7 +157,7 @@ StageFindings findings_of(const StageEntry& entry) {
   stage.point_fraction = entry.point_fraction;
   stage.warnings = entry.warnings;
   const auto& quality = entry.quality;
-  stage.accuracy = {quality.summary, quality.grid_error, quality.expected_grid_error};
+  stage.accuracy = {quality.summary, quality.grid_error, rules_in(quality)};
   for (const auto& grid : entry.grids) stage.cells = std::max(stage.cells, grid.cells().value_or(0));
   return stage;
 }
@@ -158,6 +174,7 @@ StoredStudy read_stored_study(const fs::path& directory) {
   for (std::size_t i = 0; i < stages.size(); ++i) add_records(document.stages[i], stages[i]);
   add_compliances(directory / "compliance.csv", stages);
   add_half_bands(directory / "extrapolation.csv", stages);
+  add_errors(directory / "errors.csv", stages);
   add_comparisons(directory / "comparison.csv", stages);
   add_series(directory, stages);
   study.responses = read_stored_responses(directory, document);

@@ -67,6 +67,11 @@ void require_positive_moduli(const StudyDocument& document) {
 
 }  // namespace
 
+ErrorRules rules_in(const QualityEntry& quality) {
+  return {quality.expected_grid_error, quality.sample.value_or(SampleKind::unknown),
+          quality.effective_particles.value_or(0.0)};
+}
+
 PronySeries JsonForm<PronySeries>::read(const Json& json) {
   const auto entry = value_from<SeriesEntry>(json);
   std::vector<MaxwellTerm> positive, negative;

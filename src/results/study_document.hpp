@@ -268,6 +268,9 @@ struct QualityEntry {
   std::optional<std::string> grid_rule = {};
   std::optional<std::vector<int>> measuring_grids = {};
   std::optional<int> seeds = {};
+  std::optional<SampleKind> sample = {};
+  std::optional<double> effective_particles = {};
+  std::optional<double> error = {}, sample_error = {};
   std::vector<LoadBoundsEntry> bounds = {};
   std::optional<Anisotropy> anisotropy = {};
 };
@@ -280,7 +283,14 @@ inline constexpr auto fields<QualityEntry> = std::tuple(
     field("grid_error", &QualityEntry::grid_error), field("expected_grid_error", &QualityEntry::expected_grid_error),
     field_if_any("grid_rule", &QualityEntry::grid_rule),
     field_if_any("measuring_grids", &QualityEntry::measuring_grids), field("seeds", &QualityEntry::seeds),
-    field("bounds", &QualityEntry::bounds), field_if_any("anisotropy", &QualityEntry::anisotropy));
+    field_if_any("sample", &QualityEntry::sample),
+    field_if_any("effective_particles", &QualityEntry::effective_particles),
+    field_if_any("largest_error", &QualityEntry::error),
+    field_if_any("largest_sample_error", &QualityEntry::sample_error), field("bounds", &QualityEntry::bounds),
+    field_if_any("anisotropy", &QualityEntry::anisotropy));
+
+/// The rules for the errors of a stage's moduli, as its quality has them.
+[[nodiscard]] ErrorRules rules_in(const QualityEntry& quality);
 
 template <>
 inline constexpr auto fields<FillerShare> = std::tuple(field("material", &FillerShare::material),

@@ -136,10 +136,12 @@ QualityEntry entry_of(const StageQuality& quality) {
                      .coating_cells = quality.coating_cells,
                      .grids = quality.grids.size(),
                      .grid_error = quality.grid_share};
-  if (quality.one_grid) {
-    entry.expected_grid_error = quality.one_grid->error();
-    entry.grid_rule = words_on_rule(*quality.one_grid);
-  }
+  entry.expected_grid_error = quality.rules.one_grid;
+  if (quality.one_grid) entry.grid_rule = words_on_rule(*quality.one_grid);
+  entry.sample = quality.rules.sample;
+  entry.effective_particles = quality.rules.effective_particles;
+  entry.error = quality.error;
+  entry.sample_error = quality.sample_error;
   if (const auto grids = grids_that_measure(quality)) entry.measuring_grids.emplace(grids->begin(), grids->end());
   entry.anisotropy = quality.anisotropy;
   if (quality.is_random) entry.seeds = 1;

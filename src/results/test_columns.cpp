@@ -1,6 +1,12 @@
 #include "results/test_columns.hpp"
 
+#include <fmt/format.h>
+
 namespace breccia {
+
+std::string text_if_known(const std::optional<double>& number) {
+  return number ? fmt::format("{}", *number) : "";
+}
 
 void TestColumns::add(const std::string& stage, const TestId& test) {
   stages.push_back(stage);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,9 @@
 #include "tables/csv.hpp"
 
 namespace breccia {
+
+/// A number of a table with all its digits; empty where it is not known.
+std::string text_if_known(const std::optional<double>& number);
 
 /// The columns of a table with the stage and the test of each row.
 struct TestColumns {

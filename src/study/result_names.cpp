@@ -8,7 +8,7 @@
 namespace breccia {
 
 std::vector<std::string> curve_files() {
-  return {"curves.csv",        "compliance.csv",          "dynamic.csv", "engineering.csv",
+  return {"curves.csv",        "compliance.csv",          "dynamic.csv", "engineering.csv", "errors.csv",
           "extrapolation.csv", "engineering_dynamic.csv", "prony.csv",   "quality.csv"};
 }
 

@@ -9,6 +9,7 @@ namespace breccia {
 namespace {
 
 using testing::ElementsAre;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
@@ -201,7 +202,7 @@ TEST(Quality, WarnsOfFewParticlesAndOfAnotherFraction) {
 TEST(Quality, PeriodicTestsHaveAGridErrorAndNoBounds) {
   auto stage = random_stage();
   const auto alone = quality_of(Study{}, stage, result_of({constant(Boundary::periodic, TestGrid(100), 100.0)}));
-  EXPECT_THAT(summary_of(alone), StartsWith("periodic boundary: no bounds; grid: one grid, error up to about 1.4 %"));
+  EXPECT_THAT(summary_of(alone), StartsWith("grid: one grid, error up to about 1.4 %"));
   // With one cell in the narrowest gap the error may be of any size.
   auto narrow = result_of({constant(Boundary::periodic, TestGrid(100), 100.0)});
   narrow.microstructure.wall_gap = 1e-5;
@@ -213,11 +214,27 @@ TEST(Quality, PeriodicTestsHaveAGridErrorAndNoBounds) {
       result_of({constant(Boundary::periodic, TestGrid(50), 110.0), constant(Boundary::periodic, TestGrid(100), 105.0),
                  extrapolated(Boundary::periodic, 100.0, 7.0)}));
   EXPECT_NEAR(periodic.grid_share.value(), 0.07, 1e-12);
-  EXPECT_THAT(summary_of(periodic), StartsWith("periodic boundary: no bounds; grid: error up to 7 %; "));
+  EXPECT_THAT(summary_of(periodic), StartsWith("grid: error up to 7 %; "));
   const auto apart = quality_of(Study{}, stage, result_of({extrapolated(Boundary::periodic, 100.0, 100.0)}));
   EXPECT_THAT(summary_of(apart), HasSubstr("grid: error of any size, since the grids differ too much"));
   const auto unfinished = quality_of(Study{}, stage, result_of({constant(Boundary::periodic, TestGrid(50), 110.0)}));
   EXPECT_THAT(summary_of(unfinished), HasSubstr("grid: error unknown until every grid is tested; ")) << "two grids";
+}
+
+TEST(Quality, BeginsWithTheLargestWholeErrorWhereItIsKnown) {
+  auto stage = random_stage();
+  stage.coarser_cells = {50};
+  auto test = extrapolated(Boundary::periodic, 100.0, 3.0);
+  test.errors.assign(test.modulus.size(), {.grid = 0.03, .sample = 0.04, .solver = 0.0, .matrix = 0.0});
+  test.errors.back().sample = 0.072;
+  const auto known = quality_of(Study{}, stage, result_of({test}));
+  EXPECT_NEAR(known.error.value(), 0.078, 1e-12);
+  EXPECT_THAT(summary_of(known), StartsWith("error up to 7.8 %; grid: error up to 3 %; "));
+  EXPECT_THAT(summary_of(known), EndsWith("packing: one seed, scatter up to about 7.2 % by a rule"));
+  test.errors.front().sample.reset();
+  const auto unknown = summary_of(quality_of(Study{}, stage, result_of({test})));
+  EXPECT_THAT(unknown, StartsWith("grid: error up to 3 %; "));
+  EXPECT_THAT(unknown, EndsWith("packing: one seed, scatter unknown"));
 }
 
 TEST(Quality, TheGridErrorIsTheLargestOfAllTests) {

@@ -33,7 +33,8 @@ StageFindings findings() {
        Method::dynamic,
        {{"A", 1500.0, PronySeries::difference(PronySeries(3.0), creep.series), creep.series}, {0.1, 10.0}, 1e-3, 0.0}}};
   stage.comparisons = {{"measured \xc2\xb5", limit.id, {{1.0, 2.0, 3.0}}}};
-  stage.accuracy = {"grid: one grid, error up to about 4 % by a rule", {}, 0.04};
+  stage.accuracy = {"grid: one grid, error up to about 4 % by a rule", {}, {0.04, SampleKind::grains, 12.5}};
+  stage.tests.back().errors = {{0.1, {}, 0.0, 0.2}};
   stage.warnings = {"doubt"};
   return stage;
 }
@@ -58,7 +59,11 @@ TEST(ResultBytes, GiveTheSameBits) {
   EXPECT_EQ(found.comparisons.at(0).best().ratio(), 2.0 / 3.0);
   EXPECT_EQ(found.accuracy.summary, stage.accuracy.summary);
   EXPECT_FALSE(found.accuracy.grid_error);
-  EXPECT_EQ(found.accuracy.expected_grid_error, 0.04);
+  EXPECT_EQ(found.accuracy.rules.one_grid, 0.04);
+  EXPECT_EQ(found.accuracy.rules.sample, SampleKind::grains);
+  EXPECT_EQ(found.accuracy.rules.effective_particles, 12.5);
+  EXPECT_EQ(found.tests[1].errors.at(0).matrix, 0.2);
+  EXPECT_FALSE(found.tests[1].errors[0].sample);
   EXPECT_EQ(found.warnings, stage.warnings);
 }
 

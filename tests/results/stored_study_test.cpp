@@ -64,7 +64,7 @@ TEST_F(StoredStudyTest, HasCurvesRecordsAndTheSeriesOfThePreferredTest) {
   EXPECT_EQ(stage.warnings, std::vector<std::string>{"doubt"});
   EXPECT_EQ(stage.accuracy.summary, "grid: error up to 2 %");
   EXPECT_EQ(stage.accuracy.grid_error, 0.02);
-  EXPECT_FALSE(stage.accuracy.expected_grid_error);
+  EXPECT_FALSE(stage.accuracy.rules.one_grid);
   ASSERT_EQ(stage.tests.size(), 2U);
   EXPECT_EQ(stage.tests[0].modulus, (Curve{{1.0, 4.0}, {2.0, 3.0}}));
   EXPECT_EQ(stage.tests[1].error_estimate, 2e-4);
@@ -73,6 +73,20 @@ TEST_F(StoredStudyTest, HasCurvesRecordsAndTheSeriesOfThePreferredTest) {
   EXPECT_EQ(stage.tests[0].series, PronySeries()) << "prony.csv has those of the finest grid alone";
   EXPECT_EQ(stage.tests[1].series, PronySeries(1.0, {{3.0, 2.0}}));
   EXPECT_TRUE(study.responses.empty());
+}
+
+TEST_F(StoredStudyTest, HasTheErrorsOfTheModuli) {
+  const std::string head =
+      "stage,load,boundary,method,cells,time_s,modulus_Pa,error,grid_error,sample_error,solver_error,matrix_error\n";
+  const std::string first = "box,shear,traction,quasistatic,16,1,2,0.05,0.03,0.04,0,0\n";
+  directory.write("errors.csv", head + first + "box,shear,traction,quasistatic,16,2,1,,0.03,,0,0\n");
+  const auto study = read_stored_study(directory.path());
+  EXPECT_TRUE(study.stages.at(0).tests.at(0).errors.empty());
+  ASSERT_EQ(study.stages[0].tests.at(1).errors.size(), 2U);
+  EXPECT_EQ(study.stages[0].tests[1].errors[0].whole(), 0.05);
+  EXPECT_FALSE(study.stages[0].tests[1].errors[1].sample);
+  directory.write("errors.csv", head + first);
+  EXPECT_THAT(refusal(), HasSubstr("errors.csv: not as `breccia run` writes it: not an error for each row"));
 }
 
 TEST_F(StoredStudyTest, ATableOfAnotherStudyIsRefused) {

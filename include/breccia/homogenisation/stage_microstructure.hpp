@@ -26,8 +26,11 @@ struct StageMicrostructure {
   double gap = 0.0;                 ///< smallest gap between two coated particles, or film between grains [m]; infinite
                                     ///< without two particles
   std::vector<FillerStatistics> fillers = {};  ///< statistics of the fillers, in the order of the stage
-  std::uint64_t events = 0;                    ///< number of events of the packing
-  double seconds = 0.0;                        ///< wall time of the packing [s]
+  /// The square of the sum of the particles' volumes over the sum of their squares (areas in two dimensions): the
+  /// number of equal particles, less where some are far larger than others; 0 for an image.
+  double effective_particles = 0.0;
+  std::uint64_t events = 0;  ///< number of events of the packing
+  double seconds = 0.0;      ///< wall time of the packing [s]
 
   /// The content of the box, if it is of this type, such as Microstructure<2>; nullptr otherwise.
   template <class Content>

@@ -36,11 +36,15 @@ struct StageResponses {
   SampledRange range = SampledRange::matrix;  ///< range of moduli over which the responses were sampled
   Mixing mixing = Mixing::series;  ///< mixing of the stage, which determines how results on several grids are combined
   TestLoad shear = Load::shear;    ///< load whose modulus is G of the stage as a material
-  /// Names of the materials of the stage's fillers, and the warnings about the stage in the study. A response file
-  /// holds neither; they are read from `study.json`.
+  /// Names of the materials of the stage's fillers, the warnings about the stage in the study, and the rules for its
+  /// errors. A response file holds none of them; they are read from `study.json`.
   std::vector<std::string> fillers = {}, warnings = {};
+  ErrorRules rules = {};
   std::vector<Entry> entries;
 };
+
+/// The rules of a study that hold for other materials, too: those for a single grid do not.
+ErrorRules rules_of_responses(ErrorRules rules);
 
 /// The reduced responses of a stage from its result; without entries where none of its tests was computed by the
 /// quasi-static method with the reduced solver. Throws InputError where the result has another name or grid.

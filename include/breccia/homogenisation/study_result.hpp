@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "breccia/virtual_test/homogenised_material.hpp"
 #include "breccia/virtual_test/test_fields.hpp"
 #include "breccia/virtual_test/time_domain.hpp"
+#include "breccia/words.hpp"
 
 namespace breccia {
 
@@ -43,6 +45,22 @@ struct MeanRecord {
   std::vector<Load> loads = {};
 };
 
+/// The error of a modulus by its causes, each as a share of the modulus [-]; nothing where it is not known.
+struct ModulusError {
+  std::optional<double> grid = {};    ///< of the cells: measured by several grids, or to be expected of one by a rule
+  std::optional<double> sample = {};  ///< of a box that holds few particles, by a rule (theory, Eq. 43h)
+  std::optional<double> solver = {};  ///< of the reduced basis, or of the time steps
+  /// Of an earlier stage that is the matrix: its whole error, which changes the modulus by this share at most; 0 where
+  /// the matrix is a material.
+  std::optional<double> matrix = {};
+
+  /// The root of the sum of the squares of all causes [-]; nothing where one of them is not known.
+  [[nodiscard]] std::optional<double> whole() const;
+};
+
+/// The largest whole error of a list [-]; nothing where one is not known, and for an empty list.
+[[nodiscard]] std::optional<double> largest_whole(const std::vector<ModulusError>& errors);
+
 /// The result of one virtual test of one stage under one load: its curves and their errors, and a record of the
 /// computation.
 struct TestResult {
@@ -54,6 +72,9 @@ struct TestResult {
   /// it is unknown.
   double error_estimate = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> half_bands = {};  ///< half width of the error band of an extrapolated modulus at each time [Pa]
+  /// The error of the modulus at each time, once all tests of the stage are done; empty for a test that is not the
+  /// preferred one of its load, boundary and method.
+  std::vector<ModulusError> errors = {};
   /// Wall time [s], of a quasi-static test that of all loads together; nothing for extrapolated curves.
   std::optional<double> seconds = {};
   TestFields fields = {};  ///< fields; without times where a sink has stored them
@@ -96,11 +117,32 @@ struct Comparison {
   [[nodiscard]] const ComparedSample& worst() const;
 };
 
-/// What is known of the accuracy of a stage's moduli.
+/// The kind of sample that a box is of its material, on which the scatter from box to box depends.
+enum class SampleKind {
+  whole,      ///< a regular array, or a box without particles: another box of the same make has the same moduli
+  particles,  ///< random particles in a matrix
+  grains,     ///< random grains that fill the box
+  unknown     ///< an image, or listed particles
+};
+
+template <>
+inline constexpr auto words<SampleKind> = std::to_array<Word<SampleKind>>({{"whole", SampleKind::whole},
+                                                                           {"particles", SampleKind::particles},
+                                                                           {"grains", SampleKind::grains},
+                                                                           {"unknown", SampleKind::unknown}});
+
+/// The rules for those errors of a stage's moduli that its curves do not show.
+struct ErrorRules {
+  std::optional<double> one_grid = {};  ///< error of a single grid [-]; nothing where no rule holds, and for several
+  SampleKind sample = SampleKind::unknown;
+  double effective_particles = 0.0;  ///< number by which the scatter is estimated (theory, Eq. 43h)
+};
+
+/// What is known of the accuracy of a stage's moduli. The error of each modulus is in TestResult::errors.
 struct StageAccuracy {
-  std::string summary = {};                        ///< in words; empty for a box without particles
-  std::optional<double> grid_error = {};           ///< error of several grids [-]; nothing for one, and for films
-  std::optional<double> expected_grid_error = {};  ///< error of one grid by a rule [-]; nothing where none holds
+  std::string summary = {};               ///< in words; empty for a box without particles
+  std::optional<double> grid_error = {};  ///< largest error of several grids [-]; nothing for one, and for films
+  ErrorRules rules = {};
 };
 
 /// The results of the tests of one stage so far.

@@ -13,6 +13,7 @@
 
 #include "breccia/microstructure/statistics.hpp"
 
+#include "homogenisation/box/effective_number.hpp"
 #include "homogenisation/box/shaped_measures.hpp"
 #include "microstructure/image/image_statistics.hpp"
 #include "microstructure/tessellation/tessellation_statistics.hpp"
@@ -34,11 +35,17 @@ double diameter_below(std::span<const double> rising_areas, double share) {
 }
 
 template <int dim>
-SizesByArea sizes_by_area(const std::vector<GrainGeometry<dim>>& grains, double GrainGeometry<dim>::*area) {
-  if (grains.empty()) return {};
+std::vector<double> areas_of(const std::vector<GrainGeometry<dim>>& grains, double GrainGeometry<dim>::*area) {
   std::vector<double> areas;
   areas.reserve(grains.size());
   for (const auto& grain : grains) areas.push_back(grain.*area);
+  return areas;
+}
+
+template <int dim>
+SizesByArea sizes_by_area(const std::vector<GrainGeometry<dim>>& grains, double GrainGeometry<dim>::*area) {
+  if (grains.empty()) return {};
+  auto areas = areas_of(grains, area);
   std::ranges::sort(areas);
   return {diameter_below<dim>(areas, 0.1), diameter_below<dim>(areas, 0.5)};
 }
@@ -84,6 +91,7 @@ void measure_content(const Stage&, Grains<dim>& filling, StageMicrostructure& re
   std::erase_if(grains, [](const GrainGeometry<dim>& grain) { return !(grain.grain_volume > 0.0); });
   own.count = grains.size();
   own.sizes = sizes_by_area(grains, &GrainGeometry<dim>::grain_volume);
+  result.effective_particles = effective_number(areas_of(grains, &GrainGeometry<dim>::grain_volume));
   double outlines = 0.0;
   for (const auto& grain : grains) outlines += grain.grain_surface;
   double box = 1.0;
@@ -124,6 +132,9 @@ void measure_content(const Stage& stage, const Microstructure<dim>& balls, Stage
   result.interface_per_area = specific_surface(balls);
   result.gap = smallest_gap(coated);
   result.wall_gap = smallest_wall_gap(coated);
+  std::vector<double> volumes;
+  for (const auto& particle : balls.particles) volumes.push_back(std::pow(particle.diameter, dim));
+  result.effective_particles = effective_number(volumes);
   auto fillers = filler_statistics(stage, balls);
   for (std::size_t number = 0; number < std::min(fillers.size(), result.fillers.size()); ++number) {
     fillers[number].size_deviation = result.fillers[number].size_deviation;

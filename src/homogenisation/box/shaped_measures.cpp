@@ -1,7 +1,11 @@
 #include "homogenisation/box/shaped_measures.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <vector>
+
+#include "homogenisation/box/effective_number.hpp"
 
 namespace breccia {
 namespace {
@@ -45,6 +49,9 @@ void measure_box(const Stage& stage, const Box& box, StageMicrostructure& result
   result.interface_per_area = specific_surface(box);
   result.gap = smallest_gap(box);
   result.wall_gap = smallest_wall_gap(box);
+  std::vector<double> volumes;
+  for (const auto& particle : box.particles) volumes.push_back(std::pow(size_of_shape(particle), stage.dimensions()));
+  result.effective_particles = effective_number(volumes);
   result.fillers.resize(stage.fillers.size());
   for (std::size_t number = 0; number < stage.fillers.size(); ++number) {
     const auto deviation = result.fillers[number].size_deviation;

@@ -9,6 +9,7 @@
 
 #include "breccia/error.hpp"
 
+#include "homogenisation/modulus_errors.hpp"
 #include "homogenisation/respond/coverage_refusal.hpp"
 #include "homogenisation/run/isotropic_mean.hpp"
 #include "homogenisation/run/stage_extrapolation.hpp"
@@ -131,6 +132,7 @@ std::vector<StageResult> responded_stages(const std::vector<StageResponses>& sta
       return matrix_of(next.stage, next.matrix, done, boundary, Method::quasistatic);
     };
     auto result = tested_stage(next, matrix, times);
+    add_errors(result, next.rules, next.matrix, done);
     if (serves_as_matrix(stages, next.stage)) result.materials = materials_of(next, matrix, times, result.tests);
     done.push_back(std::move(result));
   }

@@ -273,6 +273,7 @@ void Responder::add_warnings(std::vector<StageResult>& results) const {
   for (auto& result : results) {
     const auto& of_study = stage_named(result.name);
     result.warnings = of_study.warnings;
+    result.accuracy = accuracy_of_answer(result, of_study.rules);
     if (const auto* const matrix = std::get_if<Material>(&of_study.matrix)) {
       if (unshifted_.contains(matrix->name) && named.insert(matrix->name).second) {
         result.warnings.push_back(

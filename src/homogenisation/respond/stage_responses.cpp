@@ -15,6 +15,11 @@
 
 namespace breccia {
 
+ErrorRules rules_of_responses(ErrorRules rules) {
+  rules.one_grid.reset();
+  return rules;
+}
+
 StageResponses responses_of(const Study& study, const Stage& stage, const StageResult& result) {
   if (result.name != stage.name || result.cells != stage.cells) {
     throw InputError(fmt::format("a result of stage {} with {} cells is none of stage {} with {} cells", result.name,
@@ -38,6 +43,7 @@ StageResponses responses_of(const Study& study, const Stage& stage, const StageR
                               .shear = shear_of_material(tests),
                               .fillers = {},
                               .warnings = result.warnings,
+                              .rules = rules_of_responses(result.accuracy.rules),
                               .entries = {}};
   for (const auto& filler : stage.fillers) responses.fillers.push_back(filler.material.name);
   for (const auto& test : result.tests) {

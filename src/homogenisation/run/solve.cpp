@@ -6,6 +6,7 @@
 #include "breccia/homogenisation/plan.hpp"
 #include "breccia/study/soundness.hpp"
 
+#include "homogenisation/modulus_errors.hpp"
 #include "homogenisation/quality.hpp"
 #include "homogenisation/run/comparison.hpp"
 #include "homogenisation/run/solve_stage.hpp"
@@ -20,6 +21,7 @@ namespace {
 void solve_stage(const Study& study, const Stage& stage, int threads, StudySink& sink, StudyResult& result) {
   if (auto known = sink.known_stage(stage)) {
     known->comparisons = compare(study, stage, known->tests);
+    add_errors(*known, error_rules_of(study, stage, known->microstructure), stage.matrix, result.stages);
     known->accuracy = accuracy_of(quality_of(study, stage, *known));
     result.stages.push_back(std::move(*known));
     sink.happened(StageAdopted{stage, result});

@@ -11,6 +11,7 @@
 #include "breccia/homogenisation/stage_discretisation.hpp"
 
 #include "checkpoint/checkpoint.hpp"
+#include "homogenisation/modulus_errors.hpp"
 #include "homogenisation/narrow_gaps.hpp"
 #include "homogenisation/quality.hpp"
 #include "homogenisation/run/comparison.hpp"
@@ -48,6 +49,7 @@ class StageSolution {
     for (auto& test : extrapolate_tests(stage_.name, stage_.side, stage_.dimensions(), done_.tests, mixing)) {
       add(std::move(test));
     }
+    add_errors(done_, error_rules_of(study_, stage_, done_.microstructure), stage_.matrix, result_.stages);
     const auto quality = quality_of(study_, stage_, done_);
     done_.accuracy = accuracy_of(quality);
     for (const auto& warning : warnings_on_bounds(quality)) {

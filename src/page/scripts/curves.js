@@ -1,6 +1,7 @@
 /// The curves of the study, each {quantity, stage, load, boundary, method, cells, role, label, x, y}. `role` is "stage"
-/// (a result of the run), "matrix" (a material that serves as one) or "measured". An extrapolated curve has a `band`,
-/// half the width of which is given at each x.
+/// (a result of the run), "matrix" (a material that serves as one) or "measured". A curve whose error is known has
+/// `error`, the shares {whole, grid, sample, solver, matrix} of y at each x, NaN where one is not known, and a `band`,
+/// half the width of which is given at each x: the whole error or, where that is not known, the one of the grid.
 
 import {readTable, study} from "./data.js";
 import {mainLoad, shearOf} from "./loads.js";
@@ -59,13 +60,17 @@ function curvesInTime(table, column) {
   });
 }
 
-function addBands(curves) {
-  const rows = readTable("extrapolation.csv");
-  for (const group of groupsOf(rows, ["stage", "load", "boundary", "method"])) {
-    const {stage, load, boundary, method} = group[0];
-    const curve = curves.find((one) => one.quantity !== "compliance" && one.cells === "extrapolated" &&
-      one.stage === stage && one.load === load && one.boundary === boundary && one.method === method);
-    if (curve !== undefined) curve.band = group.map((row) => row.half_band_Pa);
+function addErrors(curves) {
+  const share = (text) => (text === "" ? NaN : Number(text));
+  for (const group of groupsOf(readTable("errors.csv"), testColumns)) {
+    const curve = curves.find((one) => one.quantity !== "compliance" &&
+      testColumns.every((column) => one[column] === group[0][column]));
+    if (curve === undefined || curve.x.length !== group.length) continue;
+    const of = (column) => group.map((row) => share(row[column]));
+    curve.error = {whole: of("error"), grid: of("grid_error"), sample: of("sample_error"), solver: of("solver_error"),
+      matrix: of("matrix_error")};
+    const shown = [curve.error.whole, curve.error.grid].find((shares) => shares.every(Number.isFinite));
+    if (shown !== undefined) curve.band = shown.map((part, i) => part * curve.y[i]);
   }
 }
 
@@ -139,6 +144,6 @@ function engineeringCurves() {
 export function allCurves() {
   const tested = [...curvesInTime("curves.csv", "modulus_Pa"),
     ...curvesInTime("compliance.csv", "compliance_1_per_Pa")];
-  addBands(tested);
+  addErrors(tested);
   return [...tested, ...curvesOfProny(), ...engineeringCurves(), ...measuredCurves(), ...matrixCurves()];
 }

@@ -140,8 +140,10 @@ function noteOn(curves, quantity, shown) {
   if (curves.some((curve) => curve.method === "dynamic")) notes.push("Dashed: dynamic method.");
   if (curves.some((curve) => curve.part === "loss")) notes.push("Solid: storage modulus, dashed: loss modulus.");
   if (curves.some((curve) => curve.role === "matrix")) notes.push("Dotted: the binder without particles.");
-  if (curves.some((curve) => curve.band !== undefined)) {
-    notes.push("Shaded about a curve: where the limit of vanishing cells is expected.");
+  const withBand = curves.filter((curve) => curve.band !== undefined);
+  if (withBand.length > 0) {
+    const isWhole = withBand.every((curve) => curve.error.whole.every(Number.isFinite));
+    notes.push(`Shaded about a curve: its error${isWhole ? "" : ", that of the grid alone where the rest is not known"}.`);
   }
   if (shown.quantity.x !== "time") notes.push("From the Prony series, of the grid and method that tell most.");
   if (shown.axis === "temperature") notes.push(noteOnTemperatures(curves, shown));

@@ -57,15 +57,31 @@ function textWithoutResult() {
   return study.stages.some(({tests}) => tests.length > 0) ? "No relaxation modulus was tested." : "Packed, not tested.";
 }
 
-/// A text on the error of the grid of curves: that of several grids, that of a rule for one, or that there is none; empty
-/// for films, which have no grid.
+/// A text on the error of curves: the causes of the whole one, or else what is known of that of the grid; empty for
+/// films, which have no grid.
 function textOnError(result, stage) {
+  if (result.every(hasWholeError)) return `± ${causesOfErrors(result)}`;
   const shares = result.filter(({band}) => band !== undefined).flatMap(({y, band}) => band.map((half, i) => half / y[i]))
     .filter(Number.isFinite);
   if (shares.length > 0) return `± ${percent(Math.max(...shares))} by the grid`;
   if (gridsOf(stage)[0] === "films") return "";
   const expected = expectedErrorOf(stage);
   return expected === undefined ? "the discretisation error is not known" : `the grid may err by ${percent(expected)}`;
+}
+
+/// Whether the whole error of a curve is known at all of its times.
+function hasWholeError({error}) {
+  return error !== undefined && error.whole.every(Number.isFinite);
+}
+
+/// The largest errors of curves by their causes: "3.4 % by the grid, 7.9 % by the packing".
+function causesOfErrors(result) {
+  const causes = {grid: "grid", sample: "packing", matrix: "matrix", solver: "solver"};
+  const least = 1e-3;  // the solver's error is smaller by default
+  const largest = Object.entries(causes).map(([cause, name]) =>
+    [Math.max(...result.flatMap(({error}) => error[cause])), name]);
+  const shown = largest.filter(([share], i) => share >= least || i === 0);
+  return `${shown.map(([share, name]) => `${percent(share)} by the ${name}`).join(", ")}`;
 }
 
 /// The warnings of all stages, those of one kind together.
@@ -197,7 +213,7 @@ function youngsModuli(curves, [{stage, method}]) {
     curve.role === "stage" && curve.stage === stage && curve.boundary === boundary && curve.method === method));
 }
 
-/// A modulus with the half band of its grid.
+/// A modulus with half its band.
 function modulusText({x, y, band}, time) {
   const modulus = valueAt(x, y, time);
   if (!Number.isFinite(modulus)) return "–";
@@ -206,12 +222,15 @@ function modulusText({x, y, band}, time) {
 }
 
 function noteOnErrors(result, stage) {
-  const grid = result.some(({band}) => band !== undefined) ? "± is the error of the grid, from the grids of the run."
+  const isWhole = result.every(hasWholeError);
+  const grid = isWhole ? `± is the error: at most ${causesOfErrors(result)} (see below).`
+    : result.some(({band}) => band !== undefined) && gridsOf(stage).length > 1
+      ? "± is the error of the grid, from the grids of the run."
     : gridsOf(stage)[0] === "films" ? ""
       : expectedErrorOf(stage) === undefined
         ? `Of one grid: its error is not known${ruleOf(stage) === undefined ? "" : ` (${ruleOf(stage)})`}.`
         : `Of one grid, whose error is up to about ${percent(expectedErrorOf(stage))} ${ruleOf(stage) ?? "by a rule"}.`;
   const quality = qualityOf(stage);
   return [onAnisotropy(quality), grid, onMeasuringGrids(quality?.measuring_grids),
-    "The scatter from one packing to another is not in it."].filter((sentence) => sentence !== "").join(" ");
+    isWhole ? "" : "The scatter from one packing to another is not in it."].filter((sentence) => sentence !== "").join(" ");
 }

@@ -1,7 +1,7 @@
 /// The result of a study in sentences: the modulus of a stage at its first, middle and last time, compared with its
 /// binder and a measurement.
 
-import {display, displayRange, shortNumber} from "./numbers.js";
+import {display, displayRange, percent, shortNumber} from "./numbers.js";
 import {listed} from "./names.js";
 import {valueAt} from "./sampling.js";
 
@@ -51,11 +51,19 @@ export function hasFlowedAway(binder, time) {
   return !(binder.at(time) > relaxedAway * binder.at(0));
 }
 
+/// The whole error of a single curve at a time, "± 3.4 %"; empty for several curves, and where it is not known.
+function errorText(curves, time) {
+  const share = curves.length === 1 && curves[0].error !== undefined
+    ? valueAt(curves[0].x, curves[0].error.whole, time) : NaN;
+  return Number.isFinite(share) ? ` ± ${percent(share)}` : "";
+}
+
 /// The sentences. `symbol` is that of the modulus, `curves` are those of the stage, one for each boundary; `error` is a
-/// text on the error of the grid; `binder` {at} and `measured` {name, x, y} may be undefined.
+/// text on the error; `binder` {at} and `measured` {name, x, y} may be undefined.
 export function resultSentences({stage, symbol, curves, error, binder, measured}) {
   const times = threeTimes(curves);
-  const moduli = times.map((time) => `${displayRange(...rangeAt(curves, time), "Pa")} at ${display(time, "s")}`);
+  const moduli = times.map((time) => `${displayRange(...rangeAt(curves, time), "Pa")}${errorText(curves, time)} at ` +
+    display(time, "s"));
   const bounds = areCrossed(curves, times) ? "the bounds cross: do not use them" : textOnBounds(curves);
   const sentences = [`${symbol} of ${stage} is ${listed(moduli)} (${[bounds, error].filter(Boolean).join("; ")}).`];
   if (binder !== undefined) {

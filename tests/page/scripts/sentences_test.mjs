@@ -44,6 +44,15 @@ test("beside the binder and the measurement", () => {
   assert.equal(resultSentences({stage: "mix", symbol: "G(t)", curves: bounds, measured: elsewhere}).length, 1);
 });
 
+test("the whole error of a single curve at each time", () => {
+  const curve = falling("periodic", 1e6);
+  curve.error = {whole: curve.x.map((time) => (time < 1 ? 0.034 : NaN))};
+  const sentence = (curves) => resultSentences({stage: "cell", symbol: "G(t)", curves})[0];
+  assert.equal(sentence([curve]),
+    "G(t) of cell is 1 MPa ± 3.4 % at 1 ms, 100 kPa ± 3.4 % at 100 ms and 10 kPa at 10 s (periodic boundary).");
+  assert.ok(!sentence([{...bounds[0], error: curve.error}, bounds[1]]).includes("±"), "two bounds are a range already");
+});
+
 test("bounds that cross, and the error of the grid", () => {
   const crossed = [falling("traction", 3e6), falling("displacement", 2e6)];
   const [text] = resultSentences({stage: "mix", symbol: "G(t)", curves: crossed, error: "± 3 % by the grid"});

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "breccia/homogenisation/stage_microstructure.hpp"
+#include "breccia/homogenisation/study_result.hpp"
+#include "breccia/study/study.hpp"
+
+namespace breccia {
+
+/// The rules for a stage as it is packed.
+ErrorRules error_rules_of(const Study& study, const Stage& stage, const StageMicrostructure& packed);
+
+/// Gives the preferred tests of a stage whose tests are all done the errors of their moduli. `earlier` are the results
+/// of the stages before it, with their errors. Throws InputError as matrix_of().
+void add_errors(StageFindings& stage, const ErrorRules& rules, const StageMatrix& matrix,
+                const std::vector<StageResult>& earlier);
+
+}  // namespace breccia
