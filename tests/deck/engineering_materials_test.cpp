@@ -1,4 +1,5 @@
 #include <cmath>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -14,7 +15,9 @@
 namespace breccia {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 
 class EngineeringMaterials : public testing::Test {
  protected:
@@ -72,6 +75,20 @@ TEST_F(EngineeringMaterials, AMeasuredModulusIsFitted) {
   for (const double t : {1e-2, 1.0, 10.0}) {
     EXPECT_NEAR(binder.shear.at(t) / (1e6 + 5e6 * std::exp(-t)), 1.0, 5e-3) << t;
   }
+}
+
+TEST_F(EngineeringMaterials, AMeasuredModulusOfNoKindIsTakenForThatOfItsKeyWithAWarning) {
+  const auto warnings_with = [&](const std::string& column) {
+    directory.write("relaxation.csv", "time_s," + column + "\n0.1,1e6\n1,8e5\n10,5e5\n100,4e5\n");
+    const auto study = directory.study(deck("bulk = \"3 GPa\"\nshear = { measured = \"relaxation.csv\" }\n"));
+    const auto found = study.provenance.warnings.find(study.stages.front().name);
+    return found == study.provenance.warnings.end() ? std::vector<std::string>() : found->second;
+  };
+  EXPECT_THAT(
+      warnings_with("modulus_Pa"),
+      ElementsAre("materials.binder.shear.measured: relaxation.csv does not say which modulus it has: it is taken "
+                  "for G; a column such as \"shear_modulus_Pa\" says it"));
+  EXPECT_THAT(warnings_with("shear_modulus_Pa"), IsEmpty());
 }
 
 TEST_F(EngineeringMaterials, ASweepOfTemperaturesNeedsItsReference) {
