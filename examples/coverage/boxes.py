@@ -57,6 +57,8 @@ def box_of(dim, kind, seed, wanted=None):
         sizes = 'lognormal = [{ median = "1.5 mm", sigma = 0.4 }]'
         more = ', from = "1 mm", to = "3 mm"'
         mean_volume = volume_of(dim, 1.5)
+    if kind == "apart":
+        fraction, gap = draw.uniform(0.2, 0.5), between(draw, 0.08, 0.2)
     if kind == "contacts":
         fraction, gap = draw.uniform(0.46, 0.54), 0.01
     if kind in ("ellipses", "polygons"):

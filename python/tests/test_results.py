@@ -333,7 +333,8 @@ def test_moduli_have_errors_by_their_causes(tmp_path):
         return breccia.run(breccia.read_study(MODEL, {
             **OVERRIDES, "materials.binder.shear": breccia.PronySeries([(0.01, 0.5e6)], equilibrium=1e5),
             "stages.0.packing": {"method": "lubachevsky-stillinger", "walls": False, "seed": 1}, "stages.0.box": "12 mm",
-            "stages.0.cells": cells, "tests.boundaries": ["periodic"], "tests.mixing": "flow", **more}), tmp_path / str(cells),
+            "stages.0.cells": cells, "tests.boundaries": ["periodic"], "stages.0.filler.fraction": 0.35,
+            "tests.volumetric": "averaged", "tests.mixing": "flow", **more}), tmp_path / str(cells),
             overwrite=True)
 
     result = solved([48, 96])

@@ -1,21 +1,55 @@
 #include "cli/interruption.hpp"
 
 #include <csignal>
+#include <ctime>
+#include <string_view>
+
+#include <unistd.h>
 
 #include "breccia/error.hpp"
+
+#include "parallel/session.hpp"
 
 namespace breccia::cli {
 namespace {
 
-volatile std::sig_atomic_t requested = 0;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
+// NOLINTBEGIN(cppcoreguidelines-avoid-non-const-global-variables)
+volatile std::sig_atomic_t requested = 0;
+volatile std::sig_atomic_t speaks = 0;  ///< whether a user at a terminal reads what is written
+std::timespec first_request = {};
+// NOLINTEND(cppcoreguidelines-avoid-non-const-global-variables)
 
-extern "C" void request_stop(int /*signal*/) {
-  requested = 1;
+constexpr std::string_view notice =
+    "\nStopping after the solution in progress, which may take a while; Ctrl-C again stops at once, and --resume then "
+    "continues from the last checkpoint.\n";
+
+/// The time since the first request [s].
+double seconds_since_request() {
+  std::timespec now = {};
+  (void)::clock_gettime(CLOCK_MONOTONIC, &now);
+  return static_cast<double>(now.tv_sec - first_request.tv_sec) +
+         1e-9 * static_cast<double>(now.tv_nsec - first_request.tv_nsec);
+}
+
+/// Calls nothing but what a signal handler may call.
+extern "C" void request_stop(int signal) {
+  if (requested == 0) {
+    (void)::clock_gettime(CLOCK_MONOTONIC, &first_request);
+    requested = 1;
+    if (speaks != 0) (void)!::write(STDERR_FILENO, notice.data(), notice.size());
+    return;
+  }
+  // One key may send several signals, to a program and to its parent, which passes them on.
+  constexpr double of_one_key = 0.5;
+  if (signal != SIGINT || speaks == 0 || seconds_since_request() < of_one_key) return;
+  (void)std::signal(SIGINT, SIG_DFL);
+  (void)std::raise(SIGINT);
 }
 
 }  // namespace
 
 void watch_for_interruption() {
+  speaks = parallel::is_alone() && ::isatty(STDERR_FILENO) == 1 ? 1 : 0;
   // The result is ignored: a handler can be set for these signals on every system.
   (void)std::signal(SIGINT, request_stop);
   (void)std::signal(SIGTERM, request_stop);

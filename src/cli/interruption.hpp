@@ -3,7 +3,7 @@
 namespace breccia::cli {
 
 /// Installs signal handlers: SIGINT, SIGTERM and, unless it is ignored, SIGHUP then request the computation to stop at
-/// the next suitable point.
+/// the next suitable point. On a terminal the first signal is answered at once, and a second SIGINT ends the program.
 void watch_for_interruption();
 
 /// Whether one of these signals has arrived.

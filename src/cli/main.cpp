@@ -106,7 +106,7 @@ Outcome guarded_run(int argc, char** argv) {
     return {ExitCode::file_failure, fmt::format("breccia: {}", error.what())};
   } catch (const std::bad_alloc&) {
     return {ExitCode::numerical_failure,
-            "not enough memory for this deck; `breccia check` estimates how much it needs"};
+            "not enough memory; `breccia check` estimates how much a deck needs, from the sizes of its grids"};
   } catch (const std::exception& error) {
     return {ExitCode::numerical_failure, fmt::format("breccia: internal error: {}", error.what())};
   }

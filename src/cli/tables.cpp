@@ -9,52 +9,17 @@
 #include <fmt/format.h>
 
 #include "cli/filler_summary.hpp"
+#include "cli/frequency_tables.hpp"
+#include "cli/shown_tests.hpp"
 #include "homogenisation/quality.hpp"
 #include "io/display.hpp"
-#include "virtual_test/bulk_test.hpp"
 
 namespace breccia::cli {
 namespace {
 
-/// The tests that a table shows; for several grids only the limit of vanishing cells, and only the mean of shears where
-/// there is one.
-std::vector<const TestResult*> shown_tests(const StageResult& stage) {
-  const bool has_limits =
-      std::ranges::any_of(stage.tests, [](const TestResult& test) { return test.id.grid.is_extrapolated(); });
-  const bool has_means =
-      std::ranges::any_of(stage.tests, [](const TestResult& test) { return test.id.load.is_isotropic(); });
-  std::vector<const TestResult*> shown;
-  for (const auto& test : stage.tests) {
-    if (has_means && is_in_mean(test.id.load, stage.dimensions)) continue;
-    if (!has_limits || test.id.grid.is_extrapolated()) shown.push_back(&test);
-  }
-  return shown;
-}
-
-/// The name of the modulus under a load: "G", "G, xx-yy", "K + G/3".
-std::string modulus_in_words(TestLoad load, int dimensions) {
-  if (load.is_bulk()) return std::string(symbol_of_bulk_test(dimensions));
-  if (load.is_isotropic() || load == Load::shear) return "G";
-  constexpr std::string_view shear = "shear-";
-  return "G, " + name_of(load).substr(shear.size());
-}
-
 /// The three header lines of a test's column: modulus, boundary, method.
 std::array<std::string, 3> heading(const TestResult& test, int dimensions) {
   return {modulus_in_words(test.id.load, dimensions), bound_of(test.id.boundary), name_of(test.id.method)};
-}
-
-/// Whether the whole error of a test is known at one time at least.
-bool has_known_error(const TestResult& test) {
-  return std::ranges::any_of(test.errors, [](const ModulusError& error) { return error.whole().has_value(); });
-}
-
-/// The whole error of a test at its time nearest to the given one: "3.4 %".
-std::string error_at(const TestResult& test, double time) {
-  const auto nearest = std::ranges::min_element(
-      test.modulus, {}, [time](const Sample& sample) { return std::abs(std::log(sample.time / time)); });
-  const auto error = test.errors.at(static_cast<std::size_t>(nearest - test.modulus.begin())).whole();
-  return error ? fmt::format("{:.2g} %", 100.0 * *error) : "unknown";
 }
 
 std::string table_of(const StageResult& stage, const TimeWindow& times) {
@@ -138,8 +103,9 @@ std::string tables_of(const std::vector<StageResult>& stages, const TimeWindow& 
 }
 
 std::string closing_tables(const Study& study, const StudyResult& result) {
-  auto text =
-      tables_of(result.stages, {study.tests.first_time, study.tests.last_time}) + words_on_quality(study, result);
+  const TimeWindow times = {study.tests.first_time, study.tests.last_time};
+  auto text = study.tests.by_frequency ? frequency_tables_of(result.stages) : tables_of(result.stages, times);
+  text += words_on_quality(study, result);
   for (const auto& measurement : study.measurements) {
     const auto stage = std::ranges::find(result.stages, measurement.stage, &StageResult::name);
     const bool is_compared = std::ranges::any_of(

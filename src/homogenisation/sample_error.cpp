@@ -13,7 +13,7 @@ struct Factors {
 
 Factors factors_of(SampleKind sample, int dimensions) {
   if (sample == SampleKind::grains) return {0.06, 0.18, 0.03};
-  if (dimensions == 3) return {0.1, 0.3, 0.1};
+  if (dimensions == 3) return {0.14, 0.33, 0.1};
   return {0.2, 0.33, 0.1};
 }
 
@@ -35,6 +35,11 @@ std::optional<double> sample_error(const ErrorRules& rules, int dimensions, Test
     return std::nullopt;
   const auto factors = factors_of(rules.sample, dimensions);
   return 2.0 * deviation_of_one(factors, load, stiffening) / std::sqrt(rules.effective_particles);
+}
+
+double sample_error_of_shears(double distance) {
+  constexpr double of_error = 0.35;
+  return distance / of_error;
 }
 
 }  // namespace breccia

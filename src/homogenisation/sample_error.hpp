@@ -12,4 +12,8 @@ namespace breccia {
 /// matrix. Nothing for a sample without a rule, and for fewer particles than it was measured with.
 std::optional<double> sample_error(const ErrorRules& rules, int dimensions, TestLoad load, double stiffening);
 
+/// The largest error of the mean of both shears of a box of the plane to be expected [-] where these have been no further
+/// apart than this so far (theory, Eq. 43i).
+double sample_error_of_shears(double distance);
+
 }  // namespace breccia

@@ -59,7 +59,16 @@ void AtomicFile::commit() {
 }
 
 std::string read_text(const std::filesystem::path& path) {
-  return read_beginning(path, std::numeric_limits<std::size_t>::max());
+  if (std::filesystem::is_regular_file(status_of(path))) {
+    return read_beginning(path, std::numeric_limits<std::size_t>::max());
+  }
+  // A pipe has no size, and a device such as /dev/zero no end.
+  constexpr std::size_t most = std::size_t{1} << 28;
+  auto text = read_beginning(path, most);
+  if (text.size() == most) {
+    throw FileError(fmt::format("{}: cannot read: it is no regular file, and does not end within 268 MB", path.string()));
+  }
+  return text;
 }
 
 std::string read_beginning(const std::filesystem::path& path, std::size_t most) {

@@ -32,7 +32,7 @@ class AtomicFile {
   std::filesystem::path temporary_;  ///< empty after commit() or a move
 };
 
-/// The bytes of a file. Throws FileError.
+/// The bytes of a file. Throws FileError, also for a stream without an end.
 std::string read_text(const std::filesystem::path& path);
 
 /// The first `most` bytes of a file, or all of a shorter one. Throws FileError.

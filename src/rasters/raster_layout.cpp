@@ -26,7 +26,8 @@ void reverse_rows(std::span<const std::size_t> extents, std::span<std::int32_t> 
 }  // namespace
 
 std::size_t pixel_count(const std::filesystem::path& file, std::span<const std::size_t> extents) {
-  constexpr auto most = (std::size_t{1} << 31) - 1;
+  // Some gigabytes of memory: a small file may hold a vast number of equal pixels.
+  constexpr auto most = (std::size_t{1} << 29) - 1;
   const auto refuse = [&](std::string_view expected) {
     throw InputError(
         fmt::format("{}: an image of {} pixels; expected {}", file.string(), fmt::join(extents, " x "), expected));
@@ -34,7 +35,7 @@ std::size_t pixel_count(const std::filesystem::path& file, std::span<const std::
   std::size_t count = 1;
   for (const auto extent : extents) {
     if (extent == 0) refuse("at least one along each axis");
-    if (extent > most / count) refuse("fewer than 2^31");
+    if (extent > most / count) refuse("fewer than 2^29; crop it, or take a coarser one");
     count *= extent;
   }
   return count;

@@ -9,7 +9,7 @@
 
 namespace breccia {
 
-/// Number of pixels. Throws InputError if there are none, or 2^31 and more.
+/// Number of pixels. Throws InputError if there are none, or 2^29 and more.
 std::size_t pixel_count(const std::filesystem::path& file, std::span<const std::size_t> extents);
 
 /// Throws InputError if a compressed file of this size cannot contain this number of bytes at the best compression: a

@@ -355,6 +355,8 @@ struct StudyDocument {
   std::optional<double> seconds = {};    ///< wall time of the complete study [s]
   std::string deck_text = {};
   TimeWindow times = {};  ///< [s]
+  /// First and last frequency [Hz] of a study whose deck gives frequencies.
+  std::optional<std::vector<double>> frequencies = {};
   std::vector<MaterialEntry> materials = {};
   std::vector<std::string> stage_names = {};  ///< names of all stages
   std::vector<StageEntry> stages = {};        ///< the stages that are packed
@@ -367,7 +369,8 @@ inline constexpr auto fields<StudyDocument> = std::tuple(
     field("deck_content_hash", &StudyDocument::deck_content_hash), field("file_hashes", &StudyDocument::file_hashes),
     field("complete", &StudyDocument::is_complete), field("date", &StudyDocument::date),
     field("wall_time_s", &StudyDocument::seconds), field("deck_text", &StudyDocument::deck_text),
-    field("times_s", &StudyDocument::times), field("materials", &StudyDocument::materials),
+    field("times_s", &StudyDocument::times),
+    field_if_any("frequencies_Hz", &StudyDocument::frequencies), field("materials", &StudyDocument::materials),
     field("stage_names", &StudyDocument::stage_names), field("stages", &StudyDocument::stages));
 
 /// Error: another version of Breccia has written a `study.json` that this version cannot read.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <variant>
@@ -303,6 +304,10 @@ StudyDocument document_of(const Study& study, const StudyResult& result, const S
                          .seconds = result.seconds,
                          .deck_text = provenance.deck_text,
                          .times = {study.tests.first_time, study.tests.last_time}};
+  if (study.tests.by_frequency) {
+    constexpr double per_cycle = 2.0 * std::numbers::pi;
+    document.frequencies = {1.0 / (per_cycle * study.tests.last_time), 1.0 / (per_cycle * study.tests.first_time)};
+  }
   if (result.seconds) document.date = date_of_now();
   for (const auto& [material, shift] : study.materials) {
     document.materials.emplace_back(entry_of(material)).shift = shift;

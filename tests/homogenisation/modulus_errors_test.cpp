@@ -1,6 +1,8 @@
 #include "homogenisation/modulus_errors.hpp"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -106,8 +108,8 @@ TEST(ModulusErrors, GoOnFromAStageToTheNext) {
 TEST(ModulusErrors, TakeOfAMatrixWithAMeanOfShearsThatMean) {
   StageResult first;
   first.name = "A";
-  first.tests = {constant(Load::shear, Boundary::periodic, TestGrid(100), 2e6),
-                 constant(Load::diagonal_shear, Boundary::periodic, TestGrid(100), 2e6),
+  first.tests = {constant(Load::shear, Boundary::periodic, TestGrid(100), 3e6),
+                 constant(Load::diagonal_shear, Boundary::periodic, TestGrid(100), 1e6),
                  constant(TestLoad::isotropic(), Boundary::periodic, TestGrid(100), 2e6)};
   first.materials = {{Boundary::periodic, Method::quasistatic, {binder(), {0.1, 10.0}, 0.0, 0.0}}};
   add_errors(first, {.one_grid = 0.01, .sample = SampleKind::particles, .effective_particles = 50.0}, binder(), {});
@@ -118,6 +120,25 @@ TEST(ModulusErrors, TakeOfAMatrixWithAMeanOfShearsThatMean) {
   add_errors(second, {.one_grid = 0.01, .sample = SampleKind::particles, .effective_particles = 50.0},
              EarlierStage{"A"}, {first});
   EXPECT_EQ(second.tests[0].errors.at(0).matrix, first.tests[2].errors.at(0).whole());
+}
+
+TEST(ModulusErrors, OfTheMeanOfShearsAreSmallWhereTheseAreCloseTogether) {
+  StageResult stage;
+  stage.name = "A";
+  stage.tests = {constant(Load::shear, Boundary::periodic, TestGrid(100), 2e6),
+                 constant(Load::diagonal_shear, Boundary::periodic, TestGrid(100), 2e6),
+                 constant(TestLoad::isotropic(), Boundary::periodic, TestGrid(100), 2e6)};
+  const std::array apart = {1.002, 1.007, 1.0};
+  for (std::size_t i = 0; i < apart.size(); ++i) stage.tests[1].modulus[i].modulus *= apart[i];
+  const ErrorRules rules{.one_grid = 0.01, .sample = SampleKind::particles, .effective_particles = 50.0};
+  add_errors(stage, rules, binder(), {});
+  const auto sample = [&](std::size_t time) { return stage.tests[2].errors.at(time).sample.value(); };
+  EXPECT_NEAR(sample(0), std::log(1.002) / 0.35, 1e-12);
+  EXPECT_NEAR(sample(1), std::log(1.007) / 0.35, 1e-12);
+  EXPECT_NEAR(sample(2), std::log(1.007) / 0.35, 1e-12) << "that they cross says nothing";
+  stage.tests[1].modulus[0].modulus *= 1.5;
+  add_errors(stage, rules, binder(), {});
+  EXPECT_EQ(sample(0), sample_error(rules, 2, TestLoad::isotropic(), 2.0)) << "no more than by the rule";
 }
 
 }  // namespace

@@ -34,6 +34,13 @@ TEST(TextFile, BeginningOfAFileIsNoLongerThanTheFile) {
   EXPECT_EQ(read_beginning(path, 200000).size(), 100001U);
 }
 
+TEST(TextFile, AStreamWithoutAnEndIsRefused) {
+  const auto refusal = test::message_of<FileError>([] { static_cast<void>(read_text("/dev/zero")); });
+  EXPECT_THAT(refusal,
+              testing::HasSubstr("/dev/zero: cannot read: it is no regular file, and does not end within 268 MB"));
+  EXPECT_EQ(read_text("/dev/null"), "");
+}
+
 TEST(TextFile, WritingReplacesAnOlderFile) {
   const test::TemporaryDirectory directory;
   const auto path = directory.written("file", "old");

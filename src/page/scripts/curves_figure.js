@@ -78,11 +78,18 @@ function endLabel(curve, seen) {
   return curve.role === "stage" && isAlone ? curve.label.slice(curve.stage.length + 2) : curve.label;
 }
 
+/// The quantity that is shown first: complex moduli where the deck gives frequencies.
+function firstQuantity(curves) {
+  const known = quantities.filter(({name}) => curves.some(({role, quantity}) => role === "stage" && quantity === name));
+  const wanted = study.frequencies_Hz === undefined ? undefined : known.find(({name}) => name === "dynamic");
+  return wanted ?? quantities.find((quantity) => curves.some((curve) => curve.quantity === quantity.name));
+}
+
 /// Fills the section and returns the function that draws the figure.
 export function curvesFigure(curves) {
   const plot = document.getElementById("curve-plot");
   const shown = {
-    quantity: quantities.find((quantity) => curves.some((curve) => curve.quantity === quantity.name)),
+    quantity: firstQuantity(curves),
     axis: "time",
     abscissa: {s: usualAbscissa(study.times_s, "s"), "rad/s": usualAbscissa(study.times_s, "rad/s")},
     stages: new Set(stagesOfInterest(study).map(({name}) => name)),

@@ -1,6 +1,7 @@
 /// The first screen of a study: the results, the warnings, and the moduli at whole decades.
 
-import {resultSentences, hasFlowedAway} from "./result_sentences.js";
+import {complexColumns, complexModuli, complexOf, complexSentences} from "./complex_moduli.js";
+import {resultSentences, hasFlowedAway, sentenceOnMeasurement} from "./result_sentences.js";
 import {bestGrid} from "./curves.js";
 import {data, study} from "./data.js";
 import {element} from "./elements.js";
@@ -12,7 +13,7 @@ import {onAnisotropy, onMeasuringGrids} from "./reliability_sentences.js";
 import {decades, valueAt} from "./sampling.js";
 import {binderOf, matrixStageOf, stagesOfInterest} from "./stages.js";
 import {table} from "./table.js";
-import {relaxationModulus} from "./viscoelasticity.js";
+import {lossModulus, relaxationModulus, storageModulus} from "./viscoelasticity.js";
 import {groupsOfWarnings, lineOnGroup} from "./warnings.js";
 import {sentenceOnWholeFiller} from "./whole_filler.js";
 
@@ -49,6 +50,13 @@ function measuredBeside(curves, stage) {
 function binderBeside(stage) {
   const binder = binderOf(study, stage);
   return binder && {name: binder.name, at: (time) => relaxationModulus(binder.shear, time)};
+}
+
+/// The complex modulus {at} of the binder of a stage over frequency in hertz; undefined where there is none.
+function complexBinder(stage) {
+  const binder = binderOf(study, stage);
+  return binder && {at: (frequency) => complexOf(...[storageModulus, lossModulus].map((modulus) =>
+    modulus(binder.shear, 2 * Math.PI * frequency)))};
 }
 
 /// A sentence on a run that has no relaxation modulus.
@@ -129,9 +137,14 @@ export function showResult(curves) {
   if (result.length === 0) return place.append(element("p", {}, textWithoutResult()));
   const [{stage, load}] = result;
   const isShear = load !== "bulk";
-  const sentences = resultSentences({stage: nameOfResult(stage), symbol: symbolOf(load), curves: result,
-    error: [textOnError(result, stage), textOnWarnings()].filter(Boolean).join("; "), binder: isShear ? binderBeside(stage) : undefined,
-    measured: isShear ? measuredBeside(curves, stage) : undefined});
+  const moduli = study.frequencies_Hz === undefined ? [] : complexModuli(curves, result);
+  const error = [textOnError(result, stage), textOnWarnings()].filter(Boolean).join("; ");
+  const name = nameOfResult(stage), measured = isShear ? measuredBeside(curves, stage) : undefined;
+  const sentences = moduli.length > 0
+    ? [...complexSentences({stage: name, moduli, error, binder: complexBinder(stage)}),
+      ...(measured === undefined ? [] : sentenceOnMeasurement(result, measured))]
+    : resultSentences({stage: name, symbol: symbolOf(load), curves: result, error,
+      binder: isShear ? binderBeside(stage) : undefined, measured});
   const [first, ...others] = sentences;
   place.append(element("p", {id: "answer"}, element("strong", {}, first), ` ${others.join(" ")}`));
 }
@@ -182,6 +195,8 @@ export function showModuli(curves) {
   const result = curvesOfResult(curves);
   if (result.length === 0) return;
   const [{stage, load}] = result;
+  const moduli = study.frequencies_Hz === undefined ? [] : complexModuli(curves, result);
+  if (moduli.length > 0) return showTable(stage, complexTable(moduli), result);
   const isShear = load !== "bulk";
   const binder = isShear ? binderBeside(stage) : undefined;
   const measured = isShear ? measuredBeside(curves, stage) : undefined;
@@ -203,8 +218,21 @@ export function showModuli(curves) {
     columns.push(["measured", (time) => display(at(measured, time), "Pa")], ["over measured", (time) =>
       Number.isFinite(at(measured, time)) ? ratios(at(measured, time), time) : "–"]);
   }
+  showTable(stage, [columns, times], result);
+}
+
+/// The columns and the frequencies [Hz] of the table of complex moduli.
+function complexTable(moduli) {
+  const frequencies = timesOfTable(study.frequencies_Hz, 12);
+  const named = (boundary) => (moduli.length > 1 ? boundNames[boundary] : "");
+  return [[["frequency", (frequency) => display(frequency, "Hz")],
+    ...moduli.flatMap((modulus) => complexColumns(modulus, named(modulus.boundary)))], frequencies];
+}
+
+/// Shows a table of columns [head, text of a row] with a note on the errors of the result.
+function showTable(stage, [columns, rows], result) {
   document.getElementById("moduli").append(element("h2", {}, `Moduli of ${stage}`),
-    table(columns.map(([head]) => head), times.map((time) => columns.map(([, text]) => text(time)))),
+    table(columns.map(([head]) => head), rows.map((row) => columns.map(([, text]) => text(row)))),
     element("p", {className: "note"}, noteOnErrors(result, stage)));
 }
 

@@ -27,7 +27,7 @@ function ratioText([least, most]) {
 }
 
 /// A description of the values of the curves: "lower to upper bound", or the name of the one boundary.
-function textOnBounds(curves) {
+export function textOnBounds(curves) {
   const boundaries = curves.map((curve) => curve.boundary);
   if (boundaries.includes("displacement") && boundaries.includes("traction")) return "lower to upper bound";
   const words = {displacement: "upper bound", traction: "lower bound", periodic: "periodic boundary"};
@@ -77,7 +77,7 @@ export function resultSentences({stage, symbol, curves, error, binder, measured}
 }
 
 /// The ratio of each curve to the measurement, at the times of the measurement.
-function sentenceOnMeasurement(curves, measured) {
+export function sentenceOnMeasurement(curves, measured) {
   const names = {displacement: "the upper bound", traction: "the lower bound", periodic: "the periodic box"};
   const seen = [];
   const parts = curves.flatMap((curve) => {

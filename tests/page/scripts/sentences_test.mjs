@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import {test} from "node:test";
 
 import {resultSentences, threeTimes} from "../../../src/page/scripts/result_sentences.js";
+import {complexColumns, complexModuli, complexOf, complexSentences} from "../../../src/page/scripts/complex_moduli.js";
 import {displayRange, percent, shortNumber, withMicroSign} from "../../../src/page/scripts/numbers.js";
 import {mainLoad, shearOf, shearsOf} from "../../../src/page/scripts/loads.js";
 import {binderOf, stagesOfInterest} from "../../../src/page/scripts/stages.js";
@@ -51,6 +52,29 @@ test("the whole error of a single curve at each time", () => {
   assert.equal(sentence([curve]),
     "G(t) of cell is 1 MPa ± 3.4 % at 1 ms, 100 kPa ± 3.4 % at 100 ms and 10 kPa at 10 s (periodic boundary).");
   assert.ok(!sentence([{...bounds[0], error: curve.error}, bounds[1]]).includes("±"), "two bounds are a range already");
+});
+
+/// A Maxwell element of 2 MPa and 0.1 s: G' = 2e6 x^2 / (1 + x^2), G'' = 2e6 x / (1 + x^2) with x = 0.1 omega.
+const relaxed = {stage: "mix", load: "isotropic", boundary: "periodic", x: [1e-3, 10], y: [2e6, 1]};
+function dynamic(part, modulus) {
+  const x = Array.from({length: 401}, (_, i) => 0.1 * 10 ** (i / 100));
+  return {...relaxed, role: "stage", quantity: "dynamic", part, x, y: x.map((omega) => modulus(0.1 * omega))};
+}
+const maxwell = [dynamic("storage", (x) => 2e6 * x ** 2 / (1 + x ** 2)), dynamic("loss", (x) => 2e6 * x / (1 + x ** 2))];
+
+test("complex moduli, their phase and error at frequencies in hertz", () => {
+  const [modulus] = complexModuli(maxwell, [{...relaxed, error: {whole: [0.03, 0.05]}}]);
+  const {size, phase} = modulus.at(10 / (2 * Math.PI));
+  assert.ok(Math.abs(size / (2e6 / Math.SQRT2) - 1) < 1e-3 && Math.abs(phase - 45) < 0.05);
+  const [sentence, binder] = complexSentences({stage: "mix", moduli: [modulus], error: "± 5 % by the packing",
+    binder: {at: () => complexOf(1e3, 0)}});
+  assert.equal(sentence, "|G*| of mix is 20 kPa ± 5 % with a phase of 89° at 15.9 mHz, 1.06 MPa ± 4 % with a phase of " +
+    "58° at 1 Hz and 2 MPa ± 3 % with a phase of 0.57° at 159 Hz (periodic boundary; ± 5 % by the packing).");
+  assert.equal(binder, "That is 20 times its binder at 15.9 mHz and 2000 times its binder at 159 Hz.");
+  const columns = complexColumns(modulus, "");
+  assert.deepEqual(columns.map(([head]) => head), ["|G*|", "phase", "G′", "G″", "tan δ"]);
+  assert.equal(columns[4][1](10 / (2 * Math.PI)), "1");
+  assert.deepEqual(complexModuli([], [relaxed]), [], "a stage without a series");
 });
 
 test("bounds that cross, and the error of the grid", () => {

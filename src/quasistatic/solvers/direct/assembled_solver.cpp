@@ -12,7 +12,7 @@ namespace breccia::quasistatic {
 namespace {
 
 /// Prefix of the PETSc options of this solver, by which users replace them on the command line.
-constexpr const char* prefix = "quasistatic_";
+constexpr const char* options_prefix = "quasistatic_";
 
 }  // namespace
 
@@ -27,7 +27,7 @@ template <int dim>
 void AssembledSolver<dim>::set_up() {
   constexpr const char* what = "setting up the linear solver";
   check(KSPCreate(PETSC_COMM_WORLD, solver_.put()), what);
-  check(KSPSetOptionsPrefix(solver_.get(), prefix), what);
+  check(KSPSetOptionsPrefix(solver_.get(), options_prefix), what);
   check(KSPSetType(solver_.get(), KSPCG), what);
   check(KSPSetNormType(solver_.get(), KSP_NORM_UNPRECONDITIONED), what);
   check(KSPSetInitialGuessNonzero(solver_.get(), PETSC_TRUE), what);
@@ -41,8 +41,8 @@ void AssembledSolver<dim>::set_up() {
   } else {
     check(PCSetType(preconditioner, PCGAMG), what);
     this->elastic_operator().attach_rigid_motions(matrix_.get());
-    set_default_option(prefix, "pc_gamg_threshold", "0.02");
-    set_default_option(prefix, "mg_levels_ksp_max_it", "4");
+    set_default_option(options_prefix, "pc_gamg_threshold", "0.02");
+    set_default_option(options_prefix, "mg_levels_ksp_max_it", "4");
   }
   check(KSPSetFromOptions(solver_.get()), what);
 }

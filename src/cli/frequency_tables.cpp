@@ -1,0 +1,73 @@
+#include "cli/frequency_tables.hpp"
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "breccia/results/frequency_rows.hpp"
+
+#include "cli/shown_tests.hpp"
+#include "io/display.hpp"
+#include "results/engineering_curves.hpp"
+
+namespace breccia::cli {
+namespace {
+
+constexpr FrequencyRows decades_of_hertz{.hertz_per_decade = 1};
+
+/// The two lines above a table of the modulus of this symbol: "G".
+std::string head_of_table(const std::string& title, const std::string& symbol, bool has_errors) {
+  return fmt::format("\n{}\n{:>12}  {:>12}  {:>9}  {:>12}  {:>12}  {:>9}{}\n", title, "frequency", "|" + symbol + "*|",
+                     "phase", symbol + "'", symbol + "''", "tan delta", has_errors ? "     error" : "");
+}
+
+/// A row, without its error.
+std::string row_of(double angular_frequency, std::complex<double> modulus) {
+  constexpr double per_cycle = 2.0 * std::numbers::pi, degrees = 180.0 / std::numbers::pi;
+  return fmt::format("{:>12}  {:>12}  {:>9}  {:>12}  {:>12}  {:>9.3g}", display(angular_frequency / per_cycle, "Hz"),
+                     display(std::abs(modulus), "Pa"), fmt::format("{:.3g} deg", degrees * std::arg(modulus)),
+                     display(modulus.real(), "Pa"), display(modulus.imag(), "Pa"), modulus.imag() / modulus.real());
+}
+
+std::string table_of(const StageResult& stage, const TestResult& test) {
+  const auto name = modulus_in_words(test.id.load, stage.dimensions);
+  const bool has_errors = has_known_error(test);
+  auto text = head_of_table(
+      fmt::format("{}, {}, {}, {}", stage.name, name, bound_of(test.id.boundary), name_of(test.id.method)),
+      test.id.load.is_bulk() ? "M" : "G", has_errors);
+  for (const double frequency : decades_of_hertz.of(test.modulus)) {
+    text += row_of(frequency, test.series.complex_modulus(frequency));
+    if (has_errors) text += fmt::format("  {:>8}", error_at(test, 1.0 / frequency));
+    text += '\n';
+  }
+  return text;
+}
+
+/// Young's modulus, with Poisson's ratio.
+std::string table_of(const StageResult& stage, const EngineeringCurves& curves) {
+  auto text = head_of_table(fmt::format("{}, E, {}, {}; nu is the real part of Poisson's ratio", stage.name,
+                                        bound_of(curves.test.boundary), name_of(curves.test.method)),
+                            "E", false);
+  text.insert(text.size() - 1, fmt::format("  {:>8}", "nu"));
+  for (const auto& sample : curves.in_frequency) {
+    text += row_of(sample.angular_frequency, sample.young) + fmt::format("  {:>8.4f}\n", sample.poisson.real());
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string frequency_tables_of(const std::vector<StageResult>& stages) {
+  std::string text;
+  for (const auto& stage : stages) {
+    for (const auto* test : shown_tests(stage)) {
+      if (test->series.unrelaxed() > 0.0) text += table_of(stage, *test);
+    }
+    for (const auto& curves : engineering_curves(stage, decades_of_hertz)) text += table_of(stage, curves);
+  }
+  return text;
+}
+
+}  // namespace breccia::cli

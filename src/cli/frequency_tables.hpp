@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "breccia/homogenisation/study_result.hpp"
+
+namespace breccia::cli {
+
+/// Tables of the complex moduli of each stage at whole decades of hertz: for each test, and Young's modulus where shear
+/// and bulk were tested. The error of a modulus is the one at the time of its angular frequency, 1 / omega.
+std::string frequency_tables_of(const std::vector<StageResult>& stages);
+
+}  // namespace breccia::cli

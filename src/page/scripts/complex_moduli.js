@@ -1,0 +1,76 @@
+/// The complex moduli of a stage at frequencies in hertz: the result of a study whose deck gives frequencies.
+
+import {display, displayRange, percent, shortNumber} from "./numbers.js";
+import {listed} from "./names.js";
+import {valueAt} from "./sampling.js";
+import {textOnBounds, threeTimes} from "./result_sentences.js";
+
+const perCycle = 2 * Math.PI;
+
+/// The complex moduli of a result, one for each boundary: {boundary, x, at, errorAt} with the frequencies x [Hz], the
+/// modulus {size, phase, storage, loss} at one of them [Pa, degrees], and its error, that of the relaxation modulus at
+/// the time 1/omega (NaN where it is not known). `result` are the relaxation moduli; `curves` all curves of the study.
+export function complexModuli(curves, result) {
+  return result.flatMap((modulus) => {
+    const part = (name) => curves.find((curve) => curve.role === "stage" && curve.quantity === "dynamic" &&
+      curve.part === name && ["stage", "load", "boundary"].every((key) => curve[key] === modulus[key]));
+    const [storage, loss] = [part("storage"), part("loss")];
+    if (storage === undefined || loss === undefined) return [];
+    const value = ({x, y}, frequency) => valueAt(x, y, perCycle * frequency);
+    return [{boundary: modulus.boundary, x: storage.x.map((frequency) => frequency / perCycle),
+      at: (frequency) => complexOf(value(storage, frequency), value(loss, frequency)),
+      errorAt: (frequency) => (modulus.error === undefined ? NaN
+        : valueAt(modulus.x, modulus.error.whole, 1 / (perCycle * frequency)))}];
+  });
+}
+
+/// A complex modulus {size, phase, storage, loss}, the phase in degrees.
+export function complexOf(storage, loss) {
+  return {size: Math.hypot(storage, loss), phase: Math.atan2(loss, storage) * 180 / Math.PI, storage, loss};
+}
+
+function rangeOf(values) {
+  return [Math.min(...values), Math.max(...values)];
+}
+
+function phaseText(phases) {
+  const [from, to] = rangeOf(phases).map((phase) => shortNumber(phase, 2));
+  return `${from === to ? from : `${from} to ${to}`}°`;
+}
+
+/// "± 3.4 %" of a single modulus; empty for several, and where it is not known.
+function errorText(moduli, frequency) {
+  const share = moduli.length === 1 ? moduli[0].errorAt(frequency) : NaN;
+  return Number.isFinite(share) ? ` ± ${percent(share)}` : "";
+}
+
+/// The sentences on complex moduli; `error` is a text on their errors, `binder` {at} has the binder's complex modulus.
+export function complexSentences({stage, moduli, error, binder}) {
+  const frequencies = threeTimes(moduli);
+  const parts = frequencies.map((frequency) => {
+    const here = moduli.map(({at}) => at(frequency));
+    return `${displayRange(...rangeOf(here.map(({size}) => size)), "Pa")}${errorText(moduli, frequency)} with a phase of ` +
+      `${phaseText(here.map(({phase}) => phase))} at ${display(frequency, "Hz")}`;
+  });
+  const remarks = [textOnBounds(moduli), error].filter(Boolean).join("; ");
+  const sentences = [`|G*| of ${stage} is ${listed(parts)} (${remarks}).`];
+  if (binder !== undefined) {
+    const ratios = [frequencies[0], frequencies.at(-1)].map((frequency) => {
+      const [from, to] = rangeOf(moduli.map(({at}) => at(frequency).size / binder.at(frequency).size))
+        .map((ratio) => shortNumber(ratio, 2));
+      return `${from === to ? from : `${from} to ${to}`} times its binder at ${display(frequency, "Hz")}`;
+    });
+    sentences.push(`That is ${listed([...new Set(ratios)])}.`);
+  }
+  return sentences;
+}
+
+/// The columns [head, text at a frequency] of a table of one complex modulus; `name` is that of its boundary, or empty.
+export function complexColumns(modulus, name) {
+  const head = (symbol) => (name === "" ? symbol : `${symbol}, ${name}`);
+  const columns = [["|G*|", ({size}) => display(size, "Pa")], ["phase", ({phase}) => `${shortNumber(phase, 3)}°`],
+    ["G′", ({storage}) => display(storage, "Pa")], ["G″", ({loss}) => display(loss, "Pa")],
+    ["tan δ", ({storage, loss}) => shortNumber(loss / storage, 3)]];
+  return columns.map(([symbol, text], i) => [head(symbol), (frequency) =>
+    text(modulus.at(frequency)) + (i === 0 ? errorText([modulus], frequency) : "")]);
+}
