@@ -34,6 +34,7 @@ std::vector<TaskCurve> stage_of(const std::vector<TaskCurve>& curves, const std:
                        [&](const TaskCurve& curve) { return curve.stage == stage; });
   if (of_stage.empty()) return best;
   std::vector<TestLoad> loads;
+  loads.reserve(of_stage.size());
   for (const auto& curve : of_stage) loads.push_back(curve.test.load);
   const auto load = main_shear(loads).value_or(loads.front());
   for (const auto& curve : of_stage) {

@@ -133,6 +133,7 @@ void measure_content(const Stage& stage, const Microstructure<dim>& balls, Stage
   result.gap = smallest_gap(coated);
   result.wall_gap = smallest_wall_gap(coated);
   std::vector<double> volumes;
+  volumes.reserve(balls.particles.size());
   for (const auto& particle : balls.particles) volumes.push_back(std::pow(particle.diameter, dim));
   result.effective_particles = effective_number(volumes);
   auto fillers = filler_statistics(stage, balls);

@@ -50,6 +50,7 @@ void measure_box(const Stage& stage, const Box& box, StageMicrostructure& result
   result.gap = smallest_gap(box);
   result.wall_gap = smallest_wall_gap(box);
   std::vector<double> volumes;
+  volumes.reserve(box.particles.size());
   for (const auto& particle : box.particles) volumes.push_back(std::pow(size_of_shape(particle), stage.dimensions()));
   result.effective_particles = effective_number(volumes);
   result.fillers.resize(stage.fillers.size());

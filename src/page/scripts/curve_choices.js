@@ -31,6 +31,7 @@ export function quantityChoices(curves, shown, draw) {
     draw();
   }}, ...quantities.filter((quantity) => curves.some((curve) => curve.quantity === quantity.name))
     .map((quantity) => element("option", {value: quantity.name}, quantity.title)));
+  select.value = shown.quantity.name;
   offerReferences();
   axis.offer();
   return [select, ...axis.elements, reference];
