@@ -2,14 +2,15 @@
 """How much the modulus of a random periodic box scatters from packing to packing, against a rule for it (Eq. 43h of the
 theory): standard deviation of ln M = a |ln (M / M of the matrix)| / sqrt(n), n the effective number of particles.
 
-    examples/coverage/sample.py [DIMENSIONS [FIRST LAST]]      the composites from FIRST to LAST, by default 1 to 40
+    examples/coverage/sample.py [DIMENSIONS [FIRST LAST]]      the composites from FIRST to LAST, by default 1 to 30
 
 A composite is a kind of box, a fraction, a filler and a binder that relaxes by 10 to 1e5; it is computed for 16 packings
 (in space 10) of 15 to 100 particles (12 to 30) with 7 cells (5) across the smallest one. A value is a modulus of one
 packing at one decade of time; it is held where it lies within twice the deviation by the rule about the mean of all
-packings. The program is `breccia` of the path, or BRECCIA of
-the environment; results are in `results/sample`, or the directory RESULTS of the environment, and what is there is not
-run again."""
+packings. The means of both shears of the plane have a second row, with the error that the two shears of a box lower (Eq.
+43i), and the share that is held of those that are lowered. The program is `breccia` of the path, or BRECCIA of the
+environment; results are in `results/sample`, or the directory RESULTS of the environment, and what is there is not run
+again."""
 
 import csv
 import os
@@ -103,7 +104,8 @@ def effective_number(path):
 
 
 def scatter_of(dim, kind, seed):
-    """For each load: times with |ln R|, the deviation of ln M, and each packing's distance from the mean; and n."""
+    """For each load: times with ln R, the deviation of ln M, each packing's distance from the mean, and how far its two
+    shears have been apart so far; and n."""
     deck = composite_of(dim, kind, seed)
     directory = run(f"{dim}-{kind}-{seed}", deck, PACKINGS[dim])
     if directory is None:
@@ -113,11 +115,16 @@ def scatter_of(dim, kind, seed):
     with open(directory / "sweep.csv", newline="") as file:
         for row in csv.DictReader(line for line in file if not line.startswith("#")):
             found.setdefault((row["load"], float(row["time_s"])), []).append(log(float(row["modulus_Pa"])))
+    apart, largest = {}, [0.0] * PACKINGS[dim]
+    for time in sorted(time for load, time in found if load == "shear"):
+        shears = zip(found["shear", time], found["shear-xx-yy", time])
+        apart[time] = largest = [max(before, abs(one - other)) for before, (one, other) in zip(largest, shears)]
     numbers = [effective_number(path / "box") for path in sorted(directory.glob("seed-*"))]
     loads = {}
     for (load, time), values in found.items():
         ratio = mean(values) - log(matrix_modulus(binder, load, dim, time))
-        loads.setdefault(load, []).append((time, ratio, stdev(values), [value - mean(values) for value in values]))
+        distances = [value - mean(values) for value in values]
+        loads.setdefault(load, []).append((time, ratio, stdev(values), distances, apart[time]))
     return mean(numbers), loads
 
 
@@ -132,7 +139,7 @@ def deviation_of_one(dim, kind, load, ratio):
 def main():
     dim = int(sys.argv[1]) if len(sys.argv) > 1 else 2
     first, last = (int(sys.argv[2]), int(sys.argv[3])) if len(sys.argv) > 3 else (1, 30)
-    found = {}
+    found, lowered = {}, {}
     for seed in range(first, last + 1):
         kind = kind_of(dim, seed)
         known = scatter_of(dim, kind, seed)
@@ -142,20 +149,31 @@ def main():
         for load, times in loads.items():
             name = load if load in ("isotropic", "bulk") else "one shear"
             rows = found.setdefault((name, "grains" if kind == "grains" else kind), [])
-            for _, ratio, deviation, distances in times:
+            for _, ratio, deviation, distances, apart in times:
                 rule = deviation_of_one(dim, kind, load, ratio) / sqrt(number)
                 # The mean of the packings has an error of its own.
-                held = sum(abs(distance) <= 2.0 * rule * sqrt(1.0 - 1.0 / len(distances)) for distance in distances)
+                own = sqrt(1.0 - 1.0 / len(distances))
+                held = sum(abs(distance) <= 2.0 * rule * own for distance in distances)
                 rows.append((deviation * sqrt(number) / max(abs(ratio), 1e-3), deviation, rule, held, len(distances)))
+                if dim == 2 and load == "isotropic":
+                    errors = [min(2.0 * rule, max(rule, far / 0.35)) if ratio > 0.0 else 2.0 * rule for far in apart]
+                    both = [(abs(distance) <= error * own, error < 2.0 * rule, error) for distance, error in zip(distances, errors)]
+                    lowered.setdefault(kind, []).extend(both)
             print(kind, seed, f"n {number:.0f}", load, " ".join(
                 f"[{ratio:.2f} {deviation:.2%} {deviation * sqrt(number) / max(abs(ratio), 1e-3):.2f}]"
-                for _, ratio, deviation, _ in times[::2]), file=sys.stderr, flush=True)
+                for _, ratio, deviation, *_ in times[::2]), file=sys.stderr, flush=True)
     print("| modulus | kind | values | held | a, median | a, largest | deviation, median | by the rule, median |\n"
           "|---|---|---|---|---|---|---|---|")
     for (load, kind), rows in sorted(found.items()):
         factors, deviations, rules, held, count = zip(*rows)
         print(f"| {load} | {kind} | {sum(count)} | {sum(held) / sum(count):.1%} | {median(factors):.3f} | {max(factors):.2f} | "
               f"{median(deviations):.2%} | {median(rules):.2%} |")
+    if lowered:
+        print("\n| kind | held with the shears | lowered | held of these | error, median |\n|---|---|---|---|---|")
+    for kind, values in [*lowered.items(), ("all", [value for values in lowered.values() for value in values])] if lowered else []:
+        fewer = [is_held for is_held, is_lower, _ in values if is_lower]
+        print(f"| {kind} | {mean(held for held, _, _ in values):.1%} | {len(fewer) / len(values):.0%} | "
+              f"{mean(fewer) if fewer else 1.0:.1%} | {median(error for _, _, error in values):.2%} |")
 
 
 main()

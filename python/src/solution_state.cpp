@@ -22,7 +22,7 @@ namespace {
 namespace py = pybind11;
 namespace fs = std::filesystem;
 
-constexpr int format = 5;
+constexpr int format = 6;
 
 /// A directory that exists as long as this object.
 class ScratchDirectory {
@@ -136,6 +136,10 @@ std::shared_ptr<Solution> solution_from(const py::dict& state) {
     solution->responses.push_back(responses_from(bytes_in(parts[0])));
     solution->responses.back().fillers = parts[1].cast<std::vector<std::string>>();
     solution->responses.back().warnings = parts[2].cast<std::vector<std::string>>();
+    for (const auto& stage : solution->stages) {
+      if (stage.result.name != solution->responses.back().stage) continue;
+      solution->responses.back().rules = rules_of_responses(stage.result.accuracy.rules);
+    }
   }
   return solution;
 }

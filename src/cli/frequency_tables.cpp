@@ -19,15 +19,15 @@ constexpr FrequencyRows decades_of_hertz{.hertz_per_decade = 1};
 
 /// The two lines above a table of the modulus of this symbol: "G".
 std::string head_of_table(const std::string& title, const std::string& symbol, bool has_errors) {
-  return fmt::format("\n{}\n{:>12}  {:>12}  {:>9}  {:>12}  {:>12}  {:>9}{}\n", title, "frequency", "|" + symbol + "*|",
-                     "phase", symbol + "'", symbol + "''", "tan delta", has_errors ? "     error" : "");
+  return fmt::format("\n{}\n{:>12}  {:>12}{}  {:>9}  {:>12}  {:>12}  {:>9}\n", title, "frequency", "|" + symbol + "*|",
+                     has_errors ? "     error" : "", "phase", symbol + "'", symbol + "''", "tan delta");
 }
 
-/// A row, without its error.
-std::string row_of(double angular_frequency, std::complex<double> modulus) {
+/// A row; `error` is the column of the error, or empty.
+std::string row_of(double angular_frequency, std::complex<double> modulus, const std::string& error) {
   constexpr double per_cycle = 2.0 * std::numbers::pi, degrees = 180.0 / std::numbers::pi;
-  return fmt::format("{:>12}  {:>12}  {:>9}  {:>12}  {:>12}  {:>9.3g}", display(angular_frequency / per_cycle, "Hz"),
-                     display(std::abs(modulus), "Pa"), fmt::format("{:.3g} deg", degrees * std::arg(modulus)),
+  return fmt::format("{:>12}  {:>12}{}  {:>9}  {:>12}  {:>12}  {:>9.3g}", display(angular_frequency / per_cycle, "Hz"),
+                     display(std::abs(modulus), "Pa"), error, fmt::format("{:.3g} deg", degrees * std::arg(modulus)),
                      display(modulus.real(), "Pa"), display(modulus.imag(), "Pa"), modulus.imag() / modulus.real());
 }
 
@@ -38,9 +38,8 @@ std::string table_of(const StageResult& stage, const TestResult& test) {
       fmt::format("{}, {}, {}, {}", stage.name, name, bound_of(test.id.boundary), name_of(test.id.method)),
       test.id.load.is_bulk() ? "M" : "G", has_errors);
   for (const double frequency : decades_of_hertz.of(test.modulus)) {
-    text += row_of(frequency, test.series.complex_modulus(frequency));
-    if (has_errors) text += fmt::format("  {:>8}", error_at(test, 1.0 / frequency));
-    text += '\n';
+    const auto error = has_errors ? fmt::format("  {:>8}", error_at(test, 1.0 / frequency)) : "";
+    text += row_of(frequency, test.series.complex_modulus(frequency), error) + '\n';
   }
   return text;
 }
@@ -52,7 +51,7 @@ std::string table_of(const StageResult& stage, const EngineeringCurves& curves) 
                             "E", false);
   text.insert(text.size() - 1, fmt::format("  {:>8}", "nu"));
   for (const auto& sample : curves.in_frequency) {
-    text += row_of(sample.angular_frequency, sample.young) + fmt::format("  {:>8.4f}\n", sample.poisson.real());
+    text += row_of(sample.angular_frequency, sample.young, "") + fmt::format("  {:>8.4f}\n", sample.poisson.real());
   }
   return text;
 }

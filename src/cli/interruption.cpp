@@ -1,5 +1,6 @@
 #include "cli/interruption.hpp"
 
+#include <cerrno>
 #include <csignal>
 #include <ctime>
 #include <string_view>
@@ -20,8 +21,9 @@ std::timespec first_request = {};
 // NOLINTEND(cppcoreguidelines-avoid-non-const-global-variables)
 
 constexpr std::string_view notice =
-    "\nStopping after the solution in progress, which may take a while; Ctrl-C again stops at once, and --resume then "
-    "continues from the last checkpoint.\n";
+    "\nStopping after the solution in progress, which may take a while; Ctrl-C again stops at once, and a run then "
+    "goes on "
+    "from its last checkpoint with --resume.\n";
 
 /// The time since the first request [s].
 double seconds_since_request() {
@@ -33,10 +35,12 @@ double seconds_since_request() {
 
 /// Calls nothing but what a signal handler may call.
 extern "C" void request_stop(int signal) {
+  const int error = errno;
   if (requested == 0) {
     (void)::clock_gettime(CLOCK_MONOTONIC, &first_request);
     requested = 1;
     if (speaks != 0) (void)!::write(STDERR_FILENO, notice.data(), notice.size());
+    errno = error;
     return;
   }
   // One key may send several signals, to a program and to its parent, which passes them on.

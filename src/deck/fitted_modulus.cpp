@@ -76,7 +76,7 @@ struct FitModulus {
 
 std::string words_on_taken_kind(const std::filesystem::path& file, ModulusKind kind) {
   return fmt::format(
-      "{} does not say which modulus it has: it is taken for {}; a column such as \"{}modulus_Pa\" says it",
+      "{} does not say which modulus it has: it is taken for {}; names of columns that begin with \"{}\" say it",
       file.filename().string(), symbol(kind), column_prefix(kind));
 }
 
@@ -84,8 +84,7 @@ FittedModulus fitted_modulus(const std::filesystem::path& file, ModulusKind kind
                              std::optional<double> reference_temperature) {
   const auto table = read_measured_table(file);
   auto fitted = std::visit(FitModulus{reference_temperature}, fit_data_in(table, kind).data);
-  fitted.names_kind =
-      std::ranges::any_of(table.kinds(), [](ModulusKind one) { return one != ModulusKind::unspecified; });
+  fitted.names_kind = std::ranges::any_of(table.kinds(), [kind](ModulusKind one) { return one == kind; });
   return fitted;
 }
 

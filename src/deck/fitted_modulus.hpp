@@ -17,11 +17,11 @@ struct FittedModulus {
   /// Times of the data [s], for dynamic moduli 1 / omega; nothing for a Prony series.
   std::optional<TimeWindow> measured_times;
   std::optional<ShiftLaw> shift_law = {};  ///< law of a master curve (shift_law_of)
-  bool names_kind = false;                 ///< whether the file says which kind of modulus it has
+  bool names_kind = false;                 ///< whether a column of the file is named after the wanted kind
 };
 
 /// The sentence on a modulus whose file does not say of which kind it is: "data.csv does not say which modulus it has:
-/// it is taken for G".
+/// it is taken for G; names of columns that begin with "shear_" say it".
 std::string words_on_taken_kind(const std::filesystem::path& file, ModulusKind kind);
 
 /// The modulus fitted to the measured data in a file (fit_data_in): a relaxation modulus, a creep compliance, dynamic

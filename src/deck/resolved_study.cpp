@@ -36,7 +36,8 @@ Study resolve(const Deck& document) {
   study.measurements = read_measurements(root, study.stages, study.tests);
   for (const auto& mistake : contradictions(study)) root.report("tests", mistake);
   if (!study.stages.empty() && !document.remarks().empty()) {
-    study.provenance.warnings[study.stages.front().name] = document.remarks();
+    auto& warnings = study.provenance.warnings[study.stages.front().name];
+    warnings.insert(warnings.end(), document.remarks().begin(), document.remarks().end());
   }
   study.provenance.inputs = document.files();
   study.provenance.inputs.push_back(document.path());

@@ -8,9 +8,14 @@
 
 #include "breccia/study/test_load.hpp"
 
+#include "discretisation/contrast.hpp"
+#include "homogenisation/narrow_gaps.hpp"
 #include "homogenisation/plan/grid_error.hpp"
+#include "homogenisation/run/test_requests.hpp"
 #include "homogenisation/sample_error.hpp"
 #include "homogenisation/stage_materials.hpp"
+#include "study/chain.hpp"
+#include "study/coatings.hpp"
 #include "study/test_rules.hpp"
 #include "virtual_test/bulk_test.hpp"
 
@@ -25,21 +30,31 @@ double modulus_under(TestLoad load, const Material& material, int dimensions, do
 
 /// The error of the grid of a test at one of its times; nothing where grids differ by as much as the modulus.
 std::optional<double> grid_error(const TestResult& test, const ErrorRules& rules, std::size_t sample) {
-  if (test.half_bands.empty()) return rules.one_grid;
+  // The rule for one grid is that of the cells of the quasi-static method.
+  if (test.half_bands.empty()) return test.id.method == Method::quasistatic ? rules.one_grid : std::nullopt;
   const double error = test.half_bands[sample] / test.modulus[sample].modulus;
   return error < 1.0 ? std::optional(error) : std::nullopt;
 }
 
-SampleKind sample_of(const Stage& stage) {
+/// Whether the fillers have a rule for the scatter: all stiffer than the matrix, or all softer, and without coatings.
+/// Others may hardly stiffen the matrix, and scatter nevertheless.
+bool has_fillers_with_rule(const Study& study, const Stage& stage) {
+  if (thinnest_coating(stage)) return false;
+  return are_stiffer_than_matrix(materials_of(stage, expected_matrix(study, stage))) || has_soft_fillers(study, stage);
+}
+
+/// Composites for which the rule was measured: of the plane, and spheres.
+SampleKind sample_of(const Study& study, const Stage& stage, const StageMicrostructure& packed) {
   if (stage.fillers.empty() || stage.packing_name() == PackingName::regular) return SampleKind::whole;
-  if (!stage.has_seed()) return SampleKind::unknown;
+  if (!stage.has_seed() || !has_fillers_with_rule(study, stage)) return SampleKind::unknown;
+  if (stage.dimensions() == 3 && packed.content<Microstructure<3>>() == nullptr) return SampleKind::unknown;
   return stage.has_grains() ? SampleKind::grains : SampleKind::particles;
 }
 
 /// The error of a box in place of all boxes of its make.
 std::optional<double> error_of_box(const ErrorRules& rules, const TestId& test, int dimensions, double stiffening) {
-  // The rule was measured with periodic boxes.
-  if (rules.sample != SampleKind::whole && test.boundary != Boundary::periodic) return std::nullopt;
+  // The rule was measured with periodic boxes, and other boundaries act on the particles near them.
+  if (test.boundary != Boundary::periodic && rules.effective_particles > 0.0) return std::nullopt;
   return sample_error(rules, dimensions, test.load, stiffening);
 }
 
@@ -73,9 +88,9 @@ std::optional<double> solver_error(const TestResult& preferred, const std::vecto
   return finest->error_estimate;
 }
 
-/// The largest whole error at a time of the moduli of the stage that is the matrix; 0 where that is a material. The
-/// modulus of a composite is of first degree in all moduli of its phases and grows with each, so that no share of error
-/// in those of the matrix grows in it.
+/// The largest error up to a time of the moduli of the stage that is the matrix, with the error of the series that
+/// stands for them; 0 where the matrix is a material. The modulus of a composite is of first degree in all moduli of
+/// its phases and grows with each, so that a share of error in those of the matrix is no larger in it.
 class MatrixError {
  public:
   MatrixError(const StageMatrix& matrix, const std::vector<StageResult>& earlier, const TestId& test) {
@@ -84,6 +99,9 @@ class MatrixError {
     const auto found = std::ranges::find(earlier, stage->name, &StageResult::name);
     if (found == earlier.end()) return;
     is_material_ = false;
+    for (const auto& [boundary, method, fit] : found->materials) {
+      if (boundary == test.boundary && method == test.method) fit_ = std::max(fit.shear_error, fit.bulk_error);
+    }
     const bool has_mean = std::ranges::any_of(found->tests, [](const auto& one) { return one.id.load.is_isotropic(); });
     for (const auto& one : found->tests) {
       if (one.errors.empty() || one.id.boundary != test.boundary || one.id.method != test.method) continue;
@@ -93,19 +111,24 @@ class MatrixError {
   }
 
   [[nodiscard]] std::optional<double> at(double time) const {
-    std::optional<double> largest = is_material_ ? std::optional(0.0) : std::nullopt;
+    if (is_material_) return 0.0;
+    std::optional<double> largest;
     for (const auto* test : tests_) {
-      const auto sample = std::ranges::find(test->modulus, time, &Sample::time);
-      if (sample == test->modulus.end()) return std::nullopt;
-      const auto error = test->errors[static_cast<std::size_t>(sample - test->modulus.begin())].whole();
-      if (!error) return std::nullopt;
-      largest = std::max(largest.value_or(0.0), *error);
+      const auto end = std::ranges::find(test->modulus, time, &Sample::time);
+      if (end == test->modulus.end()) return std::nullopt;
+      const auto samples = static_cast<std::size_t>(end - test->modulus.begin()) + 1;
+      for (std::size_t i = 0; i < samples; ++i) {
+        const auto error = test->errors[i].whole();
+        if (!error) return std::nullopt;
+        largest = std::max(largest.value_or(0.0), *error);
+      }
     }
-    return largest;
+    return largest ? std::optional(std::hypot(*largest, fit_)) : std::nullopt;
   }
 
  private:
   bool is_material_ = true;
+  double fit_ = 0.0;  ///< error of the series [-]
   std::vector<const TestResult*> tests_ = {};
 };
 
@@ -116,7 +139,7 @@ ErrorRules error_rules_of(const Study& study, const Stage& stage, const StageMic
   const bool is_on_one_grid = model_of(study.tests, stage) != Model::films && stage.grids().size() == 1;
   const auto grid = is_on_one_grid ? plan_of_grid(study, stage, packed) : std::nullopt;
   if (grid) rules.one_grid = grid->error();
-  rules.sample = sample_of(stage);
+  rules.sample = sample_of(study, stage, packed);
   rules.effective_particles = packed.effective_particles;
   return rules;
 }
@@ -135,8 +158,8 @@ void add_errors(StageFindings& stage, const ErrorRules& rules, const StageMatrix
       const auto& [time, modulus] = test.modulus[i];
       const double stiffening = modulus / modulus_under(id.load, material, stage.dimensions, time);
       auto sample = error_of_box(rules, id, stage.dimensions, stiffening);
-      if (sample && distances.size() == test.modulus.size()) {
-        sample = std::min(*sample, sample_error_of_shears(distances[i]));
+      if (sample && stiffening > 1.0 && distances.size() == test.modulus.size()) {
+        sample = narrowed_by_shears(*sample, distances[i]);
       }
       test.errors.push_back(
           {.grid = grid_error(test, rules, i), .sample = sample, .solver = solver, .matrix = of_matrix.at(time)});

@@ -165,10 +165,10 @@ std::optional<double> largest_error(const StageResult& result, const Part& of) {
   return largest;
 }
 
-/// The scatter of the packing.
+/// The error of one packing in place of all.
 std::string words_on_packing(const StageQuality& quality) {
   if (!quality.sample_error) return "packing: one seed, scatter unknown";
-  return fmt::format("packing: one seed, scatter up to about {} by a rule", words_of(*quality.sample_error));
+  return fmt::format("packing: one seed, error up to about {} by a rule", words_of(*quality.sample_error));
 }
 
 /// The largest ratio of the half band of a test to its modulus; nothing for a single grid.
@@ -295,7 +295,7 @@ std::string summary_of(const StageQuality& quality) {
   parts.push_back(words_on_grid(quality));
   if (std::isfinite(quality.gap_cells)) parts.push_back(words_on_gap(quality));
   if (quality.coating_cells) parts.push_back(fmt::format("thinnest coating: {:.2g} cells", *quality.coating_cells));
-  if (!quality.matrix_stage.empty()) {
+  if (!quality.matrix_stage.empty() && !quality.error) {
     parts.push_back(fmt::format("matrix: the errors of stage {} add to these", quality.matrix_stage));
   }
   if (quality.is_random) parts.push_back(words_on_packing(quality));

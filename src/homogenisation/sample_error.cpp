@@ -29,17 +29,18 @@ double deviation_of_one(const Factors& factors, TestLoad load, double stiffening
 }  // namespace
 
 std::optional<double> sample_error(const ErrorRules& rules, int dimensions, TestLoad load, double stiffening) {
-  constexpr double fewest = 8.0;
+  constexpr double fewest = 12.0, most_known = 1.0;
   if (rules.sample == SampleKind::whole) return 0.0;
   if (rules.sample == SampleKind::unknown || rules.effective_particles < fewest || !(stiffening > 0.0))
     return std::nullopt;
   const auto factors = factors_of(rules.sample, dimensions);
-  return 2.0 * deviation_of_one(factors, load, stiffening) / std::sqrt(rules.effective_particles);
+  const double error = 2.0 * deviation_of_one(factors, load, stiffening) / std::sqrt(rules.effective_particles);
+  return error < most_known ? std::optional(error) : std::nullopt;
 }
 
-double sample_error_of_shears(double distance) {
-  constexpr double of_error = 0.35;
-  return distance / of_error;
+double narrowed_by_shears(double rule, double distance) {
+  constexpr double of_error = 0.35, least = 0.5;
+  return std::clamp(distance / of_error, least * rule, rule);
 }
 
 }  // namespace breccia

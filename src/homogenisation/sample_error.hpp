@@ -12,8 +12,8 @@ namespace breccia {
 /// matrix. Nothing for a sample without a rule, and for fewer particles than it was measured with.
 std::optional<double> sample_error(const ErrorRules& rules, int dimensions, TestLoad load, double stiffening);
 
-/// The largest error of the mean of both shears of a box of the plane to be expected [-] where these have been no further
-/// apart than this so far (theory, Eq. 43i).
-double sample_error_of_shears(double distance);
+/// The sample error of the mean of both shears of a box of the plane [-]: that of the rule, or down to half of it where
+/// the shears have been no further apart than `distance` so far (theory, Eq. 43i).
+double narrowed_by_shears(double rule, double distance);
 
 }  // namespace breccia

@@ -87,7 +87,7 @@ TEST_F(EngineeringMaterials, AMeasuredModulusOfNoKindIsTakenForThatOfItsKeyWithA
   EXPECT_THAT(
       warnings_with("modulus_Pa"),
       ElementsAre("materials.binder.shear.measured: relaxation.csv does not say which modulus it has: it is taken "
-                  "for G; a column such as \"shear_modulus_Pa\" says it"));
+                  "for G; names of columns that begin with \"shear_\" say it"));
   EXPECT_THAT(warnings_with("shear_modulus_Pa"), IsEmpty());
 }
 

@@ -122,23 +122,24 @@ TEST(ModulusErrors, TakeOfAMatrixWithAMeanOfShearsThatMean) {
   EXPECT_EQ(second.tests[0].errors.at(0).matrix, first.tests[2].errors.at(0).whole());
 }
 
-TEST(ModulusErrors, OfTheMeanOfShearsAreSmallWhereTheseAreCloseTogether) {
+TEST(ModulusErrors, OfTheMeanOfShearsAreSmallerWhereTheseAreCloseTogether) {
   StageResult stage;
   stage.name = "A";
   stage.tests = {constant(Load::shear, Boundary::periodic, TestGrid(100), 2e6),
                  constant(Load::diagonal_shear, Boundary::periodic, TestGrid(100), 2e6),
                  constant(TestLoad::isotropic(), Boundary::periodic, TestGrid(100), 2e6)};
-  const std::array apart = {1.002, 1.007, 1.0};
+  const std::array apart = {1.001, 1.01, 1.0};
   for (std::size_t i = 0; i < apart.size(); ++i) stage.tests[1].modulus[i].modulus *= apart[i];
   const ErrorRules rules{.one_grid = 0.01, .sample = SampleKind::particles, .effective_particles = 50.0};
+  const auto rule = sample_error(rules, 2, TestLoad::isotropic(), 2.0).value();
   add_errors(stage, rules, binder(), {});
   const auto sample = [&](std::size_t time) { return stage.tests[2].errors.at(time).sample.value(); };
-  EXPECT_NEAR(sample(0), std::log(1.002) / 0.35, 1e-12);
-  EXPECT_NEAR(sample(1), std::log(1.007) / 0.35, 1e-12);
-  EXPECT_NEAR(sample(2), std::log(1.007) / 0.35, 1e-12) << "that they cross says nothing";
+  EXPECT_NEAR(sample(0), 0.5 * rule, 1e-12) << "no less than half the rule";
+  EXPECT_NEAR(sample(1), std::log(1.01) / 0.35, 1e-12);
+  EXPECT_NEAR(sample(2), std::log(1.01) / 0.35, 1e-12) << "that they cross says nothing";
   stage.tests[1].modulus[0].modulus *= 1.5;
   add_errors(stage, rules, binder(), {});
-  EXPECT_EQ(sample(0), sample_error(rules, 2, TestLoad::isotropic(), 2.0)) << "no more than by the rule";
+  EXPECT_EQ(sample(0), rule) << "no more than the rule";
 }
 
 }  // namespace

@@ -230,7 +230,7 @@ TEST(Quality, BeginsWithTheLargestWholeErrorWhereItIsKnown) {
   const auto known = quality_of(Study{}, stage, result_of({test}));
   EXPECT_NEAR(known.error.value(), 0.078, 1e-12);
   EXPECT_THAT(summary_of(known), StartsWith("error up to 7.8 %; grid: error up to 3 %; "));
-  EXPECT_THAT(summary_of(known), EndsWith("packing: one seed, scatter up to about 7.2 % by a rule"));
+  EXPECT_THAT(summary_of(known), EndsWith("packing: one seed, error up to about 7.2 % by a rule"));
   test.errors.front().sample.reset();
   const auto unknown = summary_of(quality_of(Study{}, stage, result_of({test})));
   EXPECT_THAT(unknown, StartsWith("grid: error up to 3 %; "));

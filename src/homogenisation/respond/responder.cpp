@@ -1,6 +1,7 @@
 #include "breccia/homogenisation/responder.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -12,6 +13,7 @@
 
 #include "breccia/error.hpp"
 
+#include "discretisation/contrast.hpp"
 #include "homogenisation/material_warnings.hpp"
 #include "homogenisation/quality.hpp"
 #include "homogenisation/respond/coverage_refusal.hpp"
@@ -115,6 +117,19 @@ std::vector<std::string> warnings_on_varying(const std::vector<StageResponses>& 
   return warnings;
 }
 
+/// Withholds the rule for the scatter from a stage with a filler that its present binder is not softer than.
+void withhold_rules(const std::vector<StageResponses>& all, const std::vector<ShiftedMaterial>& materials,
+                    StageResponses& stage) {
+  const auto* const binder = binder_of(all, stage);
+  const auto is_stiffer = [&](const std::string& name) {
+    const auto* const filler = find_material(materials, name);
+    return filler != nullptr && binder != nullptr && are_stiffer_than_matrix(std::array{*binder, filler->material});
+  };
+  if (!std::ranges::all_of(stage.fillers, is_stiffer) && stage.rules.sample != SampleKind::whole) {
+    stage.rules.sample = SampleKind::unknown;
+  }
+}
+
 /// A temperature in degrees Celsius, rounded to a millionth of a degree: "40 degC".
 std::string in_celsius(double kelvin) {
   constexpr double zero_celsius = 273.15, smallest = 1e-6;
@@ -196,7 +211,8 @@ Responder Responder::alone(const std::string& stage) const {
 std::vector<StageResult> Responder::respond() const {
   if (stages_.empty()) return {};
   require_earlier_stages(stages_);
-  const auto stages = stages_with_shown_names();
+  auto stages = stages_with_shown_names();
+  for (auto& stage : stages) withhold_rules(stages_, materials_, stage);
   for (const auto& stage : stages) {
     const auto* const matrix = std::get_if<Material>(&stage.matrix);
     if (matrix == nullptr || has_moduli(*matrix)) continue;

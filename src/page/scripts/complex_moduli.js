@@ -3,7 +3,7 @@
 import {display, displayRange, percent, shortNumber} from "./numbers.js";
 import {listed} from "./names.js";
 import {valueAt} from "./sampling.js";
-import {textOnBounds, threeTimes} from "./result_sentences.js";
+import {areCrossed, threeTimes} from "./result_sentences.js";
 
 const perCycle = 2 * Math.PI;
 
@@ -44,15 +44,23 @@ function errorText(moduli, frequency) {
   return Number.isFinite(share) ? ` ± ${percent(share)}` : "";
 }
 
-/// The sentences on complex moduli; `error` is a text on their errors, `binder` {at} has the binder's complex modulus.
-export function complexSentences({stage, moduli, error, binder}) {
+/// The boundaries of moduli in words. Absolute values and phases have no bounds, unlike the moduli over time.
+function textOnBoundaries(moduli) {
+  return `${moduli.map(({boundary}) => boundary).join(" to ")} boundary`;
+}
+
+/// The sentences on complex moduli; `result` are the relaxation moduli that belong to them, `error` is a text on their
+/// errors, `binder` {at} has the binder's complex modulus.
+export function complexSentences({stage, moduli, result, error, binder}) {
   const frequencies = threeTimes(moduli);
+  const isCrossed = areCrossed(result, frequencies.map((frequency) => 1 / (perCycle * frequency)));
   const parts = frequencies.map((frequency) => {
     const here = moduli.map(({at}) => at(frequency));
     return `${displayRange(...rangeOf(here.map(({size}) => size)), "Pa")}${errorText(moduli, frequency)} with a phase of ` +
       `${phaseText(here.map(({phase}) => phase))} at ${display(frequency, "Hz")}`;
   });
-  const remarks = [textOnBounds(moduli), error].filter(Boolean).join("; ");
+  const boundaries = isCrossed ? "the bounds cross: do not use them" : textOnBoundaries(moduli);
+  const remarks = [boundaries, error].filter(Boolean).join("; ");
   const sentences = [`|G*| of ${stage} is ${listed(parts)} (${remarks}).`];
   if (binder !== undefined) {
     const ratios = [frequencies[0], frequencies.at(-1)].map((frequency) => {
@@ -63,6 +71,11 @@ export function complexSentences({stage, moduli, error, binder}) {
     sentences.push(`That is ${listed([...new Set(ratios)])}.`);
   }
   return sentences;
+}
+
+/// Whether a table of one complex modulus shows its error.
+export function showsError(modulus) {
+  return modulus.x.some((frequency) => Number.isFinite(modulus.errorAt(frequency)));
 }
 
 /// The columns [head, text at a frequency] of a table of one complex modulus; `name` is that of its boundary, or empty.

@@ -60,7 +60,20 @@ function curvesInTime(table, column) {
   });
 }
 
+/// Adds the errors of the grid alone to the results of several grids: those of earlier versions have no others.
+function addErrorsOfGrids(curves) {
+  for (const group of groupsOf(readTable("extrapolation.csv"), ["stage", "load", "boundary", "method"])) {
+    const curve = curves.find((one) => one.quantity !== "compliance" && one.cells === "extrapolated" &&
+      ["stage", "load", "boundary", "method"].every((column) => one[column] === group[0][column]));
+    if (curve === undefined) continue;
+    curve.band = group.map((row) => row.half_band_Pa);
+    const grid = group.map((row) => row.half_band_Pa / row.modulus_Pa), unknown = grid.map(() => NaN);
+    curve.error = {whole: unknown, grid, sample: unknown, solver: unknown, matrix: unknown};
+  }
+}
+
 function addErrors(curves) {
+  if (readTable("errors.csv").length === 0) return addErrorsOfGrids(curves);
   const share = (text) => (text === "" ? NaN : Number(text));
   for (const group of groupsOf(readTable("errors.csv"), testColumns)) {
     const curve = curves.find((one) => one.quantity !== "compliance" &&

@@ -1,6 +1,6 @@
 /// The first screen of a study: the results, the warnings, and the moduli at whole decades.
 
-import {complexColumns, complexModuli, complexOf, complexSentences} from "./complex_moduli.js";
+import {complexColumns, complexModuli, complexOf, complexSentences, showsError} from "./complex_moduli.js";
 import {resultSentences, hasFlowedAway, sentenceOnMeasurement} from "./result_sentences.js";
 import {bestGrid} from "./curves.js";
 import {data, study} from "./data.js";
@@ -69,9 +69,8 @@ function textWithoutResult() {
 /// films, which have no grid.
 function textOnError(result, stage) {
   if (result.every(hasWholeError)) return `± ${causesOfErrors(result)}`;
-  const shares = result.filter(({band}) => band !== undefined).flatMap(({y, band}) => band.map((half, i) => half / y[i]))
-    .filter(Number.isFinite);
-  if (shares.length > 0) return `± ${percent(Math.max(...shares))} by the grid`;
+  const shares = result.flatMap(({error}) => error?.grid ?? []).filter(Number.isFinite);
+  if (shares.length > 0 && gridsOf(stage).length > 1) return `± ${percent(Math.max(...shares))} by the grid`;
   if (gridsOf(stage)[0] === "films") return "";
   const expected = expectedErrorOf(stage);
   return expected === undefined ? "the discretisation error is not known" : `the grid may err by ${percent(expected)}`;
@@ -141,7 +140,7 @@ export function showResult(curves) {
   const error = [textOnError(result, stage), textOnWarnings()].filter(Boolean).join("; ");
   const name = nameOfResult(stage), measured = isShear ? measuredBeside(curves, stage) : undefined;
   const sentences = moduli.length > 0
-    ? [...complexSentences({stage: name, moduli, error, binder: complexBinder(stage)}),
+    ? [...complexSentences({stage: name, moduli, result, error, binder: complexBinder(stage)}),
       ...(measured === undefined ? [] : sentenceOnMeasurement(result, measured))]
     : resultSentences({stage: name, symbol: symbolOf(load), curves: result, error,
       binder: isShear ? binderBeside(stage) : undefined, measured});
@@ -189,14 +188,17 @@ function timesOfTable([first, last], most) {
   return all.filter((_, i) => (all.length - 1 - i) % step === 0);
 }
 
-/// Shows the moduli of the last stage at whole decades, with the error of the grid, beside those of the binder and of
+/// Shows the moduli of the last stage at whole decades, with their errors, beside those of the binder and of
 /// the measurement.
 export function showModuli(curves) {
   const result = curvesOfResult(curves);
   if (result.length === 0) return;
   const [{stage, load}] = result;
   const moduli = study.frequencies_Hz === undefined ? [] : complexModuli(curves, result);
-  if (moduli.length > 0) return showTable(stage, complexTable(moduli), result);
+  if (moduli.length > 0) {
+    const note = moduli.some(showsError) ? noteOnErrors(result, stage) : onAnisotropy(qualityOf(stage));
+    return showTable(stage, complexTable(moduli), note);
+  }
   const isShear = load !== "bulk";
   const binder = isShear ? binderBeside(stage) : undefined;
   const measured = isShear ? measuredBeside(curves, stage) : undefined;
@@ -218,22 +220,23 @@ export function showModuli(curves) {
     columns.push(["measured", (time) => display(at(measured, time), "Pa")], ["over measured", (time) =>
       Number.isFinite(at(measured, time)) ? ratios(at(measured, time), time) : "–"]);
   }
-  showTable(stage, [columns, times], result);
+  showTable(stage, [columns, times], noteOnErrors(result, stage));
 }
 
 /// The columns and the frequencies [Hz] of the table of complex moduli.
 function complexTable(moduli) {
-  const frequencies = timesOfTable(study.frequencies_Hz, 12);
+  const whole = timesOfTable(study.frequencies_Hz, 12);
+  const frequencies = whole.length > 1 ? whole : study.frequencies_Hz;
   const named = (boundary) => (moduli.length > 1 ? boundNames[boundary] : "");
   return [[["frequency", (frequency) => display(frequency, "Hz")],
     ...moduli.flatMap((modulus) => complexColumns(modulus, named(modulus.boundary)))], frequencies];
 }
 
-/// Shows a table of columns [head, text of a row] with a note on the errors of the result.
-function showTable(stage, [columns, rows], result) {
+/// Shows a table of columns [head, text of a row] with a note below.
+function showTable(stage, [columns, rows], note) {
   document.getElementById("moduli").append(element("h2", {}, `Moduli of ${stage}`),
     table(columns.map(([head]) => head), rows.map((row) => columns.map(([, text]) => text(row)))),
-    element("p", {className: "note"}, noteOnErrors(result, stage)));
+    element("p", {className: "note"}, note));
 }
 
 function youngsModuli(curves, [{stage, method}]) {
@@ -253,12 +256,13 @@ function noteOnErrors(result, stage) {
   const isWhole = result.every(hasWholeError);
   const grid = isWhole ? `± is the error: at most ${causesOfErrors(result)} (see below).`
     : result.some(({band}) => band !== undefined) && gridsOf(stage).length > 1
-      ? "± is the error of the grid, from the grids of the run."
+      ? result.some(hasWholeError) ? "± is the error of the grid, and with the periodic boundary that of the packing, too."
+        : "± is the error of the grid, from the grids of the run."
     : gridsOf(stage)[0] === "films" ? ""
       : expectedErrorOf(stage) === undefined
         ? `Of one grid: its error is not known${ruleOf(stage) === undefined ? "" : ` (${ruleOf(stage)})`}.`
         : `Of one grid, whose error is up to about ${percent(expectedErrorOf(stage))} ${ruleOf(stage) ?? "by a rule"}.`;
   const quality = qualityOf(stage);
   return [onAnisotropy(quality), grid, onMeasuringGrids(quality?.measuring_grids),
-    isWhole ? "" : "The scatter from one packing to another is not in it."].filter((sentence) => sentence !== "").join(" ");
+    result.some(hasWholeError) ? "" : "The scatter from one packing to another is not in it."].filter((sentence) => sentence !== "").join(" ");
 }

@@ -95,10 +95,9 @@ function onGrids({cells, quality}) {
 function onPacking({microstructure: made, quality}) {
   if (!Number.isFinite(made.particles) || made.seed === undefined) return "";
   const rule = Number.isFinite(quality?.largest_sample_error)
-    ? ` by a rule, two packings of three differ from the mean of all by less than ${percent(quality.largest_sample_error / 2)}.`
-    : " by how much, is not known.";
+    ? ` This one differs from the mean of all by up to about ${percent(quality.largest_sample_error)}, by a rule.` : "";
   return `The packing: ${made.particles} particles, placed at random once. Another seed packs them anew and gives ` +
-    `other moduli;${rule} breccia run --seeds 3 shows it.`;
+    `other moduli; by how much, breccia run --seeds 3 shows.${rule}`;
 }
 
 /// A sentence on the separation of scales: a stage takes the one before as a uniform material, which is valid for far

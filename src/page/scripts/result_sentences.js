@@ -35,7 +35,7 @@ export function textOnBounds(curves) {
 }
 
 /// Whether the lower bound is above the upper one at one of these times, by more than rounding.
-function areCrossed(curves, times) {
+export function areCrossed(curves, times) {
   const at = (boundary, time) => {
     const curve = curves.find((one) => one.boundary === boundary);
     return curve === undefined ? NaN : valueAt(curve.x, curve.y, time);

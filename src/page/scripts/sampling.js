@@ -25,14 +25,16 @@ export function decades(first, last) {
   return list;
 }
 
-/// The value of a sampled curve at a time: between two samples it is a power of time, outside of the samples it is NaN.
+/// The value of a sampled curve at a time: between two samples it is a power of time, or linear in its logarithm where one
+/// of them is not positive; outside of the samples it is NaN.
 export function valueAt(times, values, time) {
   const rounding = 1e-9;
   if (time < times[0] * (1 - rounding) || time > times.at(-1) * (1 + rounding)) return NaN;
   if (times.length === 1) return values[0];
   const right = Math.max(1, times.findIndex((t) => t >= time * (1 - rounding)));
   const share = Math.log(time / times[right - 1]) / Math.log(times[right] / times[right - 1]);
-  return values[right - 1] * Math.pow(values[right] / values[right - 1], share);
+  const [before, after] = [values[right - 1], values[right]];
+  return before > 0 && after > 0 ? before * Math.pow(after / before, share) : before + share * (after - before);
 }
 
 /// The smallest and the largest ratio of a curve to a measured one, at the times of both; undefined if there are

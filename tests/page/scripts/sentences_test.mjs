@@ -66,7 +66,7 @@ test("complex moduli, their phase and error at frequencies in hertz", () => {
   const [modulus] = complexModuli(maxwell, [{...relaxed, error: {whole: [0.03, 0.05]}}]);
   const {size, phase} = modulus.at(10 / (2 * Math.PI));
   assert.ok(Math.abs(size / (2e6 / Math.SQRT2) - 1) < 1e-3 && Math.abs(phase - 45) < 0.05);
-  const [sentence, binder] = complexSentences({stage: "mix", moduli: [modulus], error: "± 5 % by the packing",
+  const [sentence, binder] = complexSentences({stage: "mix", moduli: [modulus], result: [relaxed], error: "± 5 % by the packing",
     binder: {at: () => complexOf(1e3, 0)}});
   assert.equal(sentence, "|G*| of mix is 20 kPa ± 5 % with a phase of 89° at 15.9 mHz, 1.06 MPa ± 4 % with a phase of " +
     "58° at 1 Hz and 2 MPa ± 3 % with a phase of 0.57° at 159 Hz (periodic boundary; ± 5 % by the packing).");
@@ -75,6 +75,13 @@ test("complex moduli, their phase and error at frequencies in hertz", () => {
   assert.deepEqual(columns.map(([head]) => head), ["|G*|", "phase", "G′", "G″", "tan δ"]);
   assert.equal(columns[4][1](10 / (2 * Math.PI)), "1");
   assert.deepEqual(complexModuli([], [relaxed]), [], "a stage without a series");
+  const elastic = complexModuli([dynamic("storage", () => 2e6), dynamic("loss", () => 0)], [relaxed])[0];
+  assert.deepEqual(elastic.at(1), {size: 2e6, phase: 0, storage: 2e6, loss: 0});
+  const crossed = ["traction", "displacement"].map((boundary, i) => ({...relaxed, boundary, y: [3e6 - i * 1e6, 1]}));
+  const both = crossed.map((curve) => ({...modulus, boundary: curve.boundary}));
+  assert.ok(complexSentences({stage: "mix", moduli: both, result: crossed})[0].endsWith("(the bounds cross: do not use them)."));
+  assert.ok(complexSentences({stage: "mix", moduli: both, result: [...crossed].reverse().map((curve, i) => ({...curve,
+    boundary: crossed[i].boundary}))})[0].endsWith("(traction to displacement boundary)."));
 });
 
 test("bounds that cross, and the error of the grid", () => {
