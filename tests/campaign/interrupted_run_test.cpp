@@ -99,7 +99,7 @@ TEST_F(InterruptedRun, GoesOnToTheSameBits) {
   const auto resumed = run_study(study, results, {.resume = true}, {.event = note});
   EXPECT_THAT(tested, ElementsAre("fine", "fine", "coarse")) << "those that were done are told again";
   EXPECT_TRUE(resumed.seconds);
-  for (const auto* table : {"curves.csv", "dynamic.csv", "engineering.csv", "prony.csv", "quality.csv"}) {
+  for (const auto* table : {"curves.csv", "dynamic.csv", "engineering.csv", "errors.csv", "prony.csv", "quality.csv"}) {
     EXPECT_EQ(read_text(results / table), read_text(whole / table)) << table;
   }
   EXPECT_TRUE(read_study_record(results).is_complete_run_of(study));
@@ -107,7 +107,8 @@ TEST_F(InterruptedRun, GoesOnToTheSameBits) {
                                                   "microstructure.svg", "response.h5"))
       << "without checkpoints";
   EXPECT_THAT(files(), UnorderedElementsAre("study.json", "report.html", "checksums.txt", "curves.csv", "dynamic.csv",
-                                            "engineering.csv", "engineering_dynamic.csv", "prony.csv", "quality.csv"));
+                                            "engineering.csv", "engineering_dynamic.csv", "errors.csv", "prony.csv",
+                                            "quality.csv"));
 }
 
 TEST_F(InterruptedRun, LeavesEarlierResultsAsTheyWere) {

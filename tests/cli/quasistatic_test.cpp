@@ -88,6 +88,7 @@ TEST_F(Quasistatic, LeavesTheseFiles) {
                                        "engineering.csv",
                                        "engineering_dynamic.csv",
                                        "prony.csv",
+                                       "errors.csv",
                                        "quality.csv",
                                        "report.html",
                                        "study.json"};

@@ -81,6 +81,7 @@ TEST_F(Results, AreTheseFiles) {
                                     "engineering.csv",
                                     "engineering_dynamic.csv",
                                     "prony.csv",
+                                    "errors.csv",
                                     "quality.csv",
                                     "report.html",
                                     "study.json"};

@@ -235,14 +235,14 @@ TEST_F(RefuseRaster, NumpyHeadersWithMistakes) {
 }
 
 TEST_F(RefuseRaster, HugePngOfFewBytes) {
-  // The file has a header for 200000 x 10000 grey levels, with its checksum, and no pixels.
+  // The file has a header for 20000 x 10000 grey levels, with its checksum, and no pixels.
   constexpr std::string_view bytes(
-      "\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\x03\x0d\x40\0\0\x27\x10\x08\0\0\0\0"
-      "\x35\x9c\xbe\x10"
+      "\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\x4e\x20\0\0\x27\x10\x08\0\0\0\0"
+      "\xdc\x4f\x17\x7e"
       "\0\0\0\0IDAT",
       41);
   EXPECT_THAT(message_for(bytes),
-              HasSubstr("the image would take 250000000 bytes, which a file of 41 bytes cannot hold"));
+              HasSubstr("the image would take 25000000 bytes, which a file of 41 bytes cannot hold"));
 }
 
 /// A .vti file of 2 x 1 cells with a cell array.
@@ -278,7 +278,7 @@ TEST_F(RefuseRaster, VtiFilesWithMistakes) {
   EXPECT_THAT(message_for(vti(ascii_array("3 4"), "", "2 0 0 1 0 0")), HasSubstr("expected whole numbers, in order"));
   EXPECT_THAT(message_for(vti(ascii_array("3 4"), "", "0 99999 0 99999 0 99999")),
               HasSubstr("expected fewer than 2^29"));
-  EXPECT_THAT(message_for(vti(ascii_array("3 4"), "", "0 40000 0 40000 0 0")), HasSubstr("expected 1600000000"));
+  EXPECT_THAT(message_for(vti(ascii_array("3 4"), "", "0 20000 0 20000 0 0")), HasSubstr("expected 400000000"));
   EXPECT_THAT(message_for(test::replaced(sound, "</ImageData>", "<Piece/></ImageData>")),
               HasSubstr("an image in 2 pieces"));
 }
