@@ -66,7 +66,8 @@ std::string read_text(const std::filesystem::path& path) {
   constexpr std::size_t most = std::size_t{1} << 28;
   auto text = read_beginning(path, most);
   if (text.size() == most) {
-    throw FileError(fmt::format("{}: cannot read: it is no regular file, and does not end within 268 MB", path.string()));
+    throw FileError(
+        fmt::format("{}: cannot read: it is no regular file, and does not end within 268 MB", path.string()));
   }
   return text;
 }

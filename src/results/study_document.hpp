@@ -369,9 +369,9 @@ inline constexpr auto fields<StudyDocument> = std::tuple(
     field("deck_content_hash", &StudyDocument::deck_content_hash), field("file_hashes", &StudyDocument::file_hashes),
     field("complete", &StudyDocument::is_complete), field("date", &StudyDocument::date),
     field("wall_time_s", &StudyDocument::seconds), field("deck_text", &StudyDocument::deck_text),
-    field("times_s", &StudyDocument::times),
-    field_if_any("frequencies_Hz", &StudyDocument::frequencies), field("materials", &StudyDocument::materials),
-    field("stage_names", &StudyDocument::stage_names), field("stages", &StudyDocument::stages));
+    field("times_s", &StudyDocument::times), field_if_any("frequencies_Hz", &StudyDocument::frequencies),
+    field("materials", &StudyDocument::materials), field("stage_names", &StudyDocument::stage_names),
+    field("stages", &StudyDocument::stages));
 
 /// Error: another version of Breccia has written a `study.json` that this version cannot read.
 class OtherFormat : public FileError {
