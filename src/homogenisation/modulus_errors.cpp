@@ -58,8 +58,8 @@ std::optional<double> error_of_box(const ErrorRules& rules, const TestId& test, 
   return sample_error(rules, dimensions, test.load, stiffening);
 }
 
-/// How far the two shears of a box of the plane are apart, up to each time at most [-]; empty for a test that is not
-/// their mean.
+/// The largest distance |ln (G_xy / G_xx-yy)| of the two shears of a box of the plane up to each time [-]; empty for a
+/// test that is not their mean.
 std::vector<double> distances_of_shears(const StageFindings& stage, const TestId& mean) {
   std::vector<double> distances;
   if (!mean.load.is_isotropic() || !is_plane_strain(stage.dimensions)) return distances;

@@ -117,7 +117,7 @@ std::vector<std::string> warnings_on_varying(const std::vector<StageResponses>& 
   return warnings;
 }
 
-/// Withholds the rule for the scatter from a stage with a filler that its present binder is not softer than.
+/// Withholds the rule for the scatter from a stage with a filler that is not stiffer than its present binder.
 void withhold_rules(const std::vector<StageResponses>& all, const std::vector<ShiftedMaterial>& materials,
                     StageResponses& stage) {
   const auto* const binder = binder_of(all, stage);
