@@ -11,17 +11,15 @@ and one load, is covered if at every time the modulus with N cells is off that o
 band in extrapolation.csv. The program is `breccia` of the path, or BRECCIA of the environment; results are in
 `results/coverage`, or the directory RESULTS of the environment, and what is there is not run again."""
 
-import csv
 import os
 import random
-import subprocess
 import sys
 from pathlib import Path
 from statistics import median
 
 from boxes import KINDS, box_of
+from runs import rows_of, run
 
-HERE = Path(__file__).resolve().parent
 RESULTS = Path(os.environ.get("RESULTS", "results/coverage"))
 FINER = {2: 4, 3: 3}
 
@@ -33,26 +31,8 @@ def cells_of(dim, side, seed):
     return min(2 * round(across * side / 2.0), 72 if dim == 2 else 24)
 
 
-def rows_of(path):
-    with open(path, newline="") as file:
-        return list(csv.DictReader(line for line in file if not line.startswith("#")))
-
-
-def run(name, deck, cells):
-    """The directory of the results of a deck with these cells; nothing if it could not be run."""
-    directory, status = RESULTS / name, RESULTS / f"{name}.status"
-    if not status.exists():
-        RESULTS.mkdir(parents=True, exist_ok=True)
-        path = RESULTS / f"{name}.toml"
-        text = deck.replace("../../data", str(HERE.parents[1] / "data")).replace("CELLS", str(cells))
-        path.write_text(text)
-        command = [os.environ.get("BRECCIA", "breccia"), "run", str(path), "--out", str(directory), "--overwrite", "--quiet", "--threads", "1"]
-        finished = subprocess.run(command, capture_output=True, text=True)
-        status.write_text(finished.stderr if finished.returncode else "")
-    failure = status.read_text()
-    if failure:
-        print(f"{name}: {failure.strip()[:200]}", file=sys.stderr)
-    return None if failure else directory
+def run_on(name, deck, cells):
+    return run(RESULTS, name, deck.replace("CELLS", str(cells)))
 
 
 def tests_of(dim, kind, seed):
@@ -60,7 +40,7 @@ def tests_of(dim, kind, seed):
     side, deck = box_of(dim, kind, seed)
     cells = cells_of(dim, side, seed)
     name = f"{dim}-{kind}-{seed}"
-    pair, fine = run(name, deck, [cells // 2, cells]), run(f"{name}-fine", deck, FINER[dim] * cells)
+    pair, fine = run_on(name, deck, [cells // 2, cells]), run_on(f"{name}-fine", deck, FINER[dim] * cells)
     if pair is None or fine is None:
         return []
     true = {(row["boundary"], row["load"], row["time_s"]): float(row["modulus_Pa"]) for row in rows_of(fine / "curves.csv")}

@@ -12,10 +12,8 @@ packings. The means of both shears of the plane have a second row, with the erro
 environment; results are in `results/sample`, or the directory RESULTS of the environment, and what is there is not run
 again."""
 
-import csv
 import os
 import random
-import subprocess
 import sys
 import tomllib
 from math import exp, log, sqrt
@@ -23,8 +21,8 @@ from pathlib import Path
 from statistics import mean, median, stdev
 
 from boxes import box_of
+from runs import rows_of, run
 
-HERE = Path(__file__).resolve().parent
 RESULTS = Path(os.environ.get("RESULTS", "results/sample"))
 KINDS = {2: ["discs", "sizes", "ellipses", "polygons", "grains", "soft"], 3: ["spheres", "sizes", "soft"]}
 APART = range(31, 37)  # composites of the plane whose discs have gaps of 8 to 20 %
@@ -44,27 +42,10 @@ def composite_of(dim, kind, seed):
     draw = random.Random(f"particles {seed}")
     low, high = PARTICLES[dim]
     side, deck = box_of(dim, kind, seed, round(low * (high / low) ** draw.random()))
-    deck = deck.replace("../../data", str(HERE.parents[1] / "data")).replace("CELLS", str(round(ACROSS[dim] * side)))
+    deck = deck.replace("CELLS", str(round(ACROSS[dim] * side)))
     loads = '["shear", "shear-xx-yy", "bulk"]'
     assert loads in deck
     return deck.replace(loads, '["isotropic", "bulk"]').replace("points_per_decade = 5", "points_per_decade = 1")
-
-
-def run(name, deck, packings):
-    """The directory of the results; nothing if they could not be computed."""
-    directory, status = RESULTS / name, RESULTS / f"{name}.status"
-    if not status.exists():
-        RESULTS.mkdir(parents=True, exist_ok=True)
-        path = RESULTS / f"{name}.toml"
-        path.write_text(deck)
-        command = [os.environ.get("BRECCIA", "breccia"), "run", str(path), "--out", str(directory), "--overwrite", "--quiet",
-                   "--threads", "1", "--seeds", str(packings)]
-        finished = subprocess.run(command, capture_output=True, text=True)
-        status.write_text(finished.stderr if finished.returncode else "")
-    failure = status.read_text()
-    if failure:
-        print(f"{name}: {failure.strip()[:200]}", file=sys.stderr)
-    return None if failure else directory
 
 
 def modulus_at(series, time):
@@ -86,8 +67,7 @@ def effective_number(path):
     for name, column, power in (("grains.csv", "grain_area_m2", 1.0), ("microstructure.csv", "diameter_m", None),
                                 ("polygons.csv", None, None)):
         if (path / name).exists():
-            with open(path / name, newline="") as file:
-                rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+            rows = rows_of(path / name)
             break
     if not rows:
         return 0.0
@@ -107,14 +87,13 @@ def scatter_of(dim, kind, seed):
     """For each load: times with ln R, the deviation of ln M, each packing's distance from the mean, and how far its two
     shears have been apart so far; and n."""
     deck = composite_of(dim, kind, seed)
-    directory = run(f"{dim}-{kind}-{seed}", deck, PACKINGS[dim])
+    directory = run(RESULTS, f"{dim}-{kind}-{seed}", deck, "--seeds", str(PACKINGS[dim]))
     if directory is None:
         return None
     binder = tomllib.loads(deck)["materials"]["binder"]
     found = {}
-    with open(directory / "sweep.csv", newline="") as file:
-        for row in csv.DictReader(line for line in file if not line.startswith("#")):
-            found.setdefault((row["load"], float(row["time_s"])), []).append(log(float(row["modulus_Pa"])))
+    for row in rows_of(directory / "sweep.csv"):
+        found.setdefault((row["load"], float(row["time_s"])), []).append(log(float(row["modulus_Pa"])))
     apart, largest = {}, [0.0] * PACKINGS[dim]
     for time in sorted(time for load, time in found if load == "shear"):
         shears = zip(found["shear", time], found["shear-xx-yy", time])
@@ -134,6 +113,15 @@ def deviation_of_one(dim, kind, load, ratio):
     if load != "bulk":
         return (mean_shear if load == "isotropic" else one_shear) * abs(ratio)
     return 0.2 * min(-ratio, 2.0) if ratio < 0.0 else bulk * ratio
+
+
+def print_lowered(lowered):
+    """Prints the share of the means of both shears that is held by both equations."""
+    print("\n| kind | held with the shears | lowered | held of these | error, median |\n|---|---|---|---|---|")
+    for kind, values in [*lowered.items(), ("all", [value for values in lowered.values() for value in values])]:
+        fewer = [is_held for is_held, is_lower, _ in values if is_lower]
+        print(f"| {kind} | {mean(held for held, _, _ in values):.1%} | {len(fewer) / len(values):.0%} | "
+              f"{mean(fewer) if fewer else 1.0:.1%} | {median(error for _, _, error in values):.2%} |")
 
 
 def main():
@@ -169,11 +157,7 @@ def main():
         print(f"| {load} | {kind} | {sum(count)} | {sum(held) / sum(count):.1%} | {median(factors):.3f} | {max(factors):.2f} | "
               f"{median(deviations):.2%} | {median(rules):.2%} |")
     if lowered:
-        print("\n| kind | held with the shears | lowered | held of these | error, median |\n|---|---|---|---|---|")
-    for kind, values in [*lowered.items(), ("all", [value for values in lowered.values() for value in values])] if lowered else []:
-        fewer = [is_held for is_held, is_lower, _ in values if is_lower]
-        print(f"| {kind} | {mean(held for held, _, _ in values):.1%} | {len(fewer) / len(values):.0%} | "
-              f"{mean(fewer) if fewer else 1.0:.1%} | {median(error for _, _, error in values):.2%} |")
+        print_lowered(lowered)
 
 
 main()

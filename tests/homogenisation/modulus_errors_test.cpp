@@ -105,12 +105,19 @@ TEST(ModulusErrors, GoOnFromAStageToTheNext) {
   EXPECT_FALSE(second.tests[2].errors.at(1).matrix) << "what is not known of the matrix is not known of the composite";
 }
 
+/// A stage with both shears of the plane and their mean [Pa].
+StageResult with_mean(double shear, double diagonal, double mean) {
+  const auto test = [](TestLoad load, double modulus) {
+    return constant(load, Boundary::periodic, TestGrid(100), modulus);
+  };
+  StageResult stage;
+  stage.name = "A";
+  stage.tests = {test(Load::shear, shear), test(Load::diagonal_shear, diagonal), test(TestLoad::isotropic(), mean)};
+  return stage;
+}
+
 TEST(ModulusErrors, TakeOfAMatrixWithAMeanOfShearsThatMean) {
-  StageResult first;
-  first.name = "A";
-  first.tests = {constant(Load::shear, Boundary::periodic, TestGrid(100), 3e6),
-                 constant(Load::diagonal_shear, Boundary::periodic, TestGrid(100), 1e6),
-                 constant(TestLoad::isotropic(), Boundary::periodic, TestGrid(100), 2e6)};
+  auto first = with_mean(3e6, 1e6, 2e6);
   first.materials = {{Boundary::periodic, Method::quasistatic, {binder(), {0.1, 10.0}, 0.0, 0.0}}};
   add_errors(first, {.one_grid = 0.01, .sample = SampleKind::particles, .effective_particles = 50.0}, binder(), {});
   EXPECT_GT(first.tests[0].errors.at(0).sample, first.tests[2].errors.at(0).sample);
@@ -123,11 +130,7 @@ TEST(ModulusErrors, TakeOfAMatrixWithAMeanOfShearsThatMean) {
 }
 
 TEST(ModulusErrors, OfTheMeanOfShearsAreSmallerWhereTheseAreCloseTogether) {
-  StageResult stage;
-  stage.name = "A";
-  stage.tests = {constant(Load::shear, Boundary::periodic, TestGrid(100), 2e6),
-                 constant(Load::diagonal_shear, Boundary::periodic, TestGrid(100), 2e6),
-                 constant(TestLoad::isotropic(), Boundary::periodic, TestGrid(100), 2e6)};
+  auto stage = with_mean(2e6, 2e6, 2e6);
   const std::array apart = {1.001, 1.01, 1.0};
   for (std::size_t i = 0; i < apart.size(); ++i) stage.tests[1].modulus[i].modulus *= apart[i];
   const ErrorRules rules{.one_grid = 0.01, .sample = SampleKind::particles, .effective_particles = 50.0};
