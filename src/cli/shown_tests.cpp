@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "homogenisation/run/isotropic_mean.hpp"
 #include "virtual_test/bulk_test.hpp"
 
 namespace breccia::cli {
@@ -13,11 +14,9 @@ namespace breccia::cli {
 std::vector<const TestResult*> shown_tests(const StageResult& stage) {
   const bool has_limits =
       std::ranges::any_of(stage.tests, [](const TestResult& test) { return test.id.grid.is_extrapolated(); });
-  const bool has_means =
-      std::ranges::any_of(stage.tests, [](const TestResult& test) { return test.id.load.is_isotropic(); });
   std::vector<const TestResult*> shown;
   for (const auto& test : stage.tests) {
-    if (has_means && is_in_mean(test.id.load, stage.dimensions)) continue;
+    if (is_replaced_by_mean(test.id, stage.dimensions, stage.tests)) continue;
     if (!has_limits || test.id.grid.is_extrapolated()) shown.push_back(&test);
   }
   return shown;

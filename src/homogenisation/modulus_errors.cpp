@@ -11,6 +11,7 @@
 #include "discretisation/contrast.hpp"
 #include "homogenisation/narrow_gaps.hpp"
 #include "homogenisation/plan/grid_error.hpp"
+#include "homogenisation/run/isotropic_mean.hpp"
 #include "homogenisation/run/test_requests.hpp"
 #include "homogenisation/sample_error.hpp"
 #include "homogenisation/stage_materials.hpp"
@@ -102,10 +103,9 @@ class MatrixError {
     for (const auto& [boundary, method, fit] : found->materials) {
       if (boundary == test.boundary && method == test.method) fit_ = std::max(fit.shear_error, fit.bulk_error);
     }
-    const bool has_mean = std::ranges::any_of(found->tests, [](const auto& one) { return one.id.load.is_isotropic(); });
     for (const auto& one : found->tests) {
       if (one.errors.empty() || one.id.boundary != test.boundary || one.id.method != test.method) continue;
-      if (has_mean && is_in_mean(one.id.load, found->dimensions)) continue;
+      if (is_replaced_by_mean(one.id, found->dimensions, found->tests)) continue;
       tests_.push_back(&one);
     }
   }

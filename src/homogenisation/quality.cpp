@@ -12,6 +12,7 @@
 #include "homogenisation/modulus_errors.hpp"
 #include "homogenisation/narrow_gaps.hpp"
 #include "homogenisation/plan/grid_error.hpp"
+#include "homogenisation/run/isotropic_mean.hpp"
 #include "io/display.hpp"
 #include "study/coatings.hpp"
 #include "study/filler_sizes.hpp"
@@ -152,10 +153,9 @@ bool has_better(const StageResult& result, const TestResult& test) {
 /// one of an error's parts. Nothing where one is not known.
 template <class Part>
 std::optional<double> largest_error(const StageResult& result, const Part& of) {
-  const bool has_mean = std::ranges::any_of(result.tests, [](const auto& test) { return test.id.load.is_isotropic(); });
   std::optional<double> largest;
   for (const auto& test : result.tests) {
-    if ((has_mean && is_in_mean(test.id.load, result.dimensions)) || has_better(result, test)) continue;
+    if (is_replaced_by_mean(test.id, result.dimensions, result.tests) || has_better(result, test)) continue;
     for (const auto& error : test.errors) {
       const std::optional<double> part = of(error);
       if (!part) return std::nullopt;

@@ -110,4 +110,9 @@ TestResult isotropic_mean(int dimensions, const TestId& beside, const std::vecto
   return mean;
 }
 
+bool is_replaced_by_mean(const TestId& test, int dimensions, const std::vector<TestResult>& tests) {
+  return is_in_mean(test.load, dimensions) &&
+         std::ranges::any_of(tests, [](const TestResult& other) { return other.id.load.is_isotropic(); });
+}
+
 }  // namespace breccia

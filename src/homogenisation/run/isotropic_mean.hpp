@@ -15,4 +15,7 @@ std::vector<const TestResult*> shears_beside(int dimensions, const TestId& besid
 /// compliances (Eq. 13b). Throws as shears_beside(), and InputError where the curves have different times.
 TestResult isotropic_mean(int dimensions, const TestId& beside, const std::vector<TestResult>& tests);
 
+/// Whether a test is that of a shear in whose place tables and summaries have the mean of all shears of the box.
+bool is_replaced_by_mean(const TestId& test, int dimensions, const std::vector<TestResult>& tests);
+
 }  // namespace breccia
