@@ -1,7 +1,7 @@
 #include "study_reading.hpp"
 
 #include "breccia/deck/read_study.hpp"
-#include "breccia/deck/sweep.hpp"
+#include "breccia/deck/read_sweep.hpp"
 
 #include "cli/summary.hpp"
 #include "deck/sweep_keys.hpp"

@@ -12,7 +12,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "breccia/deck/read_study.hpp"
-#include "breccia/deck/sweep.hpp"
+#include "breccia/deck/read_sweep.hpp"
 #include "breccia/study/study.hpp"
 
 #include "io/display.hpp"

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "breccia/campaign/run.hpp"
-#include "breccia/deck/sweep.hpp"
+#include "breccia/study/sweep.hpp"
 
 #include "results/sweep_result.hpp"
 

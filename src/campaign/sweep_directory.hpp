@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "breccia/campaign/run.hpp"
-#include "breccia/deck/sweep.hpp"
+#include "breccia/study/sweep.hpp"
 
 #include "campaign/result_transaction.hpp"
 #include "io/directory_lock.hpp"

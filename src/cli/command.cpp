@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "breccia/deck/read_sweep.hpp"
 #include "breccia/error.hpp"
 
 #include "cli/help.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "breccia/deck/sweep.hpp"
+#include "breccia/study/sweep.hpp"
 
 namespace breccia {
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "breccia/deck/sweep.hpp"
+#include "breccia/study/sweep.hpp"
 
 #include "results/sweep_result.hpp"
 

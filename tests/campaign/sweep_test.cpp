@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "breccia/deck/read_sweep.hpp"
 #include "breccia/error.hpp"
 
 #include "messages.hpp"

@@ -11,7 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/deck/sweep.hpp"
+#include "breccia/deck/read_sweep.hpp"
 
 #include "decks.hpp"
 #include "io/hdf5.hpp"

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "breccia/deck/sweep.hpp"
+#include "breccia/study/sweep.hpp"
 
 #include "results/sweep_result.hpp"
 #include "study/two_stages.hpp"

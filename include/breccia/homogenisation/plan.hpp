@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "breccia/deck/sweep.hpp"
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/filler_statistics.hpp"
 #include "breccia/study/study.hpp"
+#include "breccia/study/sweep.hpp"
 #include "breccia/virtual_test/time_domain.hpp"
 
 namespace breccia {

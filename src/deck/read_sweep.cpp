@@ -1,4 +1,4 @@
-#include "breccia/deck/sweep.hpp"
+#include "breccia/deck/read_sweep.hpp"
 
 #include <algorithm>
 #include <map>
