@@ -133,16 +133,18 @@ class Image(Table):
 class Stage(Table):
     """A box of matrix with particles.
 
-    matrix: a material, or an earlier stage, whose result it is then; box: side [m]; cells: per side, or several
-    numbers for an extrapolation; fillers: a Filler or several; packing: a Packing, the method alone, or an Image.
+    matrix: a material, or an earlier stage, whose result it is then; box: side [m], or particles: their number in its
+    place; cells: per side, or several numbers for an extrapolation; fillers: a Filler or several; packing: a Packing,
+    the method alone, or an Image. What is left out of box and cells is chosen for Tests(accuracy=...).
     """
 
     def __init__(self, name: str, *, matrix: Material | Stage | str, box: Quantity | None = None,
-                 cells: int | Sequence[int] | None = None, fillers: Filler | Iterable[Filler] | None = None,
+                 particles: int | None = None, cells: int | Sequence[int] | None = None, fillers: Filler | Iterable[Filler] | None = None,
                  packing: Packing | Image | str | None = None, **keys: Any) -> None:
         self.name = name
         self.matrix = matrix
         self.box = box
+        self.particles = particles
         self.cells = cells
         self.fillers = several_of("Stage: fillers", Filler, fillers)
         self.packing = Packing(packing) if isinstance(packing, str) else packing

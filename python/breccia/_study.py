@@ -19,7 +19,8 @@ class Tests(Table):
     """The virtual tests of every stage.
 
     times: first and last time of the curves [s]; frequencies: in their place, the first and the last of the dynamic
-    moduli [Hz]; loads: "isotropic" (default), "shear", "bulk", ...; boundaries: "periodic" (default of random packings),
+    moduli [Hz]; accuracy: 0.03 or "3 %", for which boxes and cells are chosen that stages leave out; budget: time that
+    this may take [s]; loads: "isotropic" (default), "shear", "bulk", ...; boundaries: "periodic" (default of random packings),
     "displacement" (upper bound), "traction" (lower bound); method: "quasistatic", "dynamic" or a list of both; fields: "none", "last" or times [s]; quasistatic, dynamic:
     tables of their settings. All other keys are those of [tests] in a deck.
     """
@@ -27,12 +28,15 @@ class Tests(Table):
     __test__ = False  # this is no test of pytest
 
     def __init__(self, *, times: Sequence[Quantity] | None = None, frequencies: Sequence[Quantity] | None = None,
+                 accuracy: float | str | None = None, budget: Quantity | None = None,
                  loads: Sequence[str] | str | None = None, boundaries: Sequence[str] | str | None = None,
                  method: str | Sequence[str] | None = None, points_per_decade: int | None = None,
                  fields: str | Sequence[Quantity] | None = None, quasistatic: Mapping[str, Any] | None = None,
                  dynamic: Mapping[str, Any] | None = None, **keys: Any) -> None:
         self.times = times
         self.frequencies = frequencies
+        self.accuracy = accuracy
+        self.budget = budget
         self.loads = [loads] if isinstance(loads, str) else loads
         self.boundaries = [boundaries] if isinstance(boundaries, str) else boundaries
         self.method = method
@@ -43,7 +47,8 @@ class Tests(Table):
         self.keys = keys
 
     def _table(self, files: _deck.Files) -> dict[str, Any]:
-        return {"times": self.times, "frequencies": self.frequencies, "loads": self.loads,
+        return {"times": self.times, "frequencies": self.frequencies, "accuracy": self.accuracy,
+                "budget": self.budget, "loads": self.loads,
                 "boundaries": self.boundaries, "method": self.method, "points_per_decade": self.points_per_decade,
                 "fields": self.fields, "quasistatic": self.quasistatic, "dynamic": self.dynamic, **self.keys}
 

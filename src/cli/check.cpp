@@ -69,6 +69,21 @@ std::string line_of_grid(const std::string& stage, const GridPlan& grid, const s
   return fmt::format("  {}: {}, the error of the grid {}; {}\n", stage, width, error, cells);
 }
 
+/// The error of the packed box of a stage in place of all such boxes, and the numbers of particles for errors of these
+/// sizes [-]. The error falls with the root of their number.
+std::string line_of_sample(const StagePlan& stage, const std::vector<double>& errors) {
+  std::size_t particles = 0;
+  for (const auto& filler : stage.fillers) particles += filler.particles;
+  if (!stage.sample_error || particles == 0 || *stage.sample_error == 0.0) return {};
+  std::vector<std::string> advice;
+  for (const double error : errors) {
+    const double ratio = *stage.sample_error / error;
+    advice.push_back(fmt::format("{:.2g} for {:.2g} %", ratio * ratio * static_cast<double>(particles), 100.0 * error));
+  }
+  return fmt::format("  {}: {} particles, the error of the packing is up to about {:.2g} % by a rule; particles = {}\n",
+                     stage.stage, particles, 100.0 * *stage.sample_error, fmt::join(advice, ", "));
+}
+
 /// Time and memory of all tests of a study, whose dynamic tests take several cores.
 std::string costs_of(const Study& study, double seconds, double bytes) {
   const bool is_quasistatic = std::ranges::count(study.tests.methods, Method::dynamic) == 0;
@@ -103,6 +118,7 @@ void print(const Study& study, const StudyPlan& plan, const std::vector<double>&
   for (const auto& stage : plan.stages) {
     for (const auto& test : stage.tests) fmt::print("{}", lines_of_test(stage.stage, test));
     if (stage.grid) fmt::print("{}", line_of_grid(stage.stage, *stage.grid, errors));
+    fmt::print("{}", line_of_sample(stage, errors));
     for (const auto& warning : stage.warnings) fmt::print("warning: {}\n", warning);
     fillers.push_back(stage.fillers);
   }

@@ -228,6 +228,7 @@ std::string describe(const Study& study) {
   auto text =
       fmt::format("    loads    {}\n    bounds   {}\n    times    {} to {}, {} a decade\n", fmt::join(loads, ", "),
                   fmt::join(bounds, ", "), time(tests.first_time), time(tests.last_time), tests.points_per_decade);
+  if (tests.accuracy) text += fmt::format("    accuracy {:.3g} % of the moduli\n", 100.0 * *tests.accuracy);
   const auto has_some = [&tests](const Stage& stage) { return has_fields(tests, stage); };
   if (std::ranges::any_of(study.stages, has_some)) {
     std::vector<std::string> times;

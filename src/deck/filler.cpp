@@ -1,6 +1,7 @@
 #include "deck/filler.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <utility>
 
@@ -65,12 +66,6 @@ void read_cuts(const Section& section, Filler& filler) {
   } else if (*filler.smallest < *filler.largest && !misses) {  // this is true only of numbers
     section.report_errors_of("sizes", [&] { static_cast<void>(distribution_of(filler)); });
   }
-}
-
-/// Reports particles that cannot fit into the box.
-void check_fit(const Section& section, const Filler& filler, const Stage& stage) {
-  for (const auto& mistake : mistakes_of_gap(filler, stage.side)) section.report("gap", mistake);
-  for (const auto& mistake : mistakes_of_diameters(filler, stage.packing, stage.side)) section.report("sizes", mistake);
 }
 
 /// Reads fraction and sizes as far as the packing allows them.
@@ -142,7 +137,6 @@ Filler read_filler(const Section& section, const Stage& stage, const std::vector
   if (!stage.has_grains()) filler.coating = read_coating(section, materials);
   visit_nested(ReadAmount{section, filler}, stage.packing);
   read_gap(section, stage, filler);
-  check_fit(section, filler, stage);
   return filler;
 }
 
@@ -214,6 +208,18 @@ void read_fillers(const Section& section, const std::vector<ShiftedMaterial>& ma
   const auto table = section.section("packing");
   const auto* const key = table.has("particles") ? "particles" : table.has("discs") ? "discs" : "polygons";
   table.report_errors_of(key, [&] { visit_nested(RequireRoom{stage}, stage.packing); });
+}
+
+void check_fit(const Section& section, const Stage& stage) {
+  if (!(stage.side > 0.0) || stage.has_image()) return;
+  const auto tables = filler_sections(section);
+  for (std::size_t number = 0; number < std::min(tables.size(), stage.fillers.size()); ++number) {
+    const auto& filler = stage.fillers[number];
+    for (const auto& mistake : mistakes_of_gap(filler, stage.side)) tables[number].report("gap", mistake);
+    for (const auto& mistake : mistakes_of_diameters(filler, stage.packing, stage.side)) {
+      tables[number].report("sizes", mistake);
+    }
+  }
 }
 
 }  // namespace breccia

@@ -84,6 +84,12 @@ void read_gap(const Section& section, const Stage& stage, Filler& filler) {
     }
   }
   if (!gap) return;
+  if (gap->source == GapSource::points && stage.cells == 0) {
+    section.report("gap",
+                   "a number of material points is a length only where box and cells are given; expected a "
+                   "length or a share of the smallest diameter");
+    return;
+  }
   // The gap is rounded, so that a length gives the same number in every form.
   filler.gap = as_typed(gap->length);
   filler.gap_source = gap->source;

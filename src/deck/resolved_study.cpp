@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "deck/chosen_boxes.hpp"
 #include "deck/materials.hpp"
 #include "deck/measurements.hpp"
 #include "deck/stage_defaults.hpp"
@@ -35,6 +36,7 @@ Study resolve(const Deck& document) {
   study.tests.mixing = mixing ? *mixing : default_mixing(study);
   study.measurements = read_measurements(root, study.stages, study.tests);
   for (const auto& mistake : contradictions(study)) root.report("tests", mistake);
+  const auto budget = read_budget(root, study);
   if (!study.stages.empty() && !document.remarks().empty()) {
     auto& warnings = study.provenance.warnings[study.stages.front().name];
     warnings.insert(warnings.end(), document.remarks().begin(), document.remarks().end());
@@ -43,6 +45,7 @@ Study resolve(const Deck& document) {
   study.provenance.inputs.push_back(document.path());
   // A study is one task of a sweep: read_sweep makes the others.
   static_cast<void>(root.has("sweep"));
+  if (document.mistakes().empty()) choose_missing_boxes(budget, study);
   return study;
 }
 
@@ -84,19 +87,20 @@ std::vector<std::string> stage_hashes_of(const Deck& document, const Study& stud
     // The default boundaries and the default mixing depend on other stages, too.
     for (const auto boundary : study.tests.boundaries) content += name_of(boundary);
     if (study.tests.mixing == Mixing::flow) content += name_of(Mixing::flow);
+    content += chosen_boxes(document.root(), study);
     hashes.push_back(content_hash(content));
   }
   return hashes;
 }
 
-/// The loads and boundaries that a deck does not name, whose defaults may differ from those of another version.
+/// The loads, boundaries, boxes and grids that a deck does not name, which may differ from those of another version.
 std::string default_tests_of(const Deck& document, const Study& study) {
   const auto tests = document.root().optional_section("tests");
   const auto is_named = [&](const char* key) { return tests && tests->has(key); };
   std::string names;
   for (const auto load : study.tests.loads) names += is_named("loads") ? "" : name_of(load);
   for (const auto boundary : study.tests.boundaries) names += is_named("boundaries") ? "" : name_of(boundary);
-  return names;
+  return names + chosen_boxes(document.root(), study);
 }
 
 }  // namespace

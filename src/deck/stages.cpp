@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string_view>
+#include <variant>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,6 +14,7 @@
 #include "deck/packing.hpp"
 #include "io/nearest_name.hpp"
 #include "study/limits.hpp"
+#include "study/side_of_particles.hpp"
 #include "study/stage_rules.hpp"
 
 namespace breccia {
@@ -88,6 +92,68 @@ bool needs_no_cells(const Section& section, Model model) {
 /// Cells per side of the labels of grains that are computed with films.
 constexpr int cells_of_labels = 512;
 
+bool names_cells(const Section& section) {
+  return section.has("cells") || section.has("resolution");
+}
+
+/// Reads the grids of a stage whose box is known. Leaves 0 cells where they are to be chosen.
+void read_grid(const Section& section, Model model, Stage& stage) {
+  if (section.kind("cells") == Kind::array) {
+    section.refuse({"resolution"}, "the cells are given already");
+    stage.coarser_cells = read_grids(section);
+    stage.cells = stage.coarser_cells.back();
+    stage.coarser_cells.pop_back();
+  } else if (names_cells(section)) {
+    stage.cells = read_cells(section, stage.side);
+  } else if (needs_no_cells(section, model)) {
+    stage.cells = cells_of_labels;
+  } else if (stage.has_image()) {
+    stage.cells = cells_of_points(section, stage);
+  }
+}
+
+/// Whether the sizes and the fraction of a random packing give the box of a number of particles.
+bool has_sizes_for_box(const Stage& stage) {
+  const auto is_drawn = [](const Filler& filler) {
+    return filler.sizes && !std::holds_alternative<ListedSizes>(*filler.sizes);
+  };
+  return stage.has_seed() && std::ranges::all_of(stage.fillers, is_drawn);
+}
+
+/// Reads the number of particles of a stage without a box. Leaves the side 0 where the box is to be chosen, and NaN
+/// after a mistake.
+double read_side_of_particles(const Section& section, const Stage& stage) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  constexpr std::string_view only_drawn =
+      "only particles that a random packing draws from sizes and a fraction have a box that follows from their number";
+  const bool is_drawn = !stage.fillers.empty() && has_sizes_for_box(stage);
+  if (section.has("particles")) {
+    const auto particles = section.integer("particles", allowed::particles);
+    if (!is_drawn) section.report("particles", fmt::format("{}; expected box", only_drawn));
+    if (!is_drawn || particles == 0) return unknown;
+    double side = unknown;
+    section.report_errors_of("particles", [&] { side = side_of_particles(stage, static_cast<int>(particles)); });
+    return side;
+  }
+  if (!is_drawn) {
+    section.report("box", fmt::format("missing, expected the side of the box: {}", only_drawn));
+  } else if (names_cells(section)) {
+    section.report("box", "missing, expected box or particles beside these cells; without them, too, both are chosen");
+  } else {
+    return 0.0;
+  }
+  return unknown;
+}
+
+/// Reads a stage whose box follows from its particles: these first.
+void read_particles_and_box(const Section& section, const std::vector<ShiftedMaterial>& materials,
+                            const StageDefaults& defaults, Stage& stage) {
+  stage.side = std::numeric_limits<double>::quiet_NaN();
+  read_fillers(section, materials, defaults.walls, stage);
+  stage.side = read_side_of_particles(section, stage);
+  read_grid(section, defaults.model, stage);
+}
+
 }  // namespace
 
 std::vector<Stage> read_stages(const Section& deck, const std::vector<ShiftedMaterial>& materials,
@@ -100,25 +166,22 @@ std::vector<Stage> read_stages(const Section& deck, const std::vector<ShiftedMat
     stage.name = read_name(section, stages, materials);
     stage.matrix = read_matrix(section, stages, materials);
     const bool is_image = has_image(section);
+    section.refuse({"image"}, image_elsewhere);
     if (is_image) {
       read_image(section, materials, stage);
-    } else {
+      read_grid(section, defaults.model, stage);
+    } else if (section.has("box")) {
+      section.refuse({"particles"}, "the box is given already");
       stage.side = section.quantity("box", Dimension::length, allowed::side);
-    }
-    if (section.kind("cells") == Kind::array) {
-      section.refuse({"resolution"}, "the cells are given already");
-      stage.coarser_cells = read_grids(section);
-      stage.cells = stage.coarser_cells.back();
-      stage.coarser_cells.pop_back();
-    } else if (is_image && !section.has("cells") && !section.has("resolution")) {
-      stage.cells = cells_of_points(section, stage);
-    } else if (!section.has("cells") && !section.has("resolution") && needs_no_cells(section, defaults.model)) {
-      stage.cells = cells_of_labels;
+      read_grid(section, defaults.model, stage);
+      read_fillers(section, materials, defaults.walls, stage);
     } else {
-      stage.cells = read_cells(section, stage.side);
+      read_particles_and_box(section, materials, defaults, stage);
     }
-    section.refuse({"image"}, image_elsewhere);
-    if (!is_image) read_fillers(section, materials, defaults.walls, stage);
+    check_fit(section, stage);
+    if (stage.fillers.empty() && !is_image && !names_cells(section)) {
+      section.report("cells", "missing, expected cells or resolution: they are chosen only for a box with a filler");
+    }
     stages.push_back(std::move(stage));
   }
   return stages;

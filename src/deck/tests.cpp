@@ -168,6 +168,7 @@ Tests read_tests(const Section& deck, const std::vector<Stage>& stages, Model mo
   tests.lists_field_times = section.has("fields") && section.kind("fields") != Kind::text;
   tests.points_per_decade =
       static_cast<int>(section.optional_integer("points_per_decade", allowed::points_per_decade).value_or(20));
+  if (section.has("accuracy")) tests.accuracy = section.fraction("accuracy");
   tests.fit_tolerance = section.optional_number("fit_tolerance", allowed::fit_tolerance).value_or(tests.fit_tolerance);
   if (const auto quasistatic = section.optional_section("quasistatic")) {
     tests.quasistatic = read_quasistatic(*quasistatic, tests.quasistatic);

@@ -23,12 +23,6 @@
 namespace breccia {
 namespace {
 
-/// The modulus of a material under a load [Pa].
-double modulus_under(TestLoad load, const Material& material, int dimensions, double time) {
-  if (!load.is_bulk()) return material.shear.at(time);
-  return material.bulk.at(time) + shear_in_bulk_test(dimensions) * material.shear.at(time);
-}
-
 /// The error of the grid of a test at one of its times; nothing where grids differ by as much as the modulus.
 std::optional<double> grid_error(const TestResult& test, const ErrorRules& rules, std::size_t sample) {
   // The rule for one grid is that of the cells of the quasi-static method.
@@ -50,13 +44,6 @@ SampleKind sample_of(const Study& study, const Stage& stage, const StageMicrostr
   if (!stage.has_seed() || !has_fillers_with_rule(study, stage)) return SampleKind::unknown;
   if (stage.dimensions() == 3 && packed.content<Microstructure<3>>() == nullptr) return SampleKind::unknown;
   return stage.has_grains() ? SampleKind::grains : SampleKind::particles;
-}
-
-/// The error of a box in place of all boxes of its make.
-std::optional<double> error_of_box(const ErrorRules& rules, const TestId& test, int dimensions, double stiffening) {
-  // The rule was measured with periodic boxes, and other boundaries act on the particles near them.
-  if (test.boundary != Boundary::periodic && rules.effective_particles > 0.0) return std::nullopt;
-  return sample_error(rules, dimensions, test.load, stiffening);
 }
 
 /// The largest distance |ln (G_xy / G_xx-yy)| of the two shears of a box of the plane up to each time [-]; empty for a
@@ -156,8 +143,9 @@ void add_errors(StageFindings& stage, const ErrorRules& rules, const StageMatrix
     const auto& material = matrix_of(stage.name, matrix, earlier, id.boundary, id.method);
     for (std::size_t i = 0; i < test.modulus.size(); ++i) {
       const auto& [time, modulus] = test.modulus[i];
-      const double stiffening = modulus / modulus_under(id.load, material, stage.dimensions, time);
-      auto sample = error_of_box(rules, id, stage.dimensions, stiffening);
+      const Moduli matrix_then = {.bulk = material.bulk.at(time), .shear = material.shear.at(time)};
+      const double stiffening = modulus / modulus_under(id.load, matrix_then, stage.dimensions);
+      auto sample = sample_error(rules, stage.dimensions, id.boundary, id.load, stiffening);
       if (sample && stiffening > 1.0 && distances.size() == test.modulus.size()) {
         sample = narrowed_by_shears(*sample, distances[i]);
       }

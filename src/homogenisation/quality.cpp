@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <span>
+#include <utility>
 #include <variant>
 
 #include <fmt/format.h>
@@ -165,6 +166,21 @@ std::optional<double> largest_error(const StageResult& result, const Part& of) {
   return largest;
 }
 
+/// What two dimensions leave out.
+std::string words_on_space(const FactorOfSpace& space) {
+  return fmt::format("two dimensions: spheres would have up to about {:.2g} times this modulus at {}", space.ratio,
+                     display_time(space.time));
+}
+
+/// The whole error, and whether it is what was asked for; empty where it is not known and nothing was asked for.
+std::string words_on_whole_error(const StageQuality& quality) {
+  const auto& [error, asked] = std::pair(quality.error, quality.error_asked);
+  if (!error) return asked ? fmt::format("error unknown ({} asked for)", words_of(*asked)) : "";
+  const bool is_missed = asked && *error > *asked;
+  return fmt::format("error up to {}{}", words_of(*error),
+                     is_missed ? fmt::format(", more than the {} asked for", words_of(*asked)) : "");
+}
+
 /// The error of one packing in place of all.
 std::string words_on_packing(const StageQuality& quality) {
   if (!quality.sample_error) return "packing: one seed, scatter unknown";
@@ -252,10 +268,12 @@ StageQuality quality_of(const Study& study, const Stage& stage, const StageResul
                        .grid_share = {},
                        .loads = bounds_of_tests(result)};
   quality.anisotropy = anisotropy_of_tests(stage.dimensions(), result.tests);
+  quality.space = factor_of_space(study, stage, result);
   quality.is_periodic =
       std::ranges::any_of(result.tests, [](const TestResult& test) { return test.id.boundary == Boundary::periodic; });
   quality.grid_share = largest_grid_share(result);
   quality.rules = error_rules_of(study, stage, packed);
+  quality.error_asked = study.tests.accuracy;
   quality.error = largest_error(result, [](const ModulusError& error) { return error.whole(); });
   quality.sample_error = largest_error(result, [](const ModulusError& error) { return error.sample; });
   if (const auto* earlier = std::get_if<EarlierStage>(&stage.matrix)) quality.matrix_stage = earlier->name;
@@ -289,7 +307,7 @@ std::string words_on_rule(const GridPlan& grid) {
 std::string summary_of(const StageQuality& quality) {
   if (quality.particles == 0 && !(quality.fraction > 0.0)) return {};
   std::vector<std::string> parts;
-  if (quality.error) parts.push_back(fmt::format("error up to {}", words_of(*quality.error)));
+  if (const auto whole = words_on_whole_error(quality); !whole.empty()) parts.push_back(whole);
   if (!quality.is_periodic || !quality.loads.empty()) parts.push_back(words_on_bounds(quality));
   if (quality.anisotropy) parts.push_back(words_on_anisotropy(*quality.anisotropy));
   parts.push_back(words_on_grid(quality));
@@ -298,6 +316,7 @@ std::string summary_of(const StageQuality& quality) {
   if (!quality.matrix_stage.empty() && !quality.error) {
     parts.push_back(fmt::format("matrix: the errors of stage {} add to these", quality.matrix_stage));
   }
+  if (quality.space) parts.push_back(words_on_space(*quality.space));
   if (quality.is_random) parts.push_back(words_on_packing(quality));
   return fmt::format("{}", fmt::join(parts, "; "));
 }

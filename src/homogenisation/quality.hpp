@@ -11,6 +11,7 @@
 #include "breccia/study/study.hpp"
 
 #include "homogenisation/anisotropy.hpp"
+#include "homogenisation/factor_of_space.hpp"
 
 namespace breccia {
 
@@ -53,11 +54,14 @@ struct StageQuality {
   /// The error of a single grid to be expected by a rule; nothing for several grids, and for films.
   std::optional<GridPlan> one_grid = {};
   ErrorRules rules = {};
+  std::optional<double> error_asked = {};  ///< largest whole error that is wanted (tests.accuracy) [-]
   /// The largest whole error, and the largest part of the sample in it, of the preferred tests at all times [-];
   /// nothing where one of them is not known.
   std::optional<double> error = {}, sample_error = {};
   std::vector<LoadQuality> loads;             ///< bounds of the finished tests
   std::optional<Anisotropy> anisotropy = {};  ///< of the shears of which the result is the mean
+  /// The largest ratio of the moduli of spheres to these, of random particles in two dimensions.
+  std::optional<FactorOfSpace> space = {};
 
   /// The narrowest gap in cells of one of the grids, given by its cells per side.
   [[nodiscard]] double gap_cells_on(int grid) const { return gap_cells * grid / grids.back(); }

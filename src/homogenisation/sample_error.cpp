@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "virtual_test/bulk_test.hpp"
+
 namespace breccia {
 namespace {
 
@@ -28,8 +30,14 @@ double deviation_of_one(const Factors& factors, TestLoad load, double stiffening
 
 }  // namespace
 
-std::optional<double> sample_error(const ErrorRules& rules, int dimensions, TestLoad load, double stiffening) {
+double modulus_under(TestLoad load, const Moduli& moduli, int dimensions) {
+  return load.is_bulk() ? moduli.bulk + shear_in_bulk_test(dimensions) * moduli.shear : moduli.shear;
+}
+
+std::optional<double> sample_error(const ErrorRules& rules, int dimensions, Boundary boundary, TestLoad load,
+                                   double stiffening) {
   constexpr double fewest = 12.0, most_known = 1.0;
+  if (boundary != Boundary::periodic && rules.effective_particles > 0.0) return std::nullopt;
   if (rules.sample == SampleKind::whole) return 0.0;
   if (rules.sample == SampleKind::unknown || rules.effective_particles < fewest || !(stiffening > 0.0))
     return std::nullopt;

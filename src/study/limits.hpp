@@ -10,14 +10,15 @@ namespace breccia::allowed {
 /// Poisson's ratio [-]. Below -0.9 no material is known; more likely the units are wrong.
 inline constexpr Range poisson = Range::between(-0.9, 0.5);
 
-inline constexpr Range side = {.lower = 1e-12, .upper = 1e6};       ///< side of a box [m]
-inline constexpr Range dimensions = {.lower = 2.0, .upper = 3.0};   ///< number of dimensions of a box
-inline constexpr Range cells = {.lower = 2.0, .upper = 1048576.0};  ///< number of cells per side
-inline constexpr std::size_t most_grids = 3;                        ///< number of grids of a stage
-inline constexpr std::size_t most_fillers = 100;                    ///< number of fillers of a stage
-inline constexpr Range fraction = Range::between(0.0, 1.0);         ///< fraction of a random packing [-]
-inline constexpr Range aspect = {.lower = 0.05, .upper = 20.0};     ///< aspect of ellipses [-]
-inline constexpr Range repeats = {.lower = 1.0, .upper = 100.0};    ///< cells of a cubic lattice along each axis
+inline constexpr Range side = {.lower = 1e-12, .upper = 1e6};          ///< side of a box [m]
+inline constexpr Range dimensions = {.lower = 2.0, .upper = 3.0};      ///< number of dimensions of a box
+inline constexpr Range cells = {.lower = 2.0, .upper = 1048576.0};     ///< number of cells per side
+inline constexpr Range particles = {.lower = 1.0, .upper = 500000.0};  ///< number of particles that gives a box
+inline constexpr std::size_t most_grids = 3;                           ///< number of grids of a stage
+inline constexpr std::size_t most_fillers = 100;                       ///< number of fillers of a stage
+inline constexpr Range fraction = Range::between(0.0, 1.0);            ///< fraction of a random packing [-]
+inline constexpr Range aspect = {.lower = 0.05, .upper = 20.0};        ///< aspect of ellipses [-]
+inline constexpr Range repeats = {.lower = 1.0, .upper = 100.0};       ///< cells of a cubic lattice along each axis
 inline constexpr Range rows = {.lower = 1.0, .upper = 1e4};  ///< number of rows, or of columns, of a regular packing
 inline constexpr Range points_per_decade = {.lower = 1.0, .upper = 1000.0};  ///< samples per decade of the curves
 inline constexpr Range fit_tolerance = Range::above_and_up_to(0.0, 1.0);     ///< [-]

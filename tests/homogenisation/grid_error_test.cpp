@@ -47,6 +47,26 @@ TEST(GridError, TellsTheCellsForAnError) {
   EXPECT_EQ(error_rule_of_gaps(Mixing::series).cells_for(0.5), 1.5) << "below that the error may be of any size";
 }
 
+/// Largest errors of 30 random discs with wide gaps in series, 24 cells across each, beside a grid three times as fine
+/// (docs/verification.md, "Cells in a gap"). The finer grid has a third of the same error.
+TEST(GridError, OfInterfacesIsNoLessThanMeasuredErrors) {
+  constexpr double cells = 24.0;
+  for (const auto& [fraction, beside_finer] :
+       {std::array{0.10, 0.0019}, {0.25, 0.0064}, {0.40, 0.0126}, {0.45, 0.0161}}) {
+    const double error = 1.5 * beside_finer, by_rule = error_of_interfaces(fraction) / cells;
+    EXPECT_GE(by_rule, 0.99 * error) << fraction;
+    EXPECT_LE(by_rule, 1.25 * error) << fraction;
+  }
+}
+
+TEST(GridError, IsThatOfInterfacesWhereGapsHaveManyCells) {
+  const GridPlan wide = {
+      .cell_size = 1e-5, .side = 1e-2, .length = 3e-4, .rule = ErrorRule{0.1, 1.8, 1.5}, .interfaces = 60.0};
+  EXPECT_NEAR(wide.error().value(), 60.0 * 1e-5, 1e-12);
+  EXPECT_EQ(wide.cells_for(0.001), 600.0);
+  EXPECT_NEAR(wide.cells_for(0.03).value(), std::ceil(1e-2 / 3e-4 * std::pow(0.1 / 0.03, 1.0 / 1.8)), 1e-9);
+}
+
 /// Largest errors of random packings, by cells across the smallest disc; from docs/gaps-under-a-cell.md.
 TEST(GridError, OfFlowIsNoLessThanMeasuredErrors) {
   const auto rule = error_rule_of_discs();

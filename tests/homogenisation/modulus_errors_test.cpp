@@ -44,8 +44,8 @@ TEST(ModulusErrors, HaveTheBandOfTheGridsTheScatterAndTheSolver) {
   ASSERT_EQ(stage.tests[2].errors.size(), 3U);
   const auto& error = stage.tests[2].errors[1];
   EXPECT_NEAR(error.grid.value(), 0.04, 1e-12);
-  EXPECT_EQ(error.sample,
-            sample_error({.sample = SampleKind::particles, .effective_particles = 64.0}, 2, Load::shear, 2.0));
+  EXPECT_EQ(error.sample, sample_error({.sample = SampleKind::particles, .effective_particles = 64.0}, 2,
+                                       Boundary::periodic, Load::shear, 2.0));
   EXPECT_EQ(error.solver, 1e-5) << "that of the finest grid";
   EXPECT_EQ(error.matrix, 0.0);
   EXPECT_NEAR(error.whole().value(), std::sqrt(0.04 * 0.04 + *error.sample * *error.sample + 1e-10), 1e-12);
@@ -134,7 +134,7 @@ TEST(ModulusErrors, OfTheMeanOfShearsAreSmallerWhereTheseAreCloseTogether) {
   const std::array apart = {1.001, 1.01, 1.0};
   for (std::size_t i = 0; i < apart.size(); ++i) stage.tests[1].modulus[i].modulus *= apart[i];
   const ErrorRules rules{.one_grid = 0.01, .sample = SampleKind::particles, .effective_particles = 50.0};
-  const auto rule = sample_error(rules, 2, TestLoad::isotropic(), 2.0).value();
+  const auto rule = sample_error(rules, 2, Boundary::periodic, TestLoad::isotropic(), 2.0).value();
   add_errors(stage, rules, binder(), {});
   const auto sample = [&](std::size_t time) { return stage.tests[2].errors.at(time).sample.value(); };
   EXPECT_NEAR(sample(0), 0.5 * rule, 1e-12) << "no less than half the rule";

@@ -51,6 +51,9 @@ struct GridPlan {
   double length = 0.0;                 ///< characteristic length, on whose number of cells the error depends [m]
   std::string_view place = {};         ///< location of this length: "in the narrowest gap"
   std::optional<ErrorRule> rule = {};  ///< rule for the error; nothing where no rule is known
+  /// The error of interfaces in cells of unit length [1/m]: the error by the rule is no less than this times the size
+  /// of a cell.
+  double interfaces = 0.0;
   std::string_view caveat = {};        ///< range of the rule: "that is extrapolated from 30 to 50 % of spheres"
   std::string_view without_rule = {};  ///< content for which there is no rule: "ellipsoids"
 
@@ -68,6 +71,8 @@ struct StagePlan {
   std::vector<TestPlan> tests = {};
   /// Plan of the grid; nothing for films, and where the error of the grid cannot be estimated.
   std::optional<GridPlan> grid = {};
+  /// The error of the box in place of all of its make to be expected by a rule [-]; nothing where no rule holds.
+  std::optional<double> sample_error = {};
   std::vector<FillerStatistics> fillers = {};  ///< statistics of the fillers in the packed box
   std::vector<std::string> warnings = {};      ///< warnings about the stage as it is packed (warnings_on)
 };

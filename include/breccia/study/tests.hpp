@@ -57,6 +57,7 @@ struct Tests {
   double last_time = 0.0;                ///< last time of the curves [s]
   bool by_frequency = false;             ///< whether a deck gives frequencies, at which the dynamic moduli then are
   int points_per_decade = 20;            ///< samples per decade of the curves
+  std::optional<double> accuracy = {};   ///< largest whole error that is wanted of the moduli [-]
   std::vector<double> field_times = {};  ///< rising times at which the fields of the first load are saved [s]
   bool lists_field_times = false;        ///< whether a deck lists these times; its results are the same without it
   /// Largest relative deviation that the fit of a stage's result may have if a later stage builds on it [-].

@@ -23,6 +23,7 @@ struct ResolvedLength {
   std::optional<ErrorRule> rule = {};
   std::string_view caveat = {};
   std::string_view without_rule = {};
+  double interfaces = 0.0;  ///< as GridPlan::interfaces [1/m]
 };
 
 /// Whether particles were placed at random, as many at least as in the packings with which rules were measured.
@@ -114,7 +115,14 @@ ResolvedLength resolved_length(const Stage& stage, const StageMicrostructure& pa
     if (auto length = length_of_smallest(stage, packed)) return *length;
   }
   constexpr auto in_a_gap = "in the narrowest gap";
-  if (stage.dimensions() == 2) return {gap, in_a_gap, error_rule_of_gaps(mixing)};
+  if (stage.dimensions() == 2) {
+    // Wider gaps do not make the particles easier to resolve.
+    const double widest = 0.5 * packed.mean_diameter();
+    ResolvedLength resolved{std::min(gap, widest), gap > widest ? "across half of the mean particle" : in_a_gap,
+                            error_rule_of_gaps(mixing)};
+    if (has_mixed_cells(mixing)) resolved.interfaces = error_of_interfaces(packed.fraction) / packed.mean_diameter();
+    return resolved;
+  }
   if (mixing == Mixing::points) return {gap, in_a_gap, {}, {}, "points in three dimensions"};
   if (packed.content<Microstructure<3>>() == nullptr) return {gap, in_a_gap, {}, {}, "ellipsoids"};
   return length_of_spheres(stage, packed);
@@ -137,6 +145,10 @@ std::string_view materials_without_rule(const Study& study, const Stage& stage, 
 
 ErrorRule error_rule_of_gaps(Mixing mixing) {
   return has_mixed_cells(mixing) ? ErrorRule{0.10, 1.8, 1.5} : ErrorRule{3.0, 1.35, 3.0};
+}
+
+double error_of_interfaces(double fraction) {
+  return 1.8 * std::pow(fraction, 1.4);
 }
 
 ErrorRule error_rule_of_discs() {
@@ -198,6 +210,7 @@ std::optional<GridPlan> plan_of_grid(const Study& study, const Stage& stage, con
   constexpr double steepest_with_rule = 2.0;
   if (resolved.rule) {
     resolved.rule->error_of_one *= std::max(1.0, fall);
+    resolved.interfaces *= std::max(1.0, fall);
     resolved.without_rule = fall > steepest_with_rule ? "a binder that falls faster than 1/t^2"
                                                       : materials_without_rule(study, stage, mixing);
     if (!resolved.without_rule.empty()) resolved.rule.reset();
@@ -207,6 +220,7 @@ std::optional<GridPlan> plan_of_grid(const Study& study, const Stage& stage, con
                   .length = resolved.length,
                   .place = resolved.place,
                   .rule = resolved.rule,
+                  .interfaces = resolved.interfaces,
                   .caveat = resolved.caveat,
                   .without_rule = resolved.without_rule};
 }

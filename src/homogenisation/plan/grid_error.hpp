@@ -14,6 +14,10 @@ namespace breccia {
 /// The rule for the cells in the narrowest gap of a stage without flow through it (theory, Eq. 43a).
 ErrorRule error_rule_of_gaps(Mixing mixing);
 
+/// The error of the interfaces of particles in series, in the plane, times the number of cells across the mean particle
+/// (theory, Eq. 43l). It falls more slowly with finer cells than that of the gaps.
+double error_of_interfaces(double fraction);
+
 /// The rules for random packings with flow through the gaps between particles, by the number of cells across the
 /// smallest one: of discs and ellipses in the plane, of polygons in the plane (theory, Eq. 43d), and of spheres
 /// (Eq. 43e).

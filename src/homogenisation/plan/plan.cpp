@@ -15,9 +15,11 @@
 #include "breccia/homogenisation/stage_microstructure.hpp"
 #include "breccia/study/soundness.hpp"
 
+#include "homogenisation/modulus_errors.hpp"
 #include "homogenisation/narrow_gaps.hpp"
 #include "homogenisation/plan/cell_memory.hpp"
 #include "homogenisation/plan/cell_time.hpp"
+#include "homogenisation/plan/expected_sample_error.hpp"
 #include "homogenisation/plan/film_costs.hpp"
 #include "homogenisation/plan/grid_error.hpp"
 #include "homogenisation/plan/measured_costs.hpp"
@@ -77,7 +79,10 @@ class Planner {
  private:
   StagePlan plan_of_stage(const Study& study, const Stage& stage) {
     const auto& packed = box_of(stage);
-    StagePlan plan = {.stage = stage.name, .fillers = packed.fillers, .warnings = warnings_on(study, stage, packed)};
+    StagePlan plan = {.stage = stage.name,
+                      .sample_error = expected_sample_error(study, stage, error_rules_of(study, stage, packed)),
+                      .fillers = packed.fillers,
+                      .warnings = warnings_on(study, stage, packed)};
     if (model_of(study.tests, stage) == Model::films) {
       for (const auto boundary : study.tests.boundaries) {
         plan.tests.push_back(plan_of_film_test(study, stage, boundary, *packed.grains()));
@@ -200,12 +205,14 @@ double ErrorRule::cells_for(double error) const {
 }
 
 std::optional<double> GridPlan::error() const {
-  return rule ? rule->error_with(cells()) : std::nullopt;
+  const auto by_length = rule ? rule->error_with(cells()) : std::nullopt;
+  return by_length ? std::optional(std::max(*by_length, interfaces * cell_size)) : std::nullopt;
 }
 
 std::optional<double> GridPlan::cells_for(double error) const {
   const double along = rule ? rule->cells_for(error) : std::numeric_limits<double>::infinity();
-  return std::isfinite(along) ? std::optional(std::ceil(along * side / length)) : std::nullopt;
+  if (!std::isfinite(along)) return std::nullopt;
+  return std::ceil(side * std::max(along / length, interfaces / error));
 }
 
 double StudyPlan::seconds() const {

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "breccia/study/study.hpp"
+
+#include "deckfile/deck.hpp"
+
+namespace breccia {
+
+/// Reads `tests.budget`, the processor time that a run may take with boxes and grids that are chosen for it [s].
+std::optional<double> read_budget(const Section& deck, const Study& study);
+
+/// Chooses the boxes and the grids that the stages of a deck without mistakes leave out, for `tests.accuracy` (3 %
+/// where the deck does not name it) within the budget (choose_boxes). Warns of what is not reached. Throws
+/// NumericalError where particles jam.
+void choose_missing_boxes(std::optional<double> budget, Study& study);
+
+/// The boxes and grids that a deck leaves out, in words that differ where another version chooses others.
+std::string chosen_boxes(const Section& deck, const Study& study);
+
+}  // namespace breccia

@@ -1,0 +1,259 @@
+#include "homogenisation/plan/box_choice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+#include "breccia/homogenisation/stage_microstructure.hpp"
+
+#include "homogenisation/modulus_errors.hpp"
+#include "homogenisation/plan/cell_memory.hpp"
+#include "homogenisation/plan/cell_time.hpp"
+#include "homogenisation/plan/expected_sample_error.hpp"
+#include "homogenisation/plan/film_costs.hpp"
+#include "homogenisation/plan/grid_error.hpp"
+#include "study/side_of_particles.hpp"
+#include "study/test_rules.hpp"
+
+namespace breccia {
+namespace {
+
+/// Cells of one size and the error of a grid of them.
+struct CellSize {
+  double length;  ///< [m]
+  double error;   ///< [-]
+};
+
+/// A box and a grid that may be chosen.
+struct Option {
+  double particles = 0.0;
+  CellSize cell = {};
+  double error = std::numeric_limits<double>::infinity();    ///< of grid and sample [-]
+  double seconds = std::numeric_limits<double>::infinity();  ///< processor time [s]
+};
+
+/// Chooses the box and the grid of one stage.
+class Chooser {
+ public:
+  Chooser(const Study& study, const Stage& stage, const AccuracyGoal& goal)
+      : study_(study), stage_(stage), goal_(goal), has_films_(model_of(study.tests, stage) == Model::films) {
+    const bool is_of_space = stage.dimensions() == 3;
+    pilot_ = stage;
+    if (is_box_free()) pilot_.side = side_of_particles(stage, is_of_space ? 24 : 48);
+    if (pilot_.cells == 0) pilot_.cells = few_cells;
+    packed_ = make_microstructure(pilot_);
+    // The narrowest of many gaps is no wider than what the deck asks for.
+    for (const auto& filler : stage.fillers) {
+      if (filler.gap > 0.0) packed_.gap = std::min(packed_.gap, filler.gap);
+    }
+    scatter_ = scatter_of_one();
+    sizes_ = sizes_of_cells();
+    // Boxes of which nothing is known are as large as that of the starter deck.
+    constexpr double fewest_effective = 16.0;
+    fewest_ = scatter_ ? std::ceil(fewest_effective / share_of_effective()) : is_of_space ? 32.0 : 64.0;
+  }
+
+  /// Gives the stage its box and its grid.
+  BoxChoice choose(Stage& stage) const {
+    const auto cheapest = is_box_free() ? cheapest_that_reaches() : coarsest_in_given_box();
+    const auto chosen = is_affordable(cheapest) ? cheapest : best_affordable();
+    BoxChoice choice = {.stage = stage.name, .goal = goal_.error};
+    if (is_box_free()) {
+      choice.particles = static_cast<int>(std::lround(chosen.particles));
+      stage.side = side_of_particles(stage, choice.particles);
+    }
+    if (stage.cells == 0) {
+      stage.cells = even_cells(stage.side / chosen.cell.length);
+      if (!has_rule_) stage.coarser_cells = {stage.cells / 2};
+    }
+    if (has_rule_ && !has_films_) choice.grid = grid_error(stage);
+    if (scatter_) choice.sample = *scatter_ / std::sqrt(share_of_effective() * chosen.particles);
+    choice.seconds = seconds_of(chosen.particles, chosen.cell.length);
+    if (cheapest.error <= goal_.error) choice.seconds_of_goal = cheapest.seconds;
+    return choice;
+  }
+
+ private:
+  static constexpr int few_cells = 2;
+
+  [[nodiscard]] bool is_box_free() const { return stage_.side == 0.0; }
+
+  static int even_cells(double cells) { return std::max(few_cells, 2 * static_cast<int>(std::ceil(0.5 * cells))); }
+
+  [[nodiscard]] double particles_of_pilot() const { return std::max(1.0, static_cast<double>(packed_.particles())); }
+
+  /// The effective number of particles over their number [-].
+  [[nodiscard]] double share_of_effective() const {
+    return packed_.effective_particles > 0.0 ? packed_.effective_particles / particles_of_pilot() : 1.0;
+  }
+
+  /// The expected error of the sample, times the root of the effective number of its particles.
+  [[nodiscard]] std::optional<double> scatter_of_one() const {
+    // The stiffening of the boxes that were compared was up to an eighth larger than expected.
+    constexpr double many = 1e6, margin = 1.1;
+    auto rules = error_rules_of(study_, pilot_, packed_);
+    if (rules.sample == SampleKind::whole) return 0.0;
+    rules.effective_particles = many;
+    const auto error = expected_sample_error(study_, pilot_, rules);
+    return error ? std::optional(margin * *error * std::sqrt(many)) : std::nullopt;
+  }
+
+  [[nodiscard]] std::optional<double> grid_error(const Stage& stage) const {
+    const auto plan = plan_of_grid(study_, stage, packed_);
+    return plan ? plan->error() : std::nullopt;
+  }
+
+  /// Cells from coarse to fine, each with a smaller error than all before. Where no rule gives it, cells that are
+  /// usually fine enough, as if they had none.
+  std::vector<CellSize> sizes_of_cells() {
+    constexpr double coarsest = 4.0, finest = 400.0, ratio = 1.06, usual = 20.0;
+    const double diameter = std::isfinite(packed_.mean_diameter()) ? packed_.mean_diameter() : pilot_.side;
+    if (has_films_) return {{diameter / usual, 0.0}};
+    if (stage_.cells > 0) return {{pilot_.cell_size(), grid_error(pilot_).value_or(0.0)}};
+    std::vector<CellSize> sizes;
+    auto trial = pilot_;
+    for (double across = coarsest; across < finest; across *= ratio) {
+      trial.cells = even_cells(across * pilot_.side / diameter);
+      const auto error = grid_error(trial);
+      if (error && (sizes.empty() || *error < sizes.back().error)) sizes.push_back({trial.cell_size(), *error});
+    }
+    has_rule_ = !sizes.empty();
+    if (!has_rule_) sizes.push_back({diameter / usual, 0.0});
+    return sizes;
+  }
+
+  /// The stage with so many particles in its box and cells of this length [m].
+  [[nodiscard]] Stage stage_with(double particles, double length) const {
+    auto stage = pilot_;
+    stage.side *= std::pow(particles / particles_of_pilot(), 1.0 / stage.dimensions());
+    if (stage_.cells == 0) stage.cells = even_cells(stage.side / length);
+    return stage;
+  }
+
+  [[nodiscard]] double seconds_of(double particles, double length) const {
+    const auto stage = stage_with(particles, length);
+    const auto boundaries = static_cast<double>(study_.tests.boundaries.size());
+    if (has_films_) return boundaries * film_time(study_, stage, expected_grains(stage));
+    double seconds = discretisation_time(study_, stage, stage.cells);
+    for (const auto boundary : study_.tests.boundaries) {
+      seconds += quasistatic_time(study_, stage, boundary, stage.cells);
+    }
+    return seconds;
+  }
+
+  [[nodiscard]] double bytes_of(double particles, double length) const {
+    const auto stage = stage_with(particles, length);
+    return has_films_ ? film_memory(study_, stage, expected_grains(stage))
+                      : quasistatic_memory(study_, stage, stage.cells);
+  }
+
+  [[nodiscard]] bool is_affordable(const Option& option) const {
+    constexpr double most_bytes = 8e9;
+    return option.seconds <= goal_.seconds && bytes_of(option.particles, option.cell.length) <= most_bytes;
+  }
+
+  [[nodiscard]] Option option_with(double particles, const CellSize& cell) const {
+    const double sample = scatter_.value_or(0.0) / std::sqrt(share_of_effective() * particles);
+    return {particles, cell, std::hypot(cell.error, sample), seconds_of(particles, cell.length)};
+  }
+
+  /// The fewest particles whose sample has this error at most.
+  [[nodiscard]] double particles_for(double error) const {
+    const double root = scatter_.value_or(0.0) / error;
+    return std::max(fewest_, std::ceil(root * root / share_of_effective()));
+  }
+
+  /// The option that reaches the goal in the least time, where 4 GB of memory count as much as twice the time; an
+  /// infinite time where none does.
+  [[nodiscard]] Option cheapest_that_reaches() const {
+    constexpr double bytes_like_twice_the_time = 4e9;
+    Option cheapest;
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& cell : sizes_) {
+      const double left = goal_.error * goal_.error - cell.error * cell.error;
+      if (!(left > 0.0)) continue;
+      const double particles = particles_for(std::sqrt(left));
+      if (particles > most_particles_) continue;
+      const auto option = option_with(particles, cell);
+      const double cost = option.seconds * (1.0 + bytes_of(particles, cell.length) / bytes_like_twice_the_time);
+      if (cost < least) cheapest = option;
+      least = std::min(least, cost);
+    }
+    return cheapest;
+  }
+
+  /// The coarsest cells that reach the goal with the particles of a given box. Where these scatter too much for that,
+  /// those that have their share of it.
+  [[nodiscard]] Option coarsest_in_given_box() const {
+    const double particles = particles_of_pilot(), goal = goal_.error * goal_.error;
+    const double sample = option_with(particles, {sizes_.front().length, 0.0}).error;
+    const double left = std::max(goal - sample * sample, 0.5 * goal);
+    const auto fine =
+        std::ranges::find_if(sizes_, [left](const CellSize& cell) { return cell.error * cell.error <= left; });
+    return fine == sizes_.end() ? Option() : option_with(particles, *fine);
+  }
+
+  /// The option with the least error within the time and the memory; the cheapest of all where none is.
+  [[nodiscard]] Option best_affordable() const {
+    Option best, least;
+    for (const auto& cell : sizes_) {
+      const auto option = option_with(is_box_free() ? affordable_particles(cell) : particles_of_pilot(), cell);
+      if (option.seconds < least.seconds) least = option;
+      if (is_affordable(option) && option.error < best.error) best = option;
+    }
+    return std::isfinite(best.seconds) ? best : least;
+  }
+
+  /// The most particles within the time and the memory; where the scatter has no rule, no more than usual.
+  [[nodiscard]] double affordable_particles(const CellSize& cell) const {
+    if (!scatter_ || *scatter_ == 0.0 || !is_affordable(option_with(fewest_, cell))) return fewest_;
+    double low = fewest_, high = most_particles_;
+    constexpr double precise = 1.01;
+    while (high > precise * low) {
+      const double middle = std::sqrt(low * high);
+      (is_affordable(option_with(middle, cell)) ? low : high) = middle;
+    }
+    return std::floor(low);
+  }
+
+  static constexpr double most_particles_ = 2e5;
+
+  const Study& study_;
+  const Stage& stage_;
+  AccuracyGoal goal_;
+  bool has_films_;
+  bool has_rule_ = true;
+  Stage pilot_;
+  StageMicrostructure packed_ = {};
+  std::optional<double> scatter_ = {};
+  std::vector<CellSize> sizes_ = {};
+  double fewest_ = 0.0;
+};
+
+}  // namespace
+
+std::optional<double> BoxChoice::error() const {
+  if (!grid || !sample) return std::nullopt;
+  return std::hypot(*grid, *sample);
+}
+
+bool BoxChoice::reaches_goal() const {
+  constexpr double rounding = 1.02;
+  return error() && *error() <= rounding * goal;
+}
+
+std::vector<BoxChoice> choose_boxes(Study& study, const AccuracyGoal& goal) {
+  const auto count = static_cast<double>(study.stages.size());
+  const AccuracyGoal of_stage = {goal.error / std::sqrt(count), goal.seconds / count};
+  std::vector<BoxChoice> choices;
+  for (auto& stage : study.stages) {
+    if (stage.side > 0.0 && stage.cells > 0) continue;
+    const auto as_read = stage;
+    choices.push_back(Chooser(study, as_read, of_stage).choose(stage));
+  }
+  return choices;
+}
+
+}  // namespace breccia

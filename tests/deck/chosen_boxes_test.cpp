@@ -1,0 +1,194 @@
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/homogenisation/plan.hpp"
+
+#include "decks.hpp"
+
+namespace breccia {
+namespace {
+
+using test::join;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+/// Decks of discs, spheres and grains whose box or grid is left out.
+class ChosenBoxes : public testing::Test {
+ protected:
+  static constexpr std::string_view materials = R"(
+[materials.binder]
+density = "1 g/cm^3"
+bulk = "1 GPa"
+shear = { equilibrium = "1 MPa", terms = [{ time = "1 ms", modulus = "10 MPa" }] }
+[materials.filler]
+density = "2 g/cm^3"
+bulk = "10 GPa"
+shear = "5 GPa"
+)";
+
+  static std::string stage(std::string_view name, std::string_view matrix, std::string_view lines) {
+    return join("[[stages]]\nname = \"", name, "\"\nmatrix = \"", matrix, "\"\n", lines,
+                "packing = { method = \"lubachevsky-stillinger\" }\n");
+  }
+  static std::string discs(std::string_view lines) {
+    return join(lines,
+                "filler = { material = \"filler\", fraction = 0.4, sizes = { diameter = \"1 mm\" }, gap = \"5 %\" }\n");
+  }
+  static std::string deck(std::string_view stages, std::string_view tests = "", int dimensions = 2) {
+    return join("dimensions = ", std::to_string(dimensions), "\n", materials, stages,
+                "[tests]\ntimes = [\"0.1 ms\", \"10 ms\"]\n", tests);
+  }
+  [[nodiscard]] Study study(std::string_view lines, std::string_view tests = "", int dimensions = 2) const {
+    return directory.study(deck(stage("a", "binder", discs(lines)), tests, dimensions));
+  }
+  [[nodiscard]] std::string mistakes(std::string_view lines, std::string_view tests = "") const {
+    return directory.mistakes(deck(stage("a", "binder", discs(lines)), tests));
+  }
+  static std::vector<std::string> warnings(const Study& study) {
+    const auto found = study.provenance.warnings.find("a");
+    return found == study.provenance.warnings.end() ? std::vector<std::string>() : found->second;
+  }
+  /// The errors of grid and packing that the plan of a study expects, together [-].
+  static double planned_error(const Study& study) {
+    const auto plan = plan_of(study).stages.at(0);
+    return std::hypot(plan.grid.value().error().value(), plan.sample_error.value());
+  }
+
+  test::DeckDirectory directory;
+};
+
+TEST_F(ChosenBoxes, ABoxFollowsFromItsParticles) {
+  const auto box = study("particles = 100\ncells = 128\n").stages.at(0);
+  EXPECT_NEAR(box.side, std::sqrt(100.0 * 0.25 * std::numbers::pi / 0.4) * 1e-3, 1e-7);
+  EXPECT_EQ(box.cells, 128);
+  EXPECT_EQ(plan_of(study("particles = 100\ncells = 128\n")).stages.at(0).fillers.at(0).particles, 100U);
+  EXPECT_EQ(study("particles = 100\nresolution = \"20 /mm\"\n").stages.at(0).cells, 140) << "of 14.0125 mm";
+}
+
+TEST_F(ChosenBoxes, BoxAndGridReachTheAccuracyThatIsAskedFor) {
+  double seconds = 0.0;
+  for (const double percent : {10.0, 5.0, 3.0}) {
+    const auto chosen = study("", fmt::format("accuracy = \"{} %\"\n", percent));
+    EXPECT_EQ(chosen.tests.accuracy, percent / 100.0);
+    EXPECT_LE(planned_error(chosen), 0.0102 * percent);
+    EXPECT_GE(planned_error(chosen), 0.007 * percent) << "no more than is needed";
+    EXPECT_THAT(warnings(chosen), IsEmpty());
+    const double time = plan_of(chosen).seconds();
+    EXPECT_GT(time, seconds) << percent;
+    seconds = time;
+  }
+  EXPECT_LT(seconds, 600.0);
+}
+
+TEST_F(ChosenBoxes, ThreePercentAreTheDefault) {
+  const auto by_default = study(""), asked = study("", "accuracy = 0.03\n");
+  EXPECT_EQ(by_default.tests.accuracy, 0.03);
+  EXPECT_EQ(by_default.stages.at(0).side, asked.stages.at(0).side);
+  EXPECT_EQ(by_default.stages.at(0).cells, asked.stages.at(0).cells);
+  EXPECT_EQ(study("box = \"10 mm\"\ncells = 100\n").tests.accuracy, std::nullopt) << "nothing is chosen";
+}
+
+TEST_F(ChosenBoxes, TheGridOfAGivenBoxIsChosenForWhatItsParticlesLeave) {
+  const auto large = study("particles = 3000\n", "accuracy = \"5 %\"\n");
+  EXPECT_THAT(warnings(large), IsEmpty());
+  EXPECT_LE(planned_error(large), 0.051);
+  const auto small = study("particles = 20\n", "accuracy = \"3 %\"\n");
+  EXPECT_THAT(warnings(small), ElementsAre(AllOf(HasSubstr("accuracy 3 %: an error of up to "),
+                                                 HasSubstr("a larger box would have a smaller one"))));
+  EXPECT_LE(plan_of(small).stages.at(0).grid->error().value(), 0.0213);
+}
+
+TEST_F(ChosenBoxes, WhatIsNotReachedWithinTheBudgetIsSaid) {
+  const auto chosen = study("", "accuracy = \"0.5 %\"\nbudget = \"10 s\"\n");
+  EXPECT_LE(plan_of(chosen).seconds(), 10.5);
+  EXPECT_THAT(warnings(chosen), ElementsAre(AllOf(HasSubstr("accuracy 0.5 %: within 10 s and 8 GB an error of up to "),
+                                                  HasSubstr("0.5 % would take about "), HasSubstr("(tests.budget)"))));
+  const auto longer = study("", "accuracy = \"0.5 %\"\nbudget = \"100 s\"\n");
+  EXPECT_LT(planned_error(longer), planned_error(chosen));
+}
+
+TEST_F(ChosenBoxes, TheStagesOfAChainShareTheAccuracy) {
+  const auto two =
+      directory.study(deck(stage("fine", "binder", discs("")) + stage("a", "fine", discs("")), "accuracy = \"6 %\"\n"));
+  for (const auto& part : plan_of(two).stages) {
+    EXPECT_LE(std::hypot(part.grid.value().error().value(), part.sample_error.value()), 0.0102 * 6.0 / std::sqrt(2.0));
+  }
+}
+
+TEST_F(ChosenBoxes, SpheresHaveThemToo) {
+  const auto chosen = study("", "accuracy = \"10 %\"\n", 3);
+  EXPECT_THAT(warnings(chosen), IsEmpty());
+  EXPECT_LE(planned_error(chosen), 0.102);
+  EXPECT_LE(plan_of(chosen).seconds(), 600.0);
+}
+
+/// A filler that is softer than the binder at first and stiffer in the end.
+TEST_F(ChosenBoxes, WhereNoRuleHoldsTwoGridsMeasureTheError) {
+  const auto between = directory.study(deck(stage("a", "binder", discs(""))), {"materials.filler.shear=5 MPa"});
+  const auto& box = between.stages.at(0);
+  EXPECT_EQ(box.coarser_cells, std::vector{box.cells / 2});
+  EXPECT_NEAR(box.cells * 1e-3 / box.side, 20.0, 0.5) << "across a disc";
+  EXPECT_EQ(plan_of(between).stages.at(0).fillers.at(0).particles, 64U);
+  EXPECT_THAT(warnings(between), ElementsAre(HasSubstr("the error to be expected is not known")));
+}
+
+TEST_F(ChosenBoxes, AListOfParticlesHasAGridOfItsOwn) {
+  directory.write("discs.csv", "x_m,y_m,diameter_m\n5e-3,5e-3,2e-3\n");
+  const auto listed =
+      directory.study(deck("[[stages]]\nname = \"a\"\nmatrix = \"binder\"\nbox = \"10 mm\"\n"
+                           "filler = { material = \"filler\" }\n"
+                           "packing = { method = \"explicit\", discs = \"discs.csv\" }\n"));
+  EXPECT_LE(plan_of(listed).stages.at(0).grid->error().value(), 0.03);
+  EXPECT_GE(listed.stages.at(0).cells, 20);
+}
+
+TEST_F(ChosenBoxes, TheSameDeckHasTheSameBox) {
+  const auto one = study("", "accuracy = \"4 %\"\n"), other = study("", "accuracy = \"4 %\"\n");
+  EXPECT_EQ(one.provenance.hash, other.provenance.hash);
+  EXPECT_EQ(one.stages.at(0).side, other.stages.at(0).side);
+  EXPECT_NE(one.provenance.hash, study("", "accuracy = \"5 %\"\n").provenance.hash);
+}
+
+TEST_F(ChosenBoxes, MistakesAreReported) {
+  EXPECT_THAT(mistakes("cells = 100\n"), HasSubstr("box: missing, expected box or particles beside these cells"));
+  EXPECT_THAT(mistakes("box = \"10 mm\"\nparticles = 100\ncells = 100\n"), HasSubstr("the box is given already"));
+  EXPECT_THAT(mistakes("particles = 0\ncells = 100\n"), HasSubstr("particles: expected an integer from 1 to 500000"));
+  EXPECT_THAT(mistakes("particles = 1.5\ncells = 100\n"), HasSubstr("particles: expected an integer"));
+  EXPECT_THAT(mistakes("", "accuracy = \"300 %\"\n"), HasSubstr("accuracy: expected"));
+  EXPECT_THAT(mistakes("", "budget = \"3 m\"\n"), HasSubstr("budget: expected"));
+  EXPECT_THAT(mistakes("box = \"10 mm\"\ncells = 100\n", "budget = \"3 min\"\n"),
+              HasSubstr("budget: no box and no cells are left out"));
+  EXPECT_THAT(mistakes("", "method = \"dynamic\"\n"), HasSubstr("chosen for the quasi-static method alone"));
+  const auto regular = deck(
+      "[[stages]]\nname = \"a\"\nmatrix = \"binder\"\n"
+      "filler = { material = \"filler\", sizes = { diameter = \"1 mm\" } }\n"
+      "packing = { method = \"regular\", columns = 2, rows = 2 }\n");
+  EXPECT_THAT(directory.mistakes(regular), HasSubstr("box: missing, expected the side of the box: only particles"));
+  const auto empty = deck("[[stages]]\nname = \"a\"\nmatrix = \"binder\"\nbox = \"1 mm\"\n");
+  EXPECT_THAT(directory.mistakes(empty), HasSubstr("cells: missing, expected cells or resolution"));
+  const auto in_points =
+      deck(stage("a", "binder",
+                 R"(filler = { material = "filler", fraction = 0.4, gap = "3 points", sizes = { diameter = "1 mm" } }
+)"));
+  EXPECT_THAT(directory.mistakes(in_points), HasSubstr("gap: a number of material points is a length only where"));
+}
+
+/// With a mistake elsewhere no box is chosen, so that the mistake alone is reported.
+TEST_F(ChosenBoxes, AMistakeElsewhereIsReportedAlone) {
+  EXPECT_THAT(mistakes("", "loads = \"sheer\"\n"), AllOf(HasSubstr("loads: "), Not(HasSubstr("box"))));
+  EXPECT_THAT(mistakes("", "unknown = 1\n"), AllOf(HasSubstr("unknown"), Not(HasSubstr("box:"))));
+}
+
+}  // namespace
+}  // namespace breccia
