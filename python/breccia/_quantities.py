@@ -16,9 +16,9 @@ PathLike = Union[str, "os.PathLike[str]"]
 
 #: The SI units of the keys of a deck that are quantities, in whatever table they stand.
 UNITS = {
-    "activation_energy": "J/mol", "angle": "rad", "box": "m", "bulk": "Pa", "c2": "K", "density": "kg/m^3",
-    "diameter": "m", "equilibrium": "Pa", "fields": "s", "film": "m", "frequencies": "Hz", "from": "m", "gap": "m",
-    "list": "m", "median": "m", "modulus": "Pa", "pixel": "m", "ramp": "s", "reference": "K",
+    "activation_energy": "J/mol", "angle": "rad", "box": "m", "budget": "s", "bulk": "Pa", "c2": "K",
+    "density": "kg/m^3", "diameter": "m", "equilibrium": "Pa", "fields": "s", "film": "m", "frequencies": "Hz",
+    "from": "m", "gap": "m", "list": "m", "median": "m", "modulus": "Pa", "pixel": "m", "ramp": "s", "reference": "K",
     "reference_temperature": "K", "resolution": "1/m", "shear": "Pa", "temperature": "K", "thickness": "m",
     "time": "s", "times": "s", "to": "m", "young": "Pa",
 }

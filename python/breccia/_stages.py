@@ -161,7 +161,7 @@ class Stage(Table):
     def _table(self, files: _deck.Files) -> dict[str, Any]:
         fillers = [filler._table(files) for filler in self.fillers]
         return {"name": self.name, "matrix": name_of("Stage: matrix", self.matrix), "box": self.box,
-                "cells": self.cells, "filler": fillers[0] if len(fillers) == 1 else fillers or None,
+                "particles": self.particles, "cells": self.cells, "filler": fillers[0] if len(fillers) == 1 else fillers or None,
                 "packing": _table_of("Stage: packing", self.packing, files), **self.keys}
 
 

@@ -113,6 +113,22 @@ def test_tables_within_tables_take_numbers():
     assert '"list" = ["0.2 mm", "0.0002 m"]' in study.deck
 
 
+def test_boxes_and_cells_are_chosen_for_an_accuracy():
+    filler = breccia.Filler(GLASS, fraction=0.3, diameter=1e-3, gap="10 %")
+
+    def study(tests, **box):
+        stage = breccia.Stage("box", matrix=RUBBER, fillers=filler, packing="lubachevsky-stillinger", **box)
+        return breccia.Study(stage, breccia.Tests(times=TESTS.times, **tests))
+
+    chosen = study({"accuracy": 0.2, "budget": 60.0})
+    assert "accuracy = 0.2" in chosen.deck and 'budget = "60.0 s"' in chosen.deck
+    assert breccia.solve(chosen).stages[0].test().error.max() < 0.2
+    box = breccia.solve(study({}, particles=20, cells=16)).stages[0].microstructure
+    assert box.fraction == pytest.approx(0.3, rel=1e-3)
+    with pytest.raises(breccia.InputError, match="the box is given already"):
+        study({}, particles=20, box=1e-3, cells=16)
+
+
 def test_overrides_and_swept_keys_take_numbers():
     as_text = breccia.read_study(MODEL, {**OVERRIDES, "materials.binder.bulk": "2 MPa", "tests.times": ["1 ms", "50 ms"]})
     as_number = breccia.read_study(MODEL, {**OVERRIDES, "materials.binder.bulk": 2e6, "tests.times": (1e-3, 0.05)})

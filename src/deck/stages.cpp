@@ -179,8 +179,9 @@ std::vector<Stage> read_stages(const Section& deck, const std::vector<ShiftedMat
       read_particles_and_box(section, materials, defaults, stage);
     }
     check_fit(section, stage);
-    if (stage.fillers.empty() && !is_image && !names_cells(section)) {
-      section.report("cells", "missing, expected cells or resolution: they are chosen only for a box with a filler");
+    const bool takes_choice = stage.has_seed() && !stage.fillers.empty();
+    if (!takes_choice && !is_image && !names_cells(section)) {
+      section.report("cells", "missing, expected cells or resolution: they are chosen for a random packing alone");
     }
     stages.push_back(std::move(stage));
   }

@@ -10,7 +10,7 @@
 namespace breccia {
 
 std::optional<FactorOfSpace> factor_of_space(const Study& study, const Stage& stage, const StageFindings& result) {
-  constexpr double largest_exponent = 0.3;
+  constexpr double largest_exponent = 0.25;
   const bool has_random_particles = stage.dimensions() == 2 && stage.has_seed() && !stage.has_grains();
   if (!has_random_particles || !are_stiffer_than_matrix(materials_of(stage, expected_matrix(study, stage)))) return {};
   const auto shear = main_shear(study.tests.loads);

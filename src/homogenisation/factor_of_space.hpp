@@ -14,7 +14,7 @@ struct FactorOfSpace {
 };
 
 /// The largest ratio to be expected of the shear moduli of a stage of random discs, ellipses or polygons in a periodic
-/// box: R^0.3 for a composite that is R times as stiff as its binder (docs/two-or-three-dimensions.md, "Random discs
+/// box: R^0.25 for a composite that is R times as stiff as its binder (docs/two-or-three-dimensions.md, "Random discs
 /// and spheres"). Nothing for other boxes, and for fillers that are not stiffer than the matrix at all times.
 std::optional<FactorOfSpace> factor_of_space(const Study& study, const Stage& stage, const StageFindings& result);
 

@@ -143,16 +143,6 @@ TEST_F(ChosenBoxes, WhereNoRuleHoldsTwoGridsMeasureTheError) {
   EXPECT_THAT(warnings(between), ElementsAre(HasSubstr("the error to be expected is not known")));
 }
 
-TEST_F(ChosenBoxes, AListOfParticlesHasAGridOfItsOwn) {
-  directory.write("discs.csv", "x_m,y_m,diameter_m\n5e-3,5e-3,2e-3\n");
-  const auto listed =
-      directory.study(deck("[[stages]]\nname = \"a\"\nmatrix = \"binder\"\nbox = \"10 mm\"\n"
-                           "filler = { material = \"filler\" }\n"
-                           "packing = { method = \"explicit\", discs = \"discs.csv\" }\n"));
-  EXPECT_LE(plan_of(listed).stages.at(0).grid->error().value(), 0.03);
-  EXPECT_GE(listed.stages.at(0).cells, 20);
-}
-
 TEST_F(ChosenBoxes, TheSameDeckHasTheSameBox) {
   const auto one = study("", "accuracy = \"4 %\"\n"), other = study("", "accuracy = \"4 %\"\n");
   EXPECT_EQ(one.provenance.hash, other.provenance.hash);

@@ -148,7 +148,7 @@ ErrorRule error_rule_of_gaps(Mixing mixing) {
 }
 
 double error_of_interfaces(double fraction) {
-  return 1.8 * std::pow(fraction, 1.4);
+  return 1.3 * fraction;
 }
 
 ErrorRule error_rule_of_discs() {
