@@ -28,14 +28,15 @@ std::string words_on_errors(const BoxChoice& choice) {
 /// The reason why a stage does not reach what was wanted of it, and what helps.
 std::string words_on_miss(const BoxChoice& choice, double budget) {
   if (!choice.error()) {
-    return fmt::format("the error to be expected is not known ({}), so that the {} was chosen for what is known of it",
-                       words_on_errors(choice), choice.particles > 0 ? "box and the grid" : "grid");
+    return fmt::format("the error to be expected is not known ({}), so that the {} chosen for what is known of it",
+                       words_on_errors(choice), choice.particles > 0 ? "box and the grid were" : "grid was");
   }
   const auto expected =
       fmt::format("an error of up to {} is to be expected ({})", percent(*choice.error()), words_on_errors(choice));
   if (choice.seconds_of_goal) {
-    return fmt::format("within {} and 8 GB {}; {} would take about {} (tests.budget)", display_duration(budget),
-                       expected, percent(choice.goal), display_duration(*choice.seconds_of_goal));
+    return fmt::format("within {} and 8 GB {}; {} would take about {} and {} (tests.budget)", display_duration(budget),
+                       expected, percent(choice.goal), display_duration(*choice.seconds_of_goal),
+                       display(*choice.bytes_of_goal, "B"));
   }
   return choice.particles > 0 ? expected + "; no box and grid within reach gives less"
                               : expected + "; a larger box would have a smaller one";

@@ -143,6 +143,16 @@ TEST_F(ChosenBoxes, WhereNoRuleHoldsTwoGridsMeasureTheError) {
   EXPECT_THAT(warnings(between), ElementsAre(HasSubstr("the error to be expected is not known")));
 }
 
+/// Spheres with gaps of 0.5 % would need a grid of 190 cells across each for its error to have a rule.
+TEST_F(ChosenBoxes, AGridWithARuleThatIsFarBeyondTheBudgetIsNotChosen) {
+  auto text = deck(stage("a", "binder", discs("")), "", 3);
+  text.replace(text.find("5 %\""), 3, "0.5 %");
+  const auto close = directory.study(text);
+  EXPECT_LE(plan_of(close).seconds(), 600.0);
+  EXPECT_EQ(close.stages.at(0).coarser_cells.size(), 1U);
+  EXPECT_THAT(warnings(close), ElementsAre(HasSubstr("of the grid unknown")));
+}
+
 TEST_F(ChosenBoxes, TheSameDeckHasTheSameBox) {
   const auto one = study("", "accuracy = \"4 %\"\n"), other = study("", "accuracy = \"4 %\"\n");
   EXPECT_EQ(one.provenance.hash, other.provenance.hash);

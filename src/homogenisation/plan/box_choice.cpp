@@ -9,6 +9,7 @@
 #include "breccia/homogenisation/stage_microstructure.hpp"
 
 #include "homogenisation/modulus_errors.hpp"
+#include "homogenisation/narrow_gaps.hpp"
 #include "homogenisation/plan/cell_memory.hpp"
 #include "homogenisation/plan/cell_time.hpp"
 #include "homogenisation/plan/expected_sample_error.hpp"
@@ -30,6 +31,7 @@ struct CellSize {
 struct Option {
   double particles = 0.0;
   CellSize cell = {};
+  bool has_rule = true;                                      ///< whether the error of the grid is known
   double error = std::numeric_limits<double>::infinity();    ///< of grid and sample [-]
   double seconds = std::numeric_limits<double>::infinity();  ///< processor time [s]
 };
@@ -39,6 +41,8 @@ class Chooser {
  public:
   Chooser(const Study& study, const Stage& stage, const AccuracyGoal& goal)
       : study_(study), stage_(stage), goal_(goal), has_films_(model_of(study.tests, stage) == Model::films) {
+    in_series_ = study;
+    in_series_.tests.mixing = Mixing::series;
     const bool is_of_space = stage.dimensions() == 3;
     pilot_ = stage;
     if (is_box_free()) pilot_.side = side_of_particles(stage, is_of_space ? 24 : 48);
@@ -66,12 +70,15 @@ class Chooser {
     }
     if (stage.cells == 0) {
       stage.cells = even_cells(stage.side / chosen.cell.length);
-      if (!has_rule_) stage.coarser_cells = {stage.cells / 2};
+      if (!chosen.has_rule) stage.coarser_cells = {stage.cells / 2};
     }
-    if (has_rule_ && !has_films_) choice.grid = grid_error(stage);
+    if (chosen.has_rule && !has_films_) choice.grid = grid_error(stage);
     if (scatter_) choice.sample = *scatter_ / std::sqrt(share_of_effective() * chosen.particles);
     choice.seconds = seconds_of(chosen.particles, chosen.cell.length);
-    if (cheapest.error <= goal_.error) choice.seconds_of_goal = cheapest.seconds;
+    if (cheapest.error <= goal_.error) {
+      choice.seconds_of_goal = cheapest.seconds;
+      choice.bytes_of_goal = bytes_of(cheapest.particles, cheapest.cell.length);
+    }
     return choice;
   }
 
@@ -105,22 +112,19 @@ class Chooser {
     return plan ? plan->error() : std::nullopt;
   }
 
-  /// Cells from coarse to fine, each with a smaller error than all before. Where no rule gives it, cells that are
-  /// usually fine enough, as if they had none.
-  std::vector<CellSize> sizes_of_cells() {
-    constexpr double coarsest = 4.0, finest = 400.0, ratio = 1.06, usual = 20.0;
-    const double diameter = std::isfinite(packed_.mean_diameter()) ? packed_.mean_diameter() : pilot_.side;
-    if (has_films_) return {{diameter / usual, 0.0}};
+  /// Cells from coarse to fine, each with a smaller error than all before; none where no rule gives it.
+  [[nodiscard]] std::vector<CellSize> sizes_of_cells() const {
+    constexpr double finest = 400.0, ratio = 1.06;
+    const double diameter = packed_.mean_diameter();
+    if (has_films_) return {{diameter, 0.0}};
     if (stage_.cells > 0) return {{pilot_.cell_size(), grid_error(pilot_).value_or(0.0)}};
     std::vector<CellSize> sizes;
     auto trial = pilot_;
-    for (double across = coarsest; across < finest; across *= ratio) {
+    for (double across = fewest_across_; across < finest; across *= ratio) {
       trial.cells = even_cells(across * pilot_.side / diameter);
       const auto error = grid_error(trial);
       if (error && (sizes.empty() || *error < sizes.back().error)) sizes.push_back({trial.cell_size(), *error});
     }
-    has_rule_ = !sizes.empty();
-    if (!has_rule_) sizes.push_back({diameter / usual, 0.0});
     return sizes;
   }
 
@@ -132,13 +136,19 @@ class Chooser {
     return stage;
   }
 
+  /// The study with the mixing that the cells of a stage have.
+  [[nodiscard]] const Study& as_computed(const Stage& stage) const {
+    return mixing_of(study_, stage, packed_) == study_.tests.mixing ? study_ : in_series_;
+  }
+
   [[nodiscard]] double seconds_of(double particles, double length) const {
     const auto stage = stage_with(particles, length);
     const auto boundaries = static_cast<double>(study_.tests.boundaries.size());
     if (has_films_) return boundaries * film_time(study_, stage, expected_grains(stage));
-    double seconds = discretisation_time(study_, stage, stage.cells);
-    for (const auto boundary : study_.tests.boundaries) {
-      seconds += quasistatic_time(study_, stage, boundary, stage.cells);
+    const auto& study = as_computed(stage);
+    double seconds = discretisation_time(study, stage, stage.cells);
+    for (const auto boundary : study.tests.boundaries) {
+      seconds += quasistatic_time(study, stage, boundary, stage.cells);
     }
     return seconds;
   }
@@ -146,7 +156,7 @@ class Chooser {
   [[nodiscard]] double bytes_of(double particles, double length) const {
     const auto stage = stage_with(particles, length);
     return has_films_ ? film_memory(study_, stage, expected_grains(stage))
-                      : quasistatic_memory(study_, stage, stage.cells);
+                      : quasistatic_memory(as_computed(stage), stage, stage.cells);
   }
 
   [[nodiscard]] bool is_affordable(const Option& option) const {
@@ -156,7 +166,10 @@ class Chooser {
 
   [[nodiscard]] Option option_with(double particles, const CellSize& cell) const {
     const double sample = scatter_.value_or(0.0) / std::sqrt(share_of_effective() * particles);
-    return {particles, cell, std::hypot(cell.error, sample), seconds_of(particles, cell.length)};
+    return {.particles = particles,
+            .cell = cell,
+            .error = std::hypot(cell.error, sample),
+            .seconds = seconds_of(particles, cell.length)};
   }
 
   /// The fewest particles whose sample has this error at most.
@@ -188,22 +201,33 @@ class Chooser {
   /// those that have their share of it.
   [[nodiscard]] Option coarsest_in_given_box() const {
     const double particles = particles_of_pilot(), goal = goal_.error * goal_.error;
-    const double sample = option_with(particles, {sizes_.front().length, 0.0}).error;
+    const double sample = scatter_.value_or(0.0) / std::sqrt(share_of_effective() * particles);
     const double left = std::max(goal - sample * sample, 0.5 * goal);
     const auto fine =
         std::ranges::find_if(sizes_, [left](const CellSize& cell) { return cell.error * cell.error <= left; });
     return fine == sizes_.end() ? Option() : option_with(particles, *fine);
   }
 
-  /// The option with the least error within the time and the memory; the cheapest of all where none is.
+  /// The option with the least error within the time and the memory.
   [[nodiscard]] Option best_affordable() const {
-    Option best, least;
+    Option best;
     for (const auto& cell : sizes_) {
       const auto option = option_with(is_box_free() ? affordable_particles(cell) : particles_of_pilot(), cell);
-      if (option.seconds < least.seconds) least = option;
       if (is_affordable(option) && option.error < best.error) best = option;
     }
-    return std::isfinite(best.seconds) ? best : least;
+    return std::isfinite(best.seconds) ? best : finest_without_rule();
+  }
+
+  /// Cells that are usually fine enough, or else the finest within the time and the memory.
+  [[nodiscard]] Option finest_without_rule() const {
+    constexpr double usual = 20.0, ratio = 1.06;
+    Option option;
+    for (double across = usual; across >= fewest_across_; across /= ratio) {
+      option = option_with(is_box_free() ? fewest_ : particles_of_pilot(), {packed_.mean_diameter() / across, 0.0});
+      if (is_affordable(option)) break;
+    }
+    option.has_rule = has_films_;
+    return option;
   }
 
   /// The most particles within the time and the memory; where the scatter has no rule, no more than usual.
@@ -218,13 +242,13 @@ class Chooser {
     return std::floor(low);
   }
 
-  static constexpr double most_particles_ = 2e5;
+  static constexpr double most_particles_ = 2e5, fewest_across_ = 4.0;
 
   const Study& study_;
+  Study in_series_ = {};
   const Stage& stage_;
   AccuracyGoal goal_;
   bool has_films_;
-  bool has_rule_ = true;
   Stage pilot_;
   StageMicrostructure packed_ = {};
   std::optional<double> scatter_ = {};

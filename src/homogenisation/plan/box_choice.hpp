@@ -22,8 +22,8 @@ struct BoxChoice {
   std::optional<double> sample = {};  ///< expected error of the sample [-]; nothing where no rule holds
   double seconds = 0.0;               ///< expected processor time of the tests [s]
   double goal = 0.0;                  ///< error that was wanted of the stage [-]
-  /// Processor time of the cheapest box and grid that would reach the goal [s]; nothing where none does.
-  std::optional<double> seconds_of_goal = {};
+  /// Processor time and memory of the cheapest box and grid that would reach the goal [s, B]; nothing where none does.
+  std::optional<double> seconds_of_goal = {}, bytes_of_goal = {};
 
   /// The expected error [-]; nothing where a part of it is not known.
   [[nodiscard]] std::optional<double> error() const;
@@ -35,7 +35,8 @@ struct BoxChoice {
 /// the least time or, if this is more than the goal allows, those with the least error within that time and 8 GB. The
 /// stages of a chain share the goal, the squares of their errors in equal parts. For it each of these stages is packed
 /// once, a chosen one with few particles. Deterministic, and the same on all machines. A stage for whose grid no rule
-/// holds gets two grids, which measure its error. Throws as side_of_particles() and make_microstructure().
+/// holds that is within the time gets two grids, which measure its error. Throws as side_of_particles() and
+/// make_microstructure().
 std::vector<BoxChoice> choose_boxes(Study& study, const AccuracyGoal& goal);
 
 }  // namespace breccia

@@ -173,9 +173,9 @@ ErrorRule error_rule_of_narrow_films() {
 
 // The error of the grid grows as the spheres come closer to jamming.
 std::optional<ErrorRule> error_rule_of_spheres(double fraction) {
-  constexpr double jammed = 0.70, largest = 0.60;
+  constexpr double jammed = 0.70, largest = 0.60, finest_measured = 20.0;
   if (fraction > largest) return std::nullopt;
-  return ErrorRule{0.63 / (jammed - fraction), 1.65, 4.5};
+  return ErrorRule{0.63 / (jammed - fraction), 1.65, 4.5, finest_measured};
 }
 
 double steepest_fall(const PronySeries& modulus, const TimeWindow& window) {
