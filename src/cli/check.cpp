@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -78,9 +79,11 @@ std::string line_of_sample(const StagePlan& stage, const std::vector<double>& er
   std::vector<std::string> advice;
   for (const double error : errors) {
     const double ratio = *stage.sample_error / error;
-    advice.push_back(fmt::format("{:.2g} for {:.2g} %", ratio * ratio * static_cast<double>(particles), 100.0 * error));
+    advice.push_back(fmt::format("{:.0f} would have {:.2g} %",
+                                 std::max(1.0, std::ceil(ratio * ratio * static_cast<double>(particles))),
+                                 100.0 * error));
   }
-  return fmt::format("  {}: {} particles, the error of the packing is up to about {:.2g} % by a rule; particles = {}\n",
+  return fmt::format("  {}: {} particles, the error of the packing is up to about {:.2g} % by a rule; {}\n",
                      stage.stage, particles, 100.0 * *stage.sample_error, fmt::join(advice, ", "));
 }
 

@@ -1,11 +1,14 @@
 #include "deck/chosen_boxes.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include "breccia/error.hpp"
 
 #include "homogenisation/plan/box_choice.hpp"
 #include "io/display.hpp"
@@ -25,21 +28,33 @@ std::string words_on_errors(const BoxChoice& choice) {
                      part(choice.grid), part(choice.sample));
 }
 
+/// The limits of a choice: "within 10 min and 8 GB".
+std::string words_on_limits(const BoxChoice& choice) {
+  return fmt::format("within {} and {}", display_duration(choice.budget), display(most_bytes_of_choice, "B"));
+}
+
+/// What the accuracy that was wanted of a stage would take, and the key that allows for it.
+std::string words_on_needs(const BoxChoice& choice) {
+  const bool lacks_memory = *choice.bytes_of_goal > most_bytes_of_choice;
+  return fmt::format("{} would take about {} and {}{}", percent(choice.goal), display_duration(*choice.seconds_of_goal),
+                     display(*choice.bytes_of_goal, "B"), lacks_memory ? "" : " (tests.budget)");
+}
+
 /// The reason why a stage does not reach what was wanted of it, and what helps.
-std::string words_on_miss(const BoxChoice& choice, double budget) {
+std::string words_on_miss(const BoxChoice& choice) {
+  const bool is_over = choice.seconds > choice.budget;
+  const auto costs = is_over ? fmt::format("; it takes about {}", display_duration(choice.seconds)) : std::string();
   if (!choice.error()) {
-    return fmt::format("the error to be expected is not known ({}), so that the {} chosen for what is known of it",
-                       words_on_errors(choice), choice.particles > 0 ? "box and the grid were" : "grid was");
+    return fmt::format("the error to be expected is not known ({}), so that the {} chosen for what is known of it{}",
+                       words_on_errors(choice), choice.particles > 0 ? "box and the grid were" : "grid was", costs);
   }
-  const auto expected =
-      fmt::format("an error of up to {} is to be expected ({})", percent(*choice.error()), words_on_errors(choice));
+  const auto expected = fmt::format("an error of up to {} is to be expected ({}){}", percent(*choice.error()),
+                                    words_on_errors(choice), costs);
   if (choice.seconds_of_goal) {
-    return fmt::format("within {} and 8 GB {}; {} would take about {} and {} (tests.budget)", display_duration(budget),
-                       expected, percent(choice.goal), display_duration(*choice.seconds_of_goal),
-                       display(*choice.bytes_of_goal, "B"));
+    return fmt::format("{} {}; {}", words_on_limits(choice), expected, words_on_needs(choice));
   }
-  return choice.particles > 0 ? expected + "; no box and grid within reach gives less"
-                              : expected + "; a larger box would have a smaller one";
+  return choice.particles > 0 ? fmt::format("{} {}", words_on_limits(choice), expected)
+                              : expected + "; a larger box would have a smaller one of the packing";
 }
 
 bool names_cells(const Section& stage) {
@@ -59,29 +74,37 @@ std::optional<double> read_budget(const Section& deck, const Study& study) {
     tests->refuse({"budget"}, "no box and no cells are left out that it could limit");
     return std::nullopt;
   }
-  if (std::ranges::count(study.tests.methods, Method::dynamic) > 0) {
-    tests->report("method", "box and cells are chosen for the quasi-static method alone; the dynamic one needs both");
-  }
   return tests->optional_quantity("budget", Dimension::time, Range::positive());
 }
 
-void choose_missing_boxes(std::optional<double> budget, Study& study) {
+void choose_missing_boxes(const Section& deck, std::optional<double> budget, Study& study) {
   if (std::ranges::none_of(study.stages, is_missing)) return;
+  if (std::ranges::count(study.tests.methods, Method::dynamic) > 0) {
+    deck.section("tests").report(
+        "method", "box and cells are chosen for the quasi-static method alone; the dynamic one needs both");
+    return;
+  }
   AccuracyGoal goal;
   goal.seconds = budget.value_or(goal.seconds);
   goal.error = study.tests.accuracy.value_or(goal.error);
   study.tests.accuracy = goal.error;
-  for (const auto& choice : choose_boxes(study, goal)) {
-    if (choice.reaches_goal()) continue;
-    study.provenance.warnings[choice.stage].push_back(
-        fmt::format("accuracy {}: {}", percent(goal.error), words_on_miss(choice, goal.seconds)));
+  try {
+    for (const auto& choice : choose_boxes(study, goal)) {
+      if (choice.reaches_goal()) continue;
+      study.provenance.warnings[choice.stage].push_back(
+          fmt::format("accuracy {}: {}", percent(goal.error), words_on_miss(choice)));
+    }
+  } catch (const NumericalError& error) {
+    deck.report("stages", fmt::format("no box can be chosen: {}", error.what()));
+  } catch (const InputError& error) {
+    deck.report("stages", fmt::format("no box can be chosen: {}", error.what()));
   }
 }
 
-std::string chosen_boxes(const Section& deck, const Study& study) {
+std::string chosen_boxes(const Section& deck, const Study& study, std::size_t stages) {
   std::string text;
   const auto sections = deck.sections("stages");
-  for (std::size_t number = 0; number < std::min(sections.size(), study.stages.size()); ++number) {
+  for (std::size_t number = 0; number < std::min(sections.size(), stages); ++number) {
     const auto& stage = study.stages[number];
     if (stage.has_image()) continue;
     if (!sections[number].has("box")) text += fmt::format(" {:.17g}", stage.side);

@@ -45,7 +45,7 @@ Study resolve(const Deck& document) {
   study.provenance.inputs.push_back(document.path());
   // A study is one task of a sweep: read_sweep makes the others.
   static_cast<void>(root.has("sweep"));
-  if (document.mistakes().empty()) choose_missing_boxes(budget, study);
+  if (document.mistakes().empty()) choose_missing_boxes(root, budget, study);
   return study;
 }
 
@@ -87,7 +87,7 @@ std::vector<std::string> stage_hashes_of(const Deck& document, const Study& stud
     // The default boundaries and the default mixing depend on other stages, too.
     for (const auto boundary : study.tests.boundaries) content += name_of(boundary);
     if (study.tests.mixing == Mixing::flow) content += name_of(Mixing::flow);
-    content += chosen_boxes(document.root(), study);
+    content += chosen_boxes(document.root(), study, hashes.size() + 1);
     hashes.push_back(content_hash(content));
   }
   return hashes;
@@ -100,7 +100,7 @@ std::string default_tests_of(const Deck& document, const Study& study) {
   std::string names;
   for (const auto load : study.tests.loads) names += is_named("loads") ? "" : name_of(load);
   for (const auto boundary : study.tests.boundaries) names += is_named("boundaries") ? "" : name_of(boundary);
-  return names + chosen_boxes(document.root(), study);
+  return names + chosen_boxes(document.root(), study, study.stages.size());
 }
 
 }  // namespace

@@ -9,10 +9,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "breccia/error.hpp"
+
 #include "deck/filler.hpp"
 #include "deck/image.hpp"
 #include "deck/packing.hpp"
 #include "io/nearest_name.hpp"
+#include "study/filler_sizes.hpp"
 #include "study/limits.hpp"
 #include "study/side_of_particles.hpp"
 #include "study/stage_rules.hpp"
@@ -112,12 +115,21 @@ void read_grid(const Section& section, Model model, Stage& stage) {
   }
 }
 
-/// Whether the sizes and the fraction of a random packing give the box of a number of particles.
-bool has_sizes_for_box(const Stage& stage) {
-  const auto is_drawn = [](const Filler& filler) {
-    return filler.sizes && !std::holds_alternative<ListedSizes>(*filler.sizes);
+/// Whether the particles of a stage are drawn, so that their sizes and their fraction give the box of a number of them.
+bool draws_particles(const Stage& stage) {
+  const auto is_list = [](const Filler& filler) {
+    return filler.sizes && std::holds_alternative<ListedSizes>(*filler.sizes);
   };
-  return stage.has_seed() && std::ranges::all_of(stage.fillers, is_drawn);
+  return stage.has_seed() && !stage.fillers.empty() && std::ranges::none_of(stage.fillers, is_list);
+}
+
+/// Whether sizes or a fraction are missing or wrong, which has been reported already.
+bool has_mistaken_amounts(const Stage& stage) {
+  return std::ranges::any_of(stage.fillers, [&](const Filler& filler) {
+    const auto range = diameters_of(filler);
+    const bool has_sizes = range && range->smallest > 0.0 && range->smallest <= range->largest;
+    return !has_sizes || !(stage.has_grains() || filler.fraction.value_or(0.0) > 0.0);
+  });
 }
 
 /// Reads the number of particles of a stage without a box. Leaves the side 0 where the box is to be chosen, and NaN
@@ -126,22 +138,30 @@ double read_side_of_particles(const Section& section, const Stage& stage) {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   constexpr std::string_view only_drawn =
       "only particles that a random packing draws from sizes and a fraction have a box that follows from their number";
-  const bool is_drawn = !stage.fillers.empty() && has_sizes_for_box(stage);
+  const auto particles = section.optional_integer("particles", allowed::particles);
+  // A packing that could not be read has no fillers.
+  if (section.has("filler") && stage.fillers.empty()) return unknown;
+  if (!draws_particles(stage)) {
+    if (section.has("particles"))
+      section.report("particles", fmt::format("{}; expected box", only_drawn));
+    else
+      section.report("box", fmt::format("missing, expected the side of the box: {}", only_drawn));
+    return unknown;
+  }
   if (section.has("particles")) {
-    const auto particles = section.integer("particles", allowed::particles);
-    if (!is_drawn) section.report("particles", fmt::format("{}; expected box", only_drawn));
-    if (!is_drawn || particles == 0) return unknown;
     double side = unknown;
-    section.report_errors_of("particles", [&] { side = side_of_particles(stage, static_cast<int>(particles)); });
+    if (!particles || has_mistaken_amounts(stage)) return side;
+    section.report_errors_of("particles", [&] {
+      side = side_of_particles(stage, static_cast<int>(*particles));
+      if (accepts(allowed::side, side)) return;
+      throw InputError(fmt::format(
+          "expected particles for a box of {} to {}, got one of {}", readable(allowed::side.lower, Dimension::length),
+          readable(allowed::side.upper, Dimension::length), readable(side, Dimension::length)));
+    });
     return side;
   }
-  if (!is_drawn) {
-    section.report("box", fmt::format("missing, expected the side of the box: {}", only_drawn));
-  } else if (names_cells(section)) {
-    section.report("box", "missing, expected box or particles beside these cells; without them, too, both are chosen");
-  } else {
-    return 0.0;
-  }
+  if (!names_cells(section)) return 0.0;
+  section.report("box", "missing, expected box or particles beside these cells; without them, too, both are chosen");
   return unknown;
 }
 

@@ -13,7 +13,7 @@ inline constexpr Range poisson = Range::between(-0.9, 0.5);
 inline constexpr Range side = {.lower = 1e-12, .upper = 1e6};          ///< side of a box [m]
 inline constexpr Range dimensions = {.lower = 2.0, .upper = 3.0};      ///< number of dimensions of a box
 inline constexpr Range cells = {.lower = 2.0, .upper = 1048576.0};     ///< number of cells per side
-inline constexpr Range particles = {.lower = 1.0, .upper = 500000.0};  ///< number of particles that gives a box
+inline constexpr Range particles = {.lower = 1.0, .upper = 100000.0};  ///< number of particles that gives a box
 inline constexpr std::size_t most_grids = 3;                           ///< number of grids of a stage
 inline constexpr std::size_t most_fillers = 100;                       ///< number of fillers of a stage
 inline constexpr Range fraction = Range::between(0.0, 1.0);            ///< fraction of a random packing [-]

@@ -42,28 +42,20 @@ class Drawer {
       if (!sizes) throw InputError("a number of particles belongs to a distribution of sizes: a list has its own");
       // Grains fill the box, with half of the films around them.
       constexpr double whole_box = 1.0 - 1e-12;
-      if (!stage.has_grains() && !filler.fraction) throw InputError("a number of particles belongs to a fraction");
-      fillers_.push_back({*std::move(sizes), stage.has_grains() ? whole_box : *filler.fraction});
+      const double fraction = stage.has_grains() ? whole_box : filler.fraction.value_or(0.0);
+      if (!(fraction > 0.0 && fraction < 1.0)) throw InputError("a number of particles belongs to a fraction");
+      fillers_.push_back({*std::move(sizes), fraction});
     }
   }
 
-  /// The volume of the smallest particle over the fraction [m^dim]: a step of the volume of the box that is small
-  /// beside that from one number of particles to the next.
-  [[nodiscard]] double smallest_step() const {
-    double step = std::numeric_limits<double>::infinity();
+  /// The least volume of a box that holds a particle of each filler [m^dim].
+  [[nodiscard]] double least_volume() const {
+    constexpr double just_more = 1.0 + 1e-9;
+    double volume = 0.0;
     for (const auto& [sizes, fraction] : fillers_) {
-      step = std::min(step, ball_volume<dim>(sizes.smallest()) / fraction);
+      volume = std::max(volume, just_more * 0.5 * ball_volume<dim>(sizes.smallest()) / fraction);
     }
-    return step / 8.0;
-  }
-
-  /// A volume that draws no more than this number of particles [m^dim].
-  [[nodiscard]] double least_volume(int particles) const {
-    double volume = std::numeric_limits<double>::infinity();
-    for (const auto& [sizes, fraction] : fillers_) {
-      volume = std::min(volume, ball_volume<dim>(sizes.smallest()) / fraction);
-    }
-    return volume * particles / static_cast<double>(fillers_.size());
+    return volume;
   }
 
   [[nodiscard]] Draw draw(double volume) const {
@@ -71,10 +63,9 @@ class Drawer {
     Draw drawn;
     double filled = 0.0, asked = 0.0;
     for (const auto& [sizes, fraction] : fillers_) {
-      asked += fraction * volume;
-      if (!(fraction * volume > 0.5 * ball_volume<dim>(sizes.smallest()))) continue;
       const auto diameters = draw_diameters<dim>(sizes, fraction, side);
       drawn.particles += diameters.size();
+      asked += fraction * volume;
       for (const double diameter : diameters) filled += ball_volume<dim>(diameter);
     }
     drawn.excess = filled / asked - 1.0;
@@ -85,13 +76,19 @@ class Drawer {
   std::vector<DrawnFiller> fillers_;
 };
 
-constexpr int most_halvings = 60;
-
-/// A volume that draws this number of particles, or at which their number jumps over it [m^dim].
+/// A volume that draws this number of particles, or at which their number jumps over it [m^dim]. Throws InputError
+/// where a box with one particle of each filler holds more.
 template <int dim>
-double volume_with(const Drawer<dim>& drawer, std::size_t particles, double least) {
+double volume_with(const Drawer<dim>& drawer, std::size_t particles) {
   constexpr double growth = 1.2;
-  double low = least, high = least;
+  constexpr int most_halvings = 60;
+  double low = drawer.least_volume();
+  const auto fewest = drawer.draw(low).particles;
+  if (fewest > particles) {
+    throw InputError(
+        fmt::format("{} particles are too few: a box with one of each filler holds {}", particles, fewest));
+  }
+  double high = low;
   while (drawer.draw(high).particles < particles) low = std::exchange(high, growth * high);
   for (int i = 0; i < most_halvings; ++i) {
     const double middle = 0.5 * (low + high);
@@ -102,22 +99,21 @@ double volume_with(const Drawer<dim>& drawer, std::size_t particles, double leas
   return high;
 }
 
-/// The volume nearest to `volume` at which the particles fill just what is asked for [m^dim]. Between two jumps of
-/// their number the excess falls from half of the smallest particle above to half of it below.
+/// A volume near this one at which the particles fill what is asked for, or nearly [m^dim]. Between two jumps of their
+/// number the volume of the drawn particles hardly changes, so that a box of just this content draws it again.
 template <int dim>
 double volume_without_excess(const Drawer<dim>& drawer, double volume) {
   constexpr double negligible = 1e-6;
-  const double step = drawer.smallest_step();
-  double low = volume, high = volume;
-  while (drawer.draw(low).excess < 0.0) low -= step;
-  while (drawer.draw(high).excess > 0.0) high += step;
-  for (int i = 0; i < most_halvings; ++i) {
-    const double middle = 0.5 * (low + high);
-    const double excess = drawer.draw(middle).excess;
-    if (std::abs(excess) < negligible) return middle;
-    (excess > 0.0 ? low : high) = middle;
+  constexpr int most_steps = 20;
+  double best = volume, least = std::numeric_limits<double>::infinity();
+  const double smallest = drawer.least_volume();
+  for (int step = 0; step < most_steps && least > negligible; ++step) {
+    const double excess = drawer.draw(volume).excess;
+    if (std::abs(excess) < least) best = volume;
+    least = std::min(least, std::abs(excess));
+    volume = std::max(smallest, volume * (1.0 + excess));
   }
-  return low;
+  return best;
 }
 
 /// A length as a user would write it.
@@ -130,11 +126,16 @@ double to_six_digits(double value) {
 template <int dim>
 double side_of(const Stage& stage, int particles) {
   const Drawer<dim> drawer(stage);
-  const double volume = volume_with(drawer, static_cast<std::size_t>(particles), drawer.least_volume(particles));
+  const double volume = volume_with(drawer, static_cast<std::size_t>(particles));
   return to_six_digits(std::pow(volume_without_excess(drawer, volume), 1.0 / dim));
 }
 
 }  // namespace
+
+int fewest_particles(const Stage& stage) {
+  const auto fewest = [](const auto& drawer) { return static_cast<int>(drawer.draw(drawer.least_volume()).particles); };
+  return stage.dimensions() == 3 ? fewest(Drawer<3>(stage)) : fewest(Drawer<2>(stage));
+}
 
 double side_of_particles(const Stage& stage, int particles) {
   return stage.dimensions() == 3 ? side_of<3>(stage, particles) : side_of<2>(stage, particles);

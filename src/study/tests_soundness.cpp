@@ -117,6 +117,7 @@ void check_tests(const Tests& tests, StudyMistakes& mistakes) {
   check_list(tests.boundaries, "boundary condition", mistakes);
   check_list(tests.methods, "method", mistakes);
   mistakes.check_integer(tests_part, "points per decade", tests.points_per_decade, allowed::points_per_decade);
+  if (tests.accuracy) mistakes.check_number(tests_part, "accuracy", *tests.accuracy, allowed::fraction);
   mistakes.check_number(tests_part, "tolerance of the fit", tests.fit_tolerance, allowed::fit_tolerance);
   mistakes.check_number("tests, films", "length of the elements", tests.films.face_share, allowed::face_share);
   if (tests.films.layers) {

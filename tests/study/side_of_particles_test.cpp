@@ -70,7 +70,7 @@ void expect_number_and_fraction(const Stage& stage, double fraction) {
   for (const int particles : {1, 13, 64, 1000}) {
     const auto [count, filled] = drawn<dim>(stage, side_of_particles(stage, particles));
     EXPECT_EQ(count, static_cast<std::size_t>(particles));
-    EXPECT_NEAR(filled, fraction, 1e-4 * fraction) << particles;
+    EXPECT_NEAR(filled, fraction, 1e-3 * fraction) << particles;
   }
 }
 
@@ -87,8 +87,32 @@ TEST(SideOfParticles, OfTwoFillersMeetsTheFractionOfBoth) {
   for (const int particles : {50, 200}) {
     const auto [count, filled] = drawn<2>(stage, side_of_particles(stage, particles));
     EXPECT_NEAR(static_cast<double>(count), particles, 0.05 * particles);
-    EXPECT_NEAR(filled, 0.5, 1e-4);
+    EXPECT_NEAR(filled, 0.5, 1e-3 * 0.5);
   }
+}
+
+/// The smallest particles of these sizes have a millionth of the volume of the median one, and less.
+TEST(SideOfParticles, OfWideDistributionsIsFound) {
+  for (const double smallest : {1e-5, 1e-6, 1e-8}) {
+    auto wide = lognormal(1e-3, 0.4);
+    wide.smallest = smallest;
+    const auto discs = drawn<2>(stage_with<2>({wide}), side_of_particles(stage_with<2>({wide}), 64));
+    const auto spheres = drawn<3>(stage_with<3>({wide}), side_of_particles(stage_with<3>({wide}), 64));
+    for (const auto& [count, filled] : {discs, spheres}) {
+      EXPECT_NEAR(static_cast<double>(count), 64.0, 1.0);
+      EXPECT_NEAR(filled, 0.4, 2e-3 * 0.4);
+    }
+  }
+}
+
+TEST(SideOfParticles, HoldsAParticleOfEachFiller) {
+  const auto stage = stage_with<2>({filler_of(SingleSize{1e-3}, 0.4), filler_of(SingleSize{5e-3}, 0.05)});
+  EXPECT_THAT(message_of<InputError>([&] { static_cast<void>(side_of_particles(stage, 40)); }),
+              HasSubstr("40 particles are too few: a box with one of each filler holds 101"));
+  EXPECT_EQ(fewest_particles(stage), 101);
+  const auto [count, filled] = drawn<2>(stage, side_of_particles(stage, 303));
+  EXPECT_NEAR(static_cast<double>(count), 303.0, 101.0) << "a box has whole large particles";
+  EXPECT_NEAR(filled, 0.45, 3e-3 * 0.45);
 }
 
 TEST(SideOfParticles, BelongsToSizesAndAFraction) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 #include <utility>
+#include <variant>
 
 #include "breccia/homogenisation/stage_microstructure.hpp"
 
@@ -15,6 +16,9 @@
 #include "homogenisation/plan/expected_sample_error.hpp"
 #include "homogenisation/plan/film_costs.hpp"
 #include "homogenisation/plan/grid_error.hpp"
+#include "study/chain.hpp"
+#include "study/filler_sizes.hpp"
+#include "study/limits.hpp"
 #include "study/side_of_particles.hpp"
 #include "study/test_rules.hpp"
 
@@ -36,16 +40,28 @@ struct Option {
   double seconds = std::numeric_limits<double>::infinity();  ///< processor time [s]
 };
 
-/// Chooses the box and the grid of one stage.
+/// The packing with the seed 1, so that the choice is the same for all seeds.
+StagePacking with_first_seed(StagePacking packing) {
+  const auto set = [](auto& method) {
+    if constexpr (requires { method.seed; }) method.seed = 1;
+  };
+  std::visit([&](auto& of_dimension) { std::visit(set, of_dimension); }, packing);
+  return packing;
+}
+
+/// Chooses the box and the grid of one stage by means of a box with few particles.
 class Chooser {
  public:
-  Chooser(const Study& study, const Stage& stage, const AccuracyGoal& goal)
+  Chooser(const Study& study, const Stage& stage, const AccuracyGoal& goal, int particles_of_pilot)
       : study_(study), stage_(stage), goal_(goal), has_films_(model_of(study.tests, stage) == Model::films) {
     in_series_ = study;
     in_series_.tests.mixing = Mixing::series;
     const bool is_of_space = stage.dimensions() == 3;
     pilot_ = stage;
-    if (is_box_free()) pilot_.side = side_of_particles(stage, is_of_space ? 24 : 48);
+    if (is_box_free()) {
+      pilot_.packing = with_first_seed(stage.packing);
+      pilot_.side = side_of_particles(stage, particles_of_pilot);
+    }
     if (pilot_.cells == 0) pilot_.cells = few_cells;
     packed_ = make_microstructure(pilot_);
     // The narrowest of many gaps is no wider than what the deck asks for.
@@ -57,13 +73,14 @@ class Chooser {
     // Boxes of which nothing is known are as large as that of the starter deck.
     constexpr double fewest_effective = 16.0;
     fewest_ = scatter_ ? std::ceil(fewest_effective / share_of_effective()) : is_of_space ? 32.0 : 64.0;
+    if (is_box_free()) fewest_ = std::max(fewest_, static_cast<double>(fewest_particles(stage)));
   }
 
   /// Gives the stage its box and its grid.
   BoxChoice choose(Stage& stage) const {
     const auto cheapest = is_box_free() ? cheapest_that_reaches() : coarsest_in_given_box();
     const auto chosen = is_affordable(cheapest) ? cheapest : best_affordable();
-    BoxChoice choice = {.stage = stage.name, .goal = goal_.error};
+    BoxChoice choice = {.stage = stage.name, .goal = goal_.error, .budget = goal_.seconds};
     if (is_box_free()) {
       choice.particles = static_cast<int>(std::lround(chosen.particles));
       stage.side = side_of_particles(stage, choice.particles);
@@ -87,7 +104,9 @@ class Chooser {
 
   [[nodiscard]] bool is_box_free() const { return stage_.side == 0.0; }
 
-  static int even_cells(double cells) { return std::max(few_cells, 2 * static_cast<int>(std::ceil(0.5 * cells))); }
+  static int even_cells(double cells) {
+    return 2 * static_cast<int>(std::ceil(0.5 * std::clamp(cells, allowed::cells.lower, allowed::cells.upper)));
+  }
 
   [[nodiscard]] double particles_of_pilot() const { return std::max(1.0, static_cast<double>(packed_.particles())); }
 
@@ -99,11 +118,11 @@ class Chooser {
   /// The expected error of the sample, times the root of the effective number of its particles.
   [[nodiscard]] std::optional<double> scatter_of_one() const {
     // The stiffening of the boxes that were compared was up to an eighth larger than expected.
-    constexpr double many = 1e6, margin = 1.1;
+    constexpr double many = 1e6, margin = 1.12;
     auto rules = error_rules_of(study_, pilot_, packed_);
     if (rules.sample == SampleKind::whole) return 0.0;
     rules.effective_particles = many;
-    const auto error = expected_sample_error(study_, pilot_, rules);
+    const auto error = expected_sample_error(study_, pilot_, packed_.fillers, rules);
     return error ? std::optional(margin * *error * std::sqrt(many)) : std::nullopt;
   }
 
@@ -160,8 +179,7 @@ class Chooser {
   }
 
   [[nodiscard]] bool is_affordable(const Option& option) const {
-    constexpr double most_bytes = 8e9;
-    return option.seconds <= goal_.seconds && bytes_of(option.particles, option.cell.length) <= most_bytes;
+    return option.seconds <= goal_.seconds && bytes_of(option.particles, option.cell.length) <= most_bytes_of_choice;
   }
 
   [[nodiscard]] Option option_with(double particles, const CellSize& cell) const {
@@ -242,7 +260,7 @@ class Chooser {
     return std::floor(low);
   }
 
-  static constexpr double most_particles_ = 2e5, fewest_across_ = 4.0;
+  static constexpr double most_particles_ = 1e5, fewest_across_ = 4.0;
 
   const Study& study_;
   Study in_series_ = {};
@@ -255,6 +273,25 @@ class Chooser {
   std::vector<CellSize> sizes_ = {};
   double fewest_ = 0.0;
 };
+
+/// The number of stages in the longest chain of stages that are the matrix of the next one.
+std::size_t longest_chain(const Study& study) {
+  std::size_t longest = 1;
+  for (const auto& stage : study.stages) {
+    std::size_t length = 1;
+    for (const auto* below = stage_of_matrix(study, stage); below != nullptr; below = stage_of_matrix(study, *below)) {
+      ++length;
+    }
+    longest = std::max(longest, length);
+  }
+  return longest;
+}
+
+/// Whether the particles of a stage have different sizes.
+bool has_distribution(const Stage& stage) {
+  const auto range = diameters_of(stage);
+  return range && range->smallest < range->largest;
+}
 
 }  // namespace
 
@@ -269,13 +306,21 @@ bool BoxChoice::reaches_goal() const {
 }
 
 std::vector<BoxChoice> choose_boxes(Study& study, const AccuracyGoal& goal) {
-  const auto count = static_cast<double>(study.stages.size());
-  const AccuracyGoal of_stage = {goal.error / std::sqrt(count), goal.seconds / count};
+  const AccuracyGoal of_stage = {goal.error / std::sqrt(static_cast<double>(longest_chain(study))),
+                                 goal.seconds / static_cast<double>(study.stages.size())};
   std::vector<BoxChoice> choices;
   for (auto& stage : study.stages) {
     if (stage.side > 0.0 && stage.cells > 0) continue;
     const auto as_read = stage;
-    choices.push_back(Chooser(study, as_read, of_stage).choose(stage));
+    const bool is_free = as_read.side == 0.0;
+    const int few = std::max(stage.dimensions() == 3 ? 24 : 48, is_free ? fewest_particles(as_read) : 0);
+    auto choice = Chooser(study, as_read, of_stage, few).choose(stage);
+    // A few particles do not show the width of a distribution of sizes: the choice is made again with more of them.
+    const int more = std::min(choice.particles, 12 * few);
+    if (is_free && more > 2 * few && has_distribution(as_read)) {
+      choice = Chooser(study, as_read, of_stage, more).choose(stage);
+    }
+    choices.push_back(std::move(choice));
   }
   return choices;
 }

@@ -116,8 +116,8 @@ ResolvedLength resolved_length(const Stage& stage, const StageMicrostructure& pa
   }
   constexpr auto in_a_gap = "in the narrowest gap";
   if (stage.dimensions() == 2) {
-    // Wider gaps do not make the particles easier to resolve.
-    const double widest = 0.5 * packed.mean_diameter();
+    // Wider gaps do not make the particles easier to resolve. The gaps of an image are not known.
+    const double widest = std::isfinite(gap) ? 0.5 * packed.mean_diameter() : gap;
     ResolvedLength resolved{std::min(gap, widest), gap > widest ? "across half of the mean particle" : in_a_gap,
                             error_rule_of_gaps(mixing)};
     if (has_mixed_cells(mixing)) resolved.interfaces = error_of_interfaces(packed.fraction) / packed.mean_diameter();

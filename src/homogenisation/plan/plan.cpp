@@ -79,10 +79,11 @@ class Planner {
  private:
   StagePlan plan_of_stage(const Study& study, const Stage& stage) {
     const auto& packed = box_of(stage);
-    StagePlan plan = {.stage = stage.name,
-                      .sample_error = expected_sample_error(study, stage, error_rules_of(study, stage, packed)),
-                      .fillers = packed.fillers,
-                      .warnings = warnings_on(study, stage, packed)};
+    StagePlan plan = {
+        .stage = stage.name,
+        .sample_error = expected_sample_error(study, stage, packed.fillers, error_rules_of(study, stage, packed)),
+        .fillers = packed.fillers,
+        .warnings = warnings_on(study, stage, packed)};
     if (model_of(study.tests, stage) == Model::films) {
       for (const auto boundary : study.tests.boundaries) {
         plan.tests.push_back(plan_of_film_test(study, stage, boundary, *packed.grains()));
