@@ -139,7 +139,7 @@ class Chooser {
     if (stage_.cells > 0) return {{pilot_.cell_size(), grid_error(pilot_).value_or(0.0)}};
     std::vector<CellSize> sizes;
     auto trial = pilot_;
-    for (double across = fewest_across_; across < finest; across *= ratio) {
+    for (double across = fewest_across; across < finest; across *= ratio) {
       trial.cells = even_cells(across * pilot_.side / diameter);
       const auto error = grid_error(trial);
       if (error && (sizes.empty() || *error < sizes.back().error)) sizes.push_back({trial.cell_size(), *error});
@@ -206,7 +206,7 @@ class Chooser {
       const double left = goal_.error * goal_.error - cell.error * cell.error;
       if (!(left > 0.0)) continue;
       const double particles = particles_for(std::sqrt(left));
-      if (particles > most_particles_) continue;
+      if (particles > most_particles) continue;
       const auto option = option_with(particles, cell);
       const double cost = option.seconds * (1.0 + bytes_of(particles, cell.length) / bytes_like_twice_the_time);
       if (cost < least) cheapest = option;
@@ -240,7 +240,7 @@ class Chooser {
   [[nodiscard]] Option finest_without_rule() const {
     constexpr double usual = 20.0, ratio = 1.06;
     Option option;
-    for (double across = usual; across >= fewest_across_; across /= ratio) {
+    for (double across = usual; across >= fewest_across; across /= ratio) {
       option = option_with(is_box_free() ? fewest_ : particles_of_pilot(), {packed_.mean_diameter() / across, 0.0});
       if (is_affordable(option)) break;
     }
@@ -251,7 +251,7 @@ class Chooser {
   /// The most particles within the time and the memory; where the scatter has no rule, no more than usual.
   [[nodiscard]] double affordable_particles(const CellSize& cell) const {
     if (!scatter_ || *scatter_ == 0.0 || !is_affordable(option_with(fewest_, cell))) return fewest_;
-    double low = fewest_, high = most_particles_;
+    double low = fewest_, high = most_particles;
     constexpr double precise = 1.01;
     while (high > precise * low) {
       const double middle = std::sqrt(low * high);
@@ -260,7 +260,7 @@ class Chooser {
     return std::floor(low);
   }
 
-  static constexpr double most_particles_ = 1e5, fewest_across_ = 4.0;
+  static constexpr double most_particles = 1e5, fewest_across = 4.0;
 
   const Study& study_;
   Study in_series_ = {};
