@@ -10,6 +10,7 @@
 
 #include "breccia/error.hpp"
 
+#include "deck/stages.hpp"
 #include "homogenisation/plan/box_choice.hpp"
 #include "io/display.hpp"
 #include "study/test_rules.hpp"
@@ -57,20 +58,12 @@ std::string words_on_miss(const BoxChoice& choice) {
                               : expected + "; a larger box would have a smaller one of the packing";
 }
 
-bool names_cells(const Section& stage) {
-  return stage.has("cells") || stage.has("resolution");
-}
-
-bool is_missing(const Stage& stage) {
-  return !(stage.side > 0.0) || stage.cells == 0;
-}
-
 }  // namespace
 
 std::optional<double> read_budget(const Section& deck, const Study& study) {
   const auto tests = deck.optional_section("tests");
   if (!tests) return std::nullopt;
-  if (std::ranges::none_of(study.stages, is_missing)) {
+  if (std::ranges::none_of(study.stages, needs_choice)) {
     tests->refuse({"budget"}, "no box and no cells are left out that it could limit");
     return std::nullopt;
   }
@@ -78,7 +71,7 @@ std::optional<double> read_budget(const Section& deck, const Study& study) {
 }
 
 void choose_missing_boxes(const Section& deck, std::optional<double> budget, Study& study) {
-  if (std::ranges::none_of(study.stages, is_missing)) return;
+  if (std::ranges::none_of(study.stages, needs_choice)) return;
   if (std::ranges::count(study.tests.methods, Method::dynamic) > 0) {
     deck.section("tests").report(
         "method", "box and cells are chosen for the quasi-static method alone; the dynamic one needs both");

@@ -95,10 +95,6 @@ bool needs_no_cells(const Section& section, Model model) {
 /// Cells per side of the labels of grains that are computed with films.
 constexpr int cells_of_labels = 512;
 
-bool names_cells(const Section& section) {
-  return section.has("cells") || section.has("resolution");
-}
-
 /// Reads the grids of a stage whose box is known. Leaves 0 cells where they are to be chosen.
 void read_grid(const Section& section, Model model, Stage& stage) {
   if (section.kind("cells") == Kind::array) {
@@ -142,10 +138,11 @@ double read_side_of_particles(const Section& section, const Stage& stage) {
   // A packing that could not be read has no fillers.
   if (section.has("filler") && stage.fillers.empty()) return unknown;
   if (!draws_particles(stage)) {
-    if (section.has("particles"))
+    if (section.has("particles")) {
       section.report("particles", fmt::format("{}; expected box", only_drawn));
-    else
+    } else {
       section.report("box", fmt::format("missing, expected the side of the box: {}", only_drawn));
+    }
     return unknown;
   }
   if (section.has("particles")) {
@@ -175,6 +172,10 @@ void read_particles_and_box(const Section& section, const std::vector<ShiftedMat
 }
 
 }  // namespace
+
+bool names_cells(const Section& stage) {
+  return stage.has("cells") || stage.has("resolution");
+}
 
 std::vector<Stage> read_stages(const Section& deck, const std::vector<ShiftedMaterial>& materials,
                                const StageDefaults& defaults) {

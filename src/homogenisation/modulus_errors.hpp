@@ -8,6 +8,12 @@
 
 namespace breccia {
 
+/// Whether an error is what was asked for, or hardly more.
+constexpr bool reaches(double error, double asked) noexcept {
+  constexpr double hardly_more = 1.02;
+  return error <= hardly_more * asked;
+}
+
 /// The rules for a stage as it is packed.
 ErrorRules error_rules_of(const Study& study, const Stage& stage, const StageMicrostructure& packed);
 

@@ -176,8 +176,7 @@ std::string words_on_space(const FactorOfSpace& space) {
 std::string words_on_whole_error(const StageQuality& quality) {
   const auto& [error, asked] = std::pair(quality.error, quality.error_asked);
   if (!error) return asked ? fmt::format("error unknown ({} asked for)", words_of(*asked)) : "";
-  constexpr double rounding = 1.02;
-  const bool is_missed = asked && *error > rounding * *asked;
+  const bool is_missed = asked && !reaches(*error, *asked);
   return fmt::format("error up to {}{}", words_of(*error),
                      is_missed ? fmt::format(", more than the {} asked for", words_of(*asked)) : "");
 }

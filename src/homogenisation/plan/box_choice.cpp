@@ -136,7 +136,6 @@ class Chooser {
     constexpr double finest = 400.0, ratio = 1.06;
     const double diameter = packed_.mean_diameter();
     if (has_films_) return {{diameter, 0.0}};
-    if (stage_.cells > 0) return {{pilot_.cell_size(), grid_error(pilot_).value_or(0.0)}};
     std::vector<CellSize> sizes;
     auto trial = pilot_;
     for (double across = fewest_across; across < finest; across *= ratio) {
@@ -301,8 +300,11 @@ std::optional<double> BoxChoice::error() const {
 }
 
 bool BoxChoice::reaches_goal() const {
-  constexpr double rounding = 1.02;
-  return error() && *error() <= rounding * goal;
+  return error() && reaches(*error(), goal);
+}
+
+bool needs_choice(const Stage& stage) {
+  return !(stage.side > 0.0) || stage.cells == 0;
 }
 
 std::vector<BoxChoice> choose_boxes(Study& study, const AccuracyGoal& goal) {
@@ -310,7 +312,7 @@ std::vector<BoxChoice> choose_boxes(Study& study, const AccuracyGoal& goal) {
                                  goal.seconds / static_cast<double>(study.stages.size())};
   std::vector<BoxChoice> choices;
   for (auto& stage : study.stages) {
-    if (stage.side > 0.0 && stage.cells > 0) continue;
+    if (!needs_choice(stage)) continue;
     const auto as_read = stage;
     const bool is_free = as_read.side == 0.0;
     const int few = std::max(stage.dimensions() == 3 ? 24 : 48, is_free ? fewest_particles(as_read) : 0);

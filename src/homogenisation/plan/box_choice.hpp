@@ -35,6 +35,9 @@ struct BoxChoice {
   [[nodiscard]] bool reaches_goal() const;
 };
 
+/// Whether a stage lacks its box or its grid.
+bool needs_choice(const Stage& stage);
+
 /// Chooses the box of each stage whose side is 0, and the grid of each stage with 0 cells: those that reach the goal in
 /// the least time or, if this is more than the goal allows, those with the least error within that time and 8 GB. The
 /// stages of a chain share the goal, the squares of their errors in equal parts, and all stages share the time. For it
