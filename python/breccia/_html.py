@@ -11,8 +11,6 @@ from numpy.typing import NDArray
 from . import _native
 from ._plot import Band, Curve, Floats, plain, plot, plot_over_temperature
 
-_BOUNDS = {"displacement": "upper bound", "traction": "lower bound", "periodic": "periodic"}
-
 
 def _three_digits(value: float, unit: str) -> str:
     """A value with an SI prefix."""
@@ -31,7 +29,7 @@ def _preferred(stage: _native.StageResult, load: str) -> list[_native.TestResult
 
 def _label(test: _native.TestResult, tests: list[_native.TestResult]) -> str:
     methods = {one.method for one in tests}
-    return _BOUNDS[test.boundary] + (f", {test.method}" if len(methods) > 1 else "")
+    return test.boundary + (f", {test.method}" if len(methods) > 1 else "")
 
 
 def _decades(test: _native.TestResult) -> Floats:

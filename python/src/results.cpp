@@ -193,7 +193,7 @@ void bind_stage(py::module_& module) {
   constexpr auto which =
       "\n\nload: \"isotropic\" (the mean of all shears), \"shear\", \"bulk\", ...; by default isotropic where it was "
       "tested, "
-      "else shear, else the first shear; boundary: \"displacement\" (upper bound), \"traction\" (lower bound) or "
+      "else shear, else the first shear; boundary: \"displacement\" (KUBC), \"traction\" (SUBC) or "
       "\"periodic\", needed where several were tested; method: \"quasistatic\" before \"dynamic\"; grid: cells per "
       "side, "
       "by default the finest or the extrapolation.";

@@ -56,7 +56,7 @@ def test_an_error_of_the_progress_function_ends_a_solution():
     def fail(what, share, details):
         raise RuntimeError(what)
 
-    with pytest.raises(RuntimeError, match="model shear, upper bound, 500 cells, dynamic"):
+    with pytest.raises(RuntimeError, match="model shear, displacement, 500 cells, dynamic"):
         breccia.solve(breccia.read_study(MODEL, LONG), progress=fail)
 
 

@@ -37,7 +37,7 @@ def test_what_was_computed_is_read(run):
         assert again.error_estimate == test.error_estimate or np.isnan(test.error_estimate)
     for boundary in ("displacement", "traction"):
         assert there.prony(boundary=boundary) == stage.prony(boundary=boundary)
-    assert "upper bound" in stored._repr_html_()
+    assert "displacement" in stored._repr_html_()
 
 
 def test_stored_results_answer_and_are_pickled(run, binder):

@@ -29,7 +29,7 @@ std::string memory(double bytes) {
 
 std::string lines_of_dynamic_test(const std::string& stage, const TestPlan& test) {
   auto text = fmt::format("  {} {}, {}, dynamic: {:.0f} points, about {}\n", stage, name_of(*test.load),
-                          bound_of(test.boundary), test.unknowns, memory(test.bytes));
+                          name_of(test.boundary), test.unknowns, memory(test.bytes));
   std::int64_t steps = 0;
   for (const auto& domain : test.domains) {
     steps += domain.steps;
@@ -43,7 +43,7 @@ std::string lines_of_dynamic_test(const std::string& stage, const TestPlan& test
 
 std::string lines_of_test(const std::string& stage, const TestPlan& test) {
   if (test.method == Method::dynamic) return lines_of_dynamic_test(stage, test);
-  return fmt::format("  {} {}, quasi-static: {}, {:.0f} unknowns, about {}, some {}\n", stage, bound_of(test.boundary),
+  return fmt::format("  {} {}, quasi-static: {}, {:.0f} unknowns, about {}, some {}\n", stage, name_of(test.boundary),
                      test.size, test.unknowns, memory(test.bytes), display_duration(test.seconds, 1));
 }
 

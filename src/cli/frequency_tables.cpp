@@ -34,9 +34,9 @@ std::string row_of(double angular_frequency, std::complex<double> modulus, const
 std::string table_of(const StageResult& stage, const TestResult& test) {
   const auto name = modulus_in_words(test.id.load, stage.dimensions);
   const bool has_errors = has_known_error(test);
-  auto text = head_of_table(
-      fmt::format("{}, {}, {}, {}", stage.name, name, bound_of(test.id.boundary), name_of(test.id.method)),
-      test.id.load.is_bulk() ? "M" : "G", has_errors);
+  auto text =
+      head_of_table(fmt::format("{}, {}, {}, {}", stage.name, name, name_of(test.id.boundary), name_of(test.id.method)),
+                    test.id.load.is_bulk() ? "M" : "G", has_errors);
   for (const double frequency : decades_of_hertz.of(test.modulus)) {
     const auto error = has_errors ? fmt::format("  {:>8}", error_at(test, 1.0 / frequency)) : "";
     text += row_of(frequency, test.series.complex_modulus(frequency), error) + '\n';
@@ -47,7 +47,7 @@ std::string table_of(const StageResult& stage, const TestResult& test) {
 /// Young's modulus, with Poisson's ratio.
 std::string table_of(const StageResult& stage, const EngineeringCurves& curves) {
   auto text = head_of_table(fmt::format("{}, E, {}, {}; nu is the real part of Poisson's ratio", stage.name,
-                                        bound_of(curves.test.boundary), name_of(curves.test.method)),
+                                        name_of(curves.test.boundary), name_of(curves.test.method)),
                             "E", false);
   text.insert(text.size() - 1, fmt::format("  {:>8}", "nu"));
   for (const auto& sample : curves.in_frequency) {

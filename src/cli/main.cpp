@@ -27,7 +27,7 @@ constexpr auto what_breccia_does =
     R"(Predicts the relaxation modulus of a highly filled composite from its constituents.
 
 - Input: the spectrum of the binder, the moduli of the filler, and the sizes of its particles, in a deck.
-- Output: G(t) of a periodic box, with its error; or bounds of it, under displacements (KUBC) and tractions (SUBC).
+- Output: G(t) of a periodic box, with its error; or apparent moduli, under displacements (KUBC) and tractions (SUBC).
 - Two solvers: a quasi-static one (reduced basis, seconds) and an explicit material point method that checks it.
 - Multiscale chain: small particles and binder first; the mixture is the matrix of the larger particles.
 )";

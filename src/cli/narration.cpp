@@ -95,7 +95,7 @@ std::string line_of(const DomainFinished& event) {
   return fmt::format(
       "{} {}, {}: density x {:<8.3g} valid {:.3g} to {:.3g} s, {} steps, {}, {:.1f} s, {:.0f} million "
       "points x steps/s",
-      event.stage.name, name_of(event.test.load), bound_of(event.test.boundary), domain.mass_scaling,
+      event.stage.name, name_of(event.test.load), name_of(event.test.boundary), domain.mass_scaling,
       domain.window.begin, domain.window.end, domain.steps, display_count(domain.terms, "term"), domain.seconds,
       domain.point_steps_per_second(points) / 1e6);
 }
@@ -108,7 +108,7 @@ std::string line_of(const TestFinished& event) {
   const auto how = record->reduced ? fmt::format("{} snapshots", record->reduced->snapshots.size())
                                    : fmt::format("{} solves", record->effort.solves);
   return fmt::format("{} {}, {}: {}, {}, {:.2g} s for all loads, {}", event.stage.name, name_of(test.id.load),
-                     bound_of(test.id.boundary), words_of(test.id.grid), how, test.seconds.value_or(0.0),
+                     name_of(test.id.boundary), words_of(test.id.grid), how, test.seconds.value_or(0.0),
                      describe_error(test.error_estimate, record->reduced));
 }
 

@@ -222,12 +222,12 @@ std::string describe(Mixing mixing) {
 
 std::string describe(const Study& study) {
   const auto& tests = study.tests;
-  std::vector<std::string> loads, bounds;
+  std::vector<std::string> loads, boundaries;
   for (const auto load : tests.loads) loads.push_back(name_of(load));
-  for (const auto boundary : tests.boundaries) bounds.push_back(bound_of(boundary));
+  for (const auto boundary : tests.boundaries) boundaries.push_back(name_of(boundary));
   auto text =
-      fmt::format("    loads    {}\n    bounds   {}\n    times    {} to {}, {} a decade\n", fmt::join(loads, ", "),
-                  fmt::join(bounds, ", "), time(tests.first_time), time(tests.last_time), tests.points_per_decade);
+      fmt::format("    loads    {}\n    boundary {}\n    times    {} to {}, {} a decade\n", fmt::join(loads, ", "),
+                  fmt::join(boundaries, ", "), time(tests.first_time), time(tests.last_time), tests.points_per_decade);
   if (tests.accuracy) text += fmt::format("    accuracy {:.3g} % of the moduli\n", 100.0 * *tests.accuracy);
   const auto has_some = [&tests](const Stage& stage) { return has_fields(tests, stage); };
   if (std::ranges::any_of(study.stages, has_some)) {

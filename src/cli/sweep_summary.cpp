@@ -24,7 +24,7 @@ constexpr std::size_t most_columns = 8;
 /// A column of a table over time.
 struct Column {
   std::size_t task = 0;
-  std::string bound;
+  std::string boundary;
   TimeWindow times;
   std::function<std::string(double)> text_at;
 };
@@ -35,7 +35,7 @@ std::string modulus_at(const Curve& curve, double time) {
 
 Column column_of(std::size_t task, const TaskCurve& curve) {
   const auto& modulus = curve.modulus;
-  return {task, bound_of(curve.test.boundary), {modulus.front().time, modulus.back().time}, [&modulus](double time) {
+  return {task, name_of(curve.test.boundary), {modulus.front().time, modulus.back().time}, [&modulus](double time) {
             return modulus_at(modulus, time);
           }};
 }
@@ -47,7 +47,7 @@ Column column_of(const SpreadCurve& spread) {
     deviations.push_back({at.time, at.standard_deviation});
   }
   const TimeWindow times{means.front().time, means.back().time};
-  return {spread.first_task, bound_of(spread.test.test.boundary), times, [means, deviations](double time) {
+  return {spread.first_task, name_of(spread.test.test.boundary), times, [means, deviations](double time) {
             const double percent = 100.0 * smoothed_at(deviations, time) / smoothed_at(means, time);
             return fmt::format("{} +- {:.{}f} %", modulus_at(means, time), percent, percent < 10.0 ? 1 : 0);
           }};
@@ -72,9 +72,9 @@ std::vector<Row> heading_of(const Sweep& sweep, const std::vector<Column>& colum
     }
     rows.push_back(std::move(row));
   }
-  Row bounds = {"time", {}};
-  for (const auto& column : columns) bounds.texts.push_back(column.bound);
-  rows.push_back(std::move(bounds));
+  Row boundaries = {"time", {}};
+  for (const auto& column : columns) boundaries.texts.push_back(column.boundary);
+  rows.push_back(std::move(boundaries));
   return rows;
 }
 

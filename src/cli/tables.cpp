@@ -19,7 +19,7 @@ namespace {
 
 /// The three header lines of a test's column: modulus, boundary, method.
 std::array<std::string, 3> heading(const TestResult& test, int dimensions) {
-  return {modulus_in_words(test.id.load, dimensions), bound_of(test.id.boundary), name_of(test.id.method)};
+  return {modulus_in_words(test.id.load, dimensions), name_of(test.id.boundary), name_of(test.id.method)};
 }
 
 std::string table_of(const StageResult& stage, const TimeWindow& times) {
@@ -55,7 +55,7 @@ std::string table_of(const std::string& measurement, const StageResult& stage) {
     times.end = std::max(times.end, comparison.samples.back().time);
   }
   auto text = fmt::format("\n{} over what was measured, {}\n{:>12}", stage.name, measurement, "");
-  for (const auto* comparison : compared) text += fmt::format("  {:>12}", bound_of(comparison->test.boundary));
+  for (const auto* comparison : compared) text += fmt::format("  {:>12}", name_of(comparison->test.boundary));
   text += fmt::format("\n{:>12}", "time");
   for (const auto* comparison : compared) text += fmt::format("  {:>12}", name_of(comparison->test.method));
   text += fmt::format("  {:>12}", "measured");
@@ -73,7 +73,7 @@ std::string table_of(const std::string& measurement, const StageResult& stage) {
   }
   for (const auto* comparison : compared) {
     const auto &best = comparison->best(), &worst = comparison->worst();
-    text += fmt::format("\n  {}, {}: nearest {:.3f} at {}, furthest {:.3f} at {}", bound_of(comparison->test.boundary),
+    text += fmt::format("\n  {}, {}: nearest {:.3f} at {}, furthest {:.3f} at {}", name_of(comparison->test.boundary),
                         name_of(comparison->test.method), best.ratio(), display_time(best.time), worst.ratio(),
                         display_time(worst.time));
   }
@@ -124,7 +124,7 @@ std::string closing_tables(const Study& study, const StudyResult& result) {
       double worst = 0.0;
       for (const auto& overlap : dynamic->overlaps) worst = std::max(worst, overlap.mismatch);
       remarks += fmt::format("{} {}, {}: {} time domains, worst mismatch where they overlap {:.2f} %\n", stage.name,
-                             name_of(test.id.load), bound_of(test.id.boundary), dynamic->domains.size(), 100.0 * worst);
+                             name_of(test.id.load), name_of(test.id.boundary), dynamic->domains.size(), 100.0 * worst);
     }
   }
   if (!remarks.empty()) text += "\n" + remarks;

@@ -74,7 +74,12 @@ std::vector<Ball<dim>> read_balls(const MeasuredTable& table, double side, FileM
   return balls;
 }
 
+/// Whether particles stay inside the box (true) or the box is periodic (false). The tests of a periodic box that is cut
+/// ("cut") take it for a window in a larger body (StageDefaults::boundaries).
 Walls read_walls(const Section& packing, Walls by_default) {
+  if (packing.kind("walls") == Kind::text) {
+    return packing.choice<Walls>("walls", {{"cut", Walls::periodic}}).value_or(by_default);
+  }
   const auto has_walls = packing.optional_boolean("walls");
   if (!has_walls) return by_default;
   return *has_walls ? Walls::hard : Walls::periodic;
@@ -263,6 +268,11 @@ LaguerrePacking<dim> read_laguerre(const Section& packing, double side) {
   return grains;
 }
 
+/// Whether a packing has the word "random" in place of one of the two methods.
+bool is_just_random(const Section& packing) {
+  return packing.kind("method") == Kind::text && packing.optional_text("method") == "random";
+}
+
 /// A packing method that does not exist, but that users may expect.
 bool asks_for_other_shapes(const Section& packing) {
   if (packing.kind("method") != Kind::text) return false;
@@ -314,6 +324,12 @@ std::optional<StagePacking> read_packing(const Section& section, const Stage& st
     return std::nullopt;
   }
   packing.refuse({"image"}, image_elsewhere);
+  if (is_just_random(packing)) {
+    packing.report("method", R"(expected "lubachevsky-stillinger", for discs and spheres at random, or )"
+                             R"("random-sequential", for other shapes too, got "random")");
+    packing.accept_all_keys();
+    return std::nullopt;
+  }
   const auto name = packing.choice<PackingName>("method");
   if (!name) {
     packing.accept_all_keys();

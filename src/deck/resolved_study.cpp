@@ -31,7 +31,7 @@ Study resolve(const Deck& document) {
   study.materials = read_materials(root);
   const auto defaults = read_stage_defaults(root);
   study.stages = read_stages(root, study.materials, defaults);
-  study.tests = read_tests(root, study.stages, defaults.model);
+  study.tests = read_tests(root, study.stages, defaults);
   const auto mixing = read_mixing(root);
   study.tests.mixing = mixing ? *mixing : default_mixing(study);
   study.measurements = read_measurements(root, study.stages, study.tests);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <string_view>
 #include <variant>
 
@@ -31,8 +32,14 @@ std::string read_name(const Section& section, const std::vector<Stage>& earlier,
   return name;
 }
 
-/// Reads the name of a material or of an earlier stage.
-StageMatrix read_matrix(const Section& section, const std::vector<Stage>& earlier,
+/// Whether one of these stages of a deck has a name.
+bool has_name(std::span<const Section> stages, const std::string& name) {
+  return std::ranges::any_of(
+      stages, [&name](const Section& stage) { return stage.kind("name") == Kind::text && stage.text("name") == name; });
+}
+
+/// Reads the name of a material or of an earlier stage; `later` are the stage itself and those after it.
+StageMatrix read_matrix(const Section& section, const std::vector<Stage>& earlier, std::span<const Section> later,
                         const std::vector<ShiftedMaterial>& materials) {
   const auto name = section.text("matrix");
   if (name.empty()) return {};
@@ -45,7 +52,14 @@ StageMatrix read_matrix(const Section& section, const std::vector<Stage>& earlie
     if (stage.name == name) return EarlierStage{name};
     known.push_back(stage.name);
   }
-  section.report("matrix", fmt::format("unknown material or earlier stage \"{}\"{}", name, suggestion(name, known)));
+  if (has_name(later, name)) {
+    section.report("matrix",
+                   fmt::format("the stage \"{}\" is no earlier one: stages are computed in the order in which "
+                               "they stand; expected it before this one",
+                               name));
+  } else {
+    section.report("matrix", fmt::format("unknown material or earlier stage \"{}\"{}", name, suggestion(name, known)));
+  }
   return {};
 }
 
@@ -181,11 +195,12 @@ std::vector<Stage> read_stages(const Section& deck, const std::vector<ShiftedMat
                                const StageDefaults& defaults) {
   const bool is_of_space = deck.optional_integer("dimensions", allowed::dimensions).value_or(2) == 3;
   std::vector<Stage> stages;
-  for (const auto& section : deck.sections("stages")) {
+  const auto sections = deck.sections("stages");
+  for (const auto& section : sections) {
     Stage stage;
     if (is_of_space) stage.packing = PackingMethod<3>();
     stage.name = read_name(section, stages, materials);
-    stage.matrix = read_matrix(section, stages, materials);
+    stage.matrix = read_matrix(section, stages, std::span(sections).subspan(stages.size()), materials);
     const bool is_image = has_image(section);
     section.refuse({"image"}, image_elsewhere);
     if (is_image) {

@@ -134,11 +134,11 @@ std::vector<TestLoad> read_loads(const Section& section, const std::vector<Stage
 
 }  // namespace
 
-Tests read_tests(const Section& deck, const std::vector<Stage>& stages, Model model) {
+Tests read_tests(const Section& deck, const std::vector<Stage>& stages, const StageDefaults& defaults) {
   const auto section = deck.section("tests");
   Tests tests;
-  tests.model = model;
-  if (model == Model::films) {
+  tests.model = defaults.model;
+  if (tests.model == Model::films) {
     tests.quasistatic.sampling.tolerance = coarse_tolerance;
     if (const auto films = section.optional_section("films")) {
       tests.films.face_share =
@@ -149,7 +149,7 @@ Tests read_tests(const Section& deck, const std::vector<Stage>& stages, Model mo
   } else {
     section.refuse({"films"}, R"(it belongs to model = "films")");
   }
-  tests.boundaries = default_boundaries(stages);
+  tests.boundaries = defaults.boundaries.empty() ? default_boundaries(stages) : defaults.boundaries;
   tests.loads = {TestLoad::isotropic()};
   if (section.has("loads")) tests.loads = read_loads(section, stages);
   section.refuse({"bounds"}, R"(it is called boundaries now: "upper" is "displacement", "lower" is "traction" there)");

@@ -6,6 +6,7 @@
 #include "breccia/study/stage.hpp"
 #include "breccia/study/tests.hpp"
 
+#include "deck/stage_defaults.hpp"
 #include "deckfile/deck.hpp"
 
 namespace breccia {
@@ -14,6 +15,6 @@ namespace breccia {
 std::optional<Mixing> read_mixing(const Section& deck);
 
 /// Reads the rest of [tests]; the stages have been read before.
-Tests read_tests(const Section& deck, const std::vector<Stage>& stages, Model model);
+Tests read_tests(const Section& deck, const std::vector<Stage>& stages, const StageDefaults& defaults);
 
 }  // namespace breccia

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "homogenisation/box/filler_on_sides.hpp"
 #include "homogenisation/modulus_errors.hpp"
 #include "homogenisation/narrow_gaps.hpp"
 #include "homogenisation/plan/grid_error.hpp"
@@ -64,7 +65,7 @@ std::string words_of(double relative) {
   return ratio < 100.0 ? fmt::format("a factor of {:.2g}", ratio) : fmt::format("a factor of {:.0f}", ratio);
 }
 
-/// The time at which the upper bound is furthest below the lower one; nothing where it never is.
+/// The time at which the modulus under displacement is furthest below that under traction; nothing where it never is.
 std::optional<BoundsAtTime> worst_crossing(const LoadQuality& load) {
   std::optional<BoundsAtTime> worst;
   for (const auto& at : load.times) {
@@ -73,15 +74,18 @@ std::optional<BoundsAtTime> worst_crossing(const LoadQuality& load) {
   return worst;
 }
 
-/// The load and method of bounds among those of several: "bounds under shear", "bounds under shear, dynamic".
-std::string name_of_bounds(const LoadQuality& bounds, std::span<const LoadQuality> all) {
-  if (all.size() == 1 || (bounds.load.is_isotropic() && all.front().method == all.back().method)) return "bounds";
-  const bool is_one_method = std::ranges::all_of(all, [&](const auto& other) { return other.method == bounds.method; });
-  return fmt::format("bounds under {}{}", name_of(bounds.load),
-                     is_one_method ? "" : fmt::format(", {}", name_of(bounds.method)));
+/// The name of both apparent moduli among those of several loads and methods: "bounds", "bounds under shear, dynamic";
+/// "displacement and traction" for a box that is no window, whose moduli bound nothing but its own.
+std::string name_of_both(const StageQuality& quality, const LoadQuality& shown) {
+  const auto& all = quality.loads;
+  const std::string name = quality.filler_on_sides ? "bounds" : "displacement and traction";
+  if (all.size() == 1 || (shown.load.is_isotropic() && all.front().method == all.back().method)) return name;
+  const bool is_one_method = std::ranges::all_of(all, [&](const auto& other) { return other.method == shown.method; });
+  return fmt::format("{} under {}{}", name, name_of(shown.load),
+                     is_one_method ? "" : fmt::format(", {}", name_of(shown.method)));
 }
 
-/// The bounds that a summary reports: those that cross each other by most, or else the first ones.
+/// The moduli that a summary reports: those of which the upper one is below the lower one by most, or else the first.
 const LoadQuality& shown_bounds(std::span<const LoadQuality> loads) {
   return *std::ranges::max_element(loads, {}, [](const LoadQuality& load) {
     const auto crossed = worst_crossing(load);
@@ -89,25 +93,27 @@ const LoadQuality& shown_bounds(std::span<const LoadQuality> loads) {
   });
 }
 
-/// The distance of the bounds at the first and the last time.
+/// The distance of the moduli under displacement and traction at the first and the last time.
 std::string words_on_bounds(const StageQuality& quality) {
-  if (quality.loads.empty()) return "bounds: not tested";
+  constexpr auto not_tested = "displacement and traction: not tested";
+  if (quality.loads.empty()) return not_tested;
   const auto& shown = shown_bounds(quality.loads);
-  if (shown.times.empty()) return "bounds: not tested";
-  const auto bounds = name_of_bounds(shown, quality.loads);
+  if (shown.times.empty()) return not_tested;
+  const auto both = name_of_both(quality, shown);
   if (const auto crossed = worst_crossing(shown)) {
-    return fmt::format("{}: the upper one is {} below the lower one at {}", bounds, words_of(*crossed->crossing()),
-                       display_time(crossed->time));
+    return fmt::format("{}: the modulus under displacement is {} below that under traction at {}", both,
+                       words_of(*crossed->crossing()), display_time(crossed->time));
   }
   const auto& times = shown.times;
   const auto first = times.front().distance(), last = times.back().distance();
-  if (quality.has_films_along_walls) return "bounds: only the upper one, the other would take no films along the walls";
+  if (quality.has_films_along_walls)
+    return "displacement alone: a traction boundary would take no films along the walls";
   if (!first || !last) {
-    return fmt::format(R"({}: only the {} one, distance unknown (tests.boundaries = ["displacement", "traction"]))",
-                       bounds, times.front().upper ? "upper" : "lower");
+    return fmt::format(R"({}: only {}, distance unknown (tests.boundaries = ["displacement", "traction"]))", both,
+                       name_of(times.front().upper ? Boundary::displacement : Boundary::traction));
   }
   const auto text = words_of(std::abs(*first)), later = words_of(std::abs(*last));
-  return fmt::format("{} {}{} at {}, {} at {}", bounds, text, text.starts_with('a') ? "" : " apart",
+  return fmt::format("{} {}{} at {}, {} at {}", both, text, text.starts_with('a') ? "" : " apart",
                      display_time(times.front().time), later, display_time(times.back().time));
 }
 
@@ -279,6 +285,7 @@ StageQuality quality_of(const Study& study, const Stage& stage, const StageResul
   if (const auto* earlier = std::get_if<EarlierStage>(&stage.matrix)) quality.matrix_stage = earlier->name;
   quality.fraction_asked = fraction_asked_of(stage);
   quality.is_random = !stage.fillers.empty() && stage.has_seed();
+  quality.filler_on_sides = filler_on_sides(stage, packed);
   quality.has_films_along_walls = stage.has_films_along_walls();
   const bool is_of_films = std::ranges::any_of(result.tests, [](const auto& test) { return test.id.grid.is_films(); });
   if (is_of_films) {
@@ -351,8 +358,9 @@ std::vector<std::string> warnings_on_bounds(const StageQuality& quality) {
                           quality.gap_cells_on(grid), grid);
     }
     warnings.push_back(fmt::format(
-        "{}, {}: the upper bound is {} below the lower bound at {}; likely causes: {} too coarse for the narrowest "
-        "gap{}{}; or particles that the sides of the box cut",
+        "{}, {}: the modulus under displacement is {} below that under traction at {}; likely causes: {} too coarse "
+        "for "
+        "the narrowest gap{}{}; or particles that the sides of the box cut",
         name_of(load.load), name_of(load.method), words_of(*crossed->crossing()), display_time(crossed->time),
         quality.grids.size() > 1 ? "grids" : "a grid", gaps,
         load.method == Method::dynamic ? "; ringing of a run with too large a mass scaling factor or too short a ramp"

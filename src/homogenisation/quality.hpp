@@ -15,13 +15,14 @@
 
 namespace breccia {
 
-/// The bounds (apparent moduli) of a box at one time.
+/// The apparent moduli of a box under displacement and traction at one time. They are bounds of the effective modulus,
+/// on the average over boxes, where the box is a window in a larger body.
 struct BoundsAtTime {
-  double time = 0.0;                     ///< [s]
-  std::optional<double> upper, lower;    ///< the bounds [Pa]; nothing for one that was not tested
+  double time = 0.0;                   ///< [s]
+  std::optional<double> upper, lower;  ///< under displacement, under traction [Pa]; nothing for one that was not tested
   std::optional<double> grid_half_band;  ///< larger half band of the extrapolations to vanishing cells [Pa]
 
-  /// upper / lower - 1 [-]; nothing unless both bounds were tested.
+  /// upper / lower - 1 [-]; nothing unless both were tested.
   [[nodiscard]] std::optional<double> distance() const;
   /// 1 - upper / lower [-] where the upper bound is below the lower one by more than the half bands of both; nothing
   /// otherwise. Bounds that cross each other are no bounds: one of the tests is wrong.
@@ -48,9 +49,11 @@ struct StageQuality {
   std::optional<double> coating_cells = {};  ///< the thinnest coating in cells of the finest grid; nothing without one
   std::vector<int> grids;                    ///< cells per side, rising; empty where films are computed without cells
   bool is_random = false;                    ///< whether the packing depends on a seed
-  bool has_films_along_walls = false;        ///< whether only the displacement boundary makes sense
-  bool is_periodic = false;                  ///< whether a periodic test is finished, which gives no bound
-  std::optional<double> grid_share;  ///< largest half band of a test over its modulus [-]; nothing for a single grid
+  /// The share of the sides that lies in filler [-], 0 and more for a window in a larger body; nothing for another box.
+  std::optional<double> filler_on_sides = {};
+  bool has_films_along_walls = false;  ///< whether only the displacement boundary makes sense
+  bool is_periodic = false;            ///< whether a periodic test is finished, which gives no bound
+  std::optional<double> grid_share;    ///< largest half band of a test over its modulus [-]; nothing for a single grid
   /// The error of a single grid to be expected by a rule; nothing for several grids, and for films.
   std::optional<GridPlan> one_grid = {};
   ErrorRules rules = {};

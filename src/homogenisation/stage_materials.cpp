@@ -20,7 +20,7 @@ void require_good_fit(const StageFit& fit, const StageMaterial& fitted) {
         "stage {}, {}, {}: the fit of {}, on which later stages build, is up to {:.2g} % off its curve, more than "
         "tests.fit_tolerance = {:.2g} %; longer ramps or more overlap make dynamic curves smoother, finer cells "
         "extrapolations",
-        fit.stage, bound_of(fitted.boundary), name_of(fitted.method), modulus, 100.0 * error, 100.0 * fit.tolerance));
+        fit.stage, name_of(fitted.boundary), name_of(fitted.method), modulus, 100.0 * error, 100.0 * fit.tolerance));
   };
   // A NaN fails this comparison, too.
   const auto& result = fitted.result;
@@ -82,8 +82,8 @@ const Material& matrix_of(const std::string& stage, const StageMatrix& matrix, c
       if (material.boundary == boundary && material.method == method) return material.result.material;
     }
   }
-  throw InputError(
-      fmt::format("stage {}: stage {} has no result for the {}, {}", stage, name, bound_of(boundary), name_of(method)));
+  throw InputError(fmt::format("stage {}: stage {} has no result for the boundary {}, {}", stage, name,
+                               name_of(boundary), name_of(method)));
 }
 
 }  // namespace breccia

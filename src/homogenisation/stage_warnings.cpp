@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "discretisation/contrast.hpp"
+#include "homogenisation/box/filler_on_sides.hpp"
 #include "homogenisation/material_warnings.hpp"
 #include "homogenisation/narrow_gaps.hpp"
 #include "homogenisation/plan/grid_error.hpp"
@@ -286,47 +287,20 @@ std::optional<std::string> warning_of_short_films(const StageMicrostructure& pac
       100.0 * grains->short_films, readable(grains->film, Dimension::length));
 }
 
-/// The content that a boundary with prescribed displacements or tractions cuts where the box is periodic, in words;
-/// nothing where no particle crosses the sides.
-struct CutContent {
-  using Warning = std::optional<std::string>;
-
-  template <int dim>
-  Warning operator()(const Grains<dim>&) const {
-    return "the displacement or the traction boundary cuts the grains of a periodic box like a window in a larger "
-           "body; cut grains are stiff along the sides under the first, and with few grains the two moduli lie far "
-           "apart; the boundary \"periodic\" cuts none";
-  }
-  template <int dim>
-  Warning operator()(const SharedImage<dim>&) const {
-    return "the displacement or the traction boundary cuts what crosses the sides of a periodic image; without "
-           "tests.boundaries it is tested under the periodic boundary alone";
-  }
-  template <int dim>
-  Warning operator()(const Microstructure<dim>& balls) const {
-    return warning_if(std::ranges::any_of(balls.particles, [side = balls.side](const Ball<dim>& ball) {
-      const double radius = 0.5 * ball.diameter;
-      return std::ranges::any_of(ball.centre, [&](double x) { return x < radius || side - x < radius; });
-    }));
-  }
-  Warning operator()(const ParticleBox& box) const { return warning_if(smallest_side_distance(box) < 0.0); }
-  Warning operator()(const EllipsoidBox& box) const { return warning_if(smallest_side_distance(box) < 0.0); }
-
- private:
-  static Warning warning_if(bool crosses_sides) {
-    if (!crosses_sides) return std::nullopt;
-    return "tests.boundaries asks for the displacement or the traction boundary of a periodic box, which cut the "
-           "particles that cross its sides; under the first they bridge it, and the modulus at long times comes out "
-           "tens of times too high; without tests.boundaries it is tested under the periodic boundary alone, and "
-           "packing.walls = true keeps its particles inside";
-  }
-};
-
-std::optional<std::string> warning_of_cut_particles(const Stage& stage, const std::vector<Boundary>& boundaries,
-                                                    const StageMicrostructure& packed) {
+/// A warning about filler that the sides of a window cut, where a test prescribes displacements or tractions on them.
+std::optional<std::string> warning_of_cut_filler(const Stage& stage, const std::vector<Boundary>& boundaries,
+                                                 const StageMicrostructure& packed) {
   const bool cuts = std::ranges::any_of(boundaries, [](Boundary one) { return one != Boundary::periodic; });
-  if (!cuts || !stage.is_periodic()) return std::nullopt;
-  return visit_nested(CutContent(), packed.box);
+  const double share = cuts ? filler_on_sides(stage, packed).value_or(0.0) : 0.0;
+  if (!(share > 0.0)) return std::nullopt;
+  return fmt::format(
+      "the sides of the box cut filler, over {:.2g} % of their {}: a displacement boundary moves it with the sides, "
+      "and "
+      "its modulus is an upper bound, far too high where the filler is far stiffer than the matrix; a "
+      "traction boundary leaves it free, a lower bound; both come closer in a larger box, and the boundary "
+      "\"periodic\" "
+      "does neither",
+      100.0 * share, stage.dimensions() == 3 ? "area" : "length");
 }
 
 /// A warning about a gap in material points together with several grids: the gap, and so the material, depends on the
@@ -378,7 +352,7 @@ std::vector<std::string> warnings_on(const Study& study, const Stage& stage,
         warning_of_touching_particles(study, stage, microstructure),
         warning_of_small_spheres(stage, microstructure, mixing_of(study, stage, microstructure)),
         warning_of_lost_grains(stage, microstructure),
-        warning_of_cut_particles(stage, study.tests.boundaries, microstructure)}) {
+        warning_of_cut_filler(stage, study.tests.boundaries, microstructure)}) {
     if (warning) of_stage.push_back(*warning);
   }
   std::ranges::move(warnings_of_unknown_times(stage, study.tests), std::back_inserter(of_stage));

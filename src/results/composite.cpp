@@ -157,7 +157,7 @@ std::optional<PronySeries> Composite::bulk() const {
 
 std::string boundary_in_words(Boundary boundary) {
   if (boundary == Boundary::periodic) return "periodic boundary";
-  return fmt::format("{} boundary ({})", name_of(boundary), bound_of(boundary));
+  return fmt::format("{} boundary ({})", name_of(boundary), boundary == Boundary::displacement ? "KUBC" : "SUBC");
 }
 
 StudyContent study_content(const Study& study, const StudyResult& result) {

@@ -42,7 +42,7 @@ struct Composite {
   [[nodiscard]] std::optional<PronySeries> bulk() const;
 };
 
-/// A boundary condition in words: "displacement boundary (upper bound)", "periodic boundary".
+/// A boundary condition in words: "displacement boundary (KUBC)", "periodic boundary".
 std::string boundary_in_words(Boundary boundary);
 
 /// The content of a stage.

@@ -54,7 +54,7 @@ DrawnLoad drawn_load(Load load) {
 
 std::string field_title(const Stage& stage, const TestId& test, double time) {
   const auto [number, prefix, scale] = with_prefix(time);
-  return fmt::format("{}, {}, {}, {:.3g} {}s", stage.name, bound_of(test.boundary),
+  return fmt::format("{}, {}, {}, {:.3g} {}s", stage.name, name_of(test.boundary),
                      test.method == Method::dynamic ? "dynamic" : "quasi-static", number, shown(prefix));
 }
 

@@ -42,7 +42,7 @@ PlotCurve plot_curve(std::string label, const Curve& modulus) {
 }
 
 std::string label_of(const Study& study, const TestResult& test) {
-  auto label = bound_of(test.id.boundary);
+  auto label = name_of(test.id.boundary);
   if (test.id.load == Load::diagonal_shear) label += ", xx-yy";
   if (study.tests.methods.size() > 1) label += ", " + name_of(test.id.method);
   return label;
@@ -82,7 +82,7 @@ std::vector<ReferenceCurve> references(const Study& study, const Stage& stage, c
   for (const auto boundary : study.tests.boundaries) {
     const auto& matrix = matrix_of(stage.name, stage.matrix, result.stages, boundary, study.tests.methods.front());
     auto& curve = curves.emplace_back();
-    curve.label = is_one ? "matrix" : fmt::format("matrix, {}", bound_of(boundary));
+    curve.label = is_one ? "matrix" : fmt::format("matrix, {}", name_of(boundary));
     curve.boundary = boundary;
     for (const double time :
          logarithmic_times({study.tests.first_time, study.tests.last_time}, study.tests.points_per_decade)) {

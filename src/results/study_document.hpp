@@ -271,6 +271,7 @@ struct QualityEntry {
   std::optional<SampleKind> sample = {};
   std::optional<double> effective_particles = {};
   std::optional<double> error = {}, sample_error = {};
+  std::optional<double> filler_on_sides = {};
   std::vector<LoadBoundsEntry> bounds = {};
   std::optional<Anisotropy> anisotropy = {};
 };
@@ -286,7 +287,8 @@ inline constexpr auto fields<QualityEntry> = std::tuple(
     field_if_any("sample", &QualityEntry::sample),
     field_if_any("effective_particles", &QualityEntry::effective_particles),
     field_if_any("largest_error", &QualityEntry::error),
-    field_if_any("largest_sample_error", &QualityEntry::sample_error), field("bounds", &QualityEntry::bounds),
+    field_if_any("largest_sample_error", &QualityEntry::sample_error),
+    field_if_any("filler_on_sides", &QualityEntry::filler_on_sides), field("bounds", &QualityEntry::bounds),
     field_if_any("anisotropy", &QualityEntry::anisotropy));
 
 /// The rules for the errors of a stage's moduli, as its quality has them.

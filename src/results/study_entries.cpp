@@ -143,6 +143,7 @@ QualityEntry entry_of(const StageQuality& quality) {
   entry.effective_particles = quality.rules.effective_particles;
   entry.error = quality.error;
   entry.sample_error = quality.sample_error;
+  entry.filler_on_sides = quality.filler_on_sides;
   if (const auto grids = grids_that_measure(quality)) entry.measuring_grids.emplace(grids->begin(), grids->end());
   entry.anisotropy = quality.anisotropy;
   if (quality.is_random) entry.seeds = 1;

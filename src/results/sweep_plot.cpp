@@ -47,7 +47,7 @@ void write_sweep_plot(const std::filesystem::path& directory, const Sweep& sweep
   const auto shown = last_stage_of(result);
   ModulusPlot plot;
   std::vector<std::string> colours;
-  bool has_lower_bound = false;
+  bool has_tractions = false;
   for (std::size_t task = 0; task < shown.size(); ++task) {
     for (const auto& curve : shown[task].curves) {
       auto plotted_curve = plotted(curve);
@@ -57,7 +57,7 @@ void write_sweep_plot(const std::filesystem::path& directory, const Sweep& sweep
         colours.push_back(names[task]);
         if (colours.size() <= most_labels) plotted_curve.label = names[task];
       }
-      has_lower_bound = has_lower_bound || plotted_curve.style == PlotStyle::dashed;
+      has_tractions = has_tractions || plotted_curve.style == PlotStyle::dashed;
       plot.curves.push_back(std::move(plotted_curve));
       plot.title = fmt::format("{}: {}", sweep.tasks[task].study.title, curve.stage);
     }
@@ -66,7 +66,7 @@ void write_sweep_plot(const std::filesystem::path& directory, const Sweep& sweep
     remove_files(directory, std::vector<std::string>{"sweep.svg"});
     return;
   }
-  if (has_lower_bound) plot.title += ", lower bound dashed";
+  if (has_tractions) plot.title += ", traction dashed";
   write_text(directory / "sweep.svg", modulus_plot(plot));
 }
 

@@ -41,7 +41,7 @@ std::string words_of(TestGrid grid) {
 }
 
 std::string calculation_of(const TestId& test) {
-  const auto boundary_and_grid = fmt::format("{}, {}", bound_of(test.boundary), words_of(test.grid));
+  const auto boundary_and_grid = fmt::format("{}, {}", name_of(test.boundary), words_of(test.grid));
   if (test.method == Method::quasistatic) return boundary_and_grid + ", quasi-static";
   return fmt::format("{}, {}, dynamic", name_of(test.load), boundary_and_grid);
 }

@@ -66,8 +66,11 @@ Eigen::VectorXd overlapping_shifts(const std::vector<FrequencySweep>& sweeps) {
     const double weight = there.weight + back.weight;
     if (!(weight > 0.0)) {
       constexpr double zero_celsius = 273.15;
-      throw InputError(fmt::format("master curve: the storage moduli at {:.6g} and {:.6g} degC do not overlap",
-                                   sweeps[i - 1].temperature - zero_celsius, sweeps[i].temperature - zero_celsius));
+      throw InputError(
+          fmt::format("master curve: the storage moduli at {:.6g} and {:.6g} degC do not overlap, so that "
+                      "nothing tells the shift between them; expected wider sweeps of frequency, or of "
+                      "temperatures that are closer together, or data from one side of the gap alone",
+                      sweeps[i - 1].temperature - zero_celsius, sweeps[i].temperature - zero_celsius));
     }
     const auto at = static_cast<Eigen::Index>(i);
     shifts[at] = shifts[at - 1] + (there.sum - back.sum) / weight;

@@ -40,7 +40,7 @@ const shownTraces = (start) => at("curve-plot").data.filter((trace) => trace.nam
 
 /// The value at 10 ms of the curve of a stage that the page has computed.
 function liveModulus(stage) {
-  const trace = at("live-plot").data.find((one) => one.name === `${stage}, upper bound`);
+  const trace = at("live-plot").data.find((one) => one.name === `${stage}, displacement`);
   const right = trace.x.findIndex((time) => time > 0.01);
   const share = Math.log(0.01 / trace.x[right - 1]) / Math.log(trace.x[right] / trace.x[right - 1]);
   return trace.y[right - 1] * Math.pow(trace.y[right] / trace.y[right - 1], share);
@@ -175,16 +175,16 @@ async function lookAtAxes() {
   at("axis").dispatchEvent(new Event("change"));
   await wait(100);
   see("axes", `${frequencies}; ${titleOfAxis()} at ${at("abscissa").value} Hz`);
-  const storage = at("curve-plot").data.find((trace) => trace.name === "B, upper bound, G′");
+  const storage = at("curve-plot").data.find((trace) => trace.name === "B, displacement, G′");
   see("softer when warmer", storage.x.every((celsius, i) => i === 0 || (celsius > storage.x[i - 1] &&
     storage.y[i] <= storage.y[i - 1])));
 }
 
 async function lookAtDeviation() {
   showQuantity("shear");
-  choose("reference", "deviation from A, upper bound, quasi-static");
+  choose("reference", "deviation from A, displacement, quasi-static");
   await wait(100);
-  const deviation = at("curve-plot").data.find((trace) => trace.name === "A, upper bound, dynamic");
+  const deviation = at("curve-plot").data.find((trace) => trace.name === "A, displacement, dynamic");
   see("dynamic within a per cent", deviation.y.length > 0 && deviation.y.every((value) => Math.abs(value) < 1));
 }
 

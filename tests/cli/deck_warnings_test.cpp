@@ -170,10 +170,31 @@ TEST(DeckWarnings, APeriodicMicrostructureIsReadBackToTheSameBits) {
 
 TEST(DeckWarnings, BoundariesThatCutPeriodicParticlesAreOnlyUsedOnRequest) {
   const StudyDirectory study(replaced(std::string(good_deck), "walls = true", "walls = false"));
-  EXPECT_THAT(study.breccia("check").output, Not(HasSubstr("cut the particles")));
+  EXPECT_THAT(study.breccia("check").output, Not(HasSubstr("cut filler")));
   EXPECT_THAT(study.breccia("check", {"--set", R"(tests.boundaries=["displacement", "periodic"])"}).output,
-              HasSubstr("warning: A: tests.boundaries asks for the displacement or the traction boundary of a "
-                        "periodic box"));
+              HasSubstr("warning: A: the sides of the box cut filler, over "));
+}
+
+// A window in a larger body: the packing of the periodic box, and bounds in their order.
+TEST(DeckWarnings, AWindowHasBoundsOfItsPeriodicModulus) {
+  const StudyDirectory study(replaced(std::string(good_deck), "walls = true", "walls = \"cut\""));
+  const auto check = study.breccia("check").output;
+  EXPECT_THAT(check, AllOf(HasSubstr("Lubachevsky-Stillinger, periodic, seed 1"),
+                           HasSubstr("boundary displacement, traction\n"),
+                           HasSubstr("warning: A: the sides of the box cut filler, over ")));
+  const auto run = study.breccia("run");
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_THAT(run.output, HasSubstr("A, this box: bounds "));
+
+  // The order is a theorem right after the step: Hazanov and Huet (1994).
+  const auto first_modulus = [&study](const std::string& boundary) {
+    const StudyDirectory one(read_text(study.path() / "deck.toml"));
+    const auto with = one.breccia("run", {"--set", "tests.boundaries=[\"" + boundary + "\"]"});
+    EXPECT_EQ(with.exit_code, 0) << with.errors;
+    return read_curve(one.result("curves.csv"), "A", "shear").front().modulus;
+  };
+  const double most = first_modulus("displacement"), least = first_modulus("traction");
+  EXPECT_THAT(first_modulus("periodic"), AllOf(testing::Gt(1.001 * least), testing::Lt(0.999 * most)));
 }
 
 TEST(DeckWarnings, BytesThatAreNotPrintableStayOffTheTerminal) {

@@ -145,7 +145,8 @@ TEST(RunFailure, MassScalingFactorsDoNotCoverTheTimes) {
     const auto run = study.breccia("run", {"--set", fmt::format("tests.times={}", times), "--set",
                                            fmt::format("tests.dynamic.mass_scaling_factors={}", factors)});
     EXPECT_EQ(run.exit_code, 3) << factors;
-    EXPECT_THAT(run.errors, AllOf(testing::StartsWith("A shear, upper bound, 24 cells, dynamic: "), HasSubstr(message)))
+    EXPECT_THAT(run.errors,
+                AllOf(testing::StartsWith("A shear, displacement, 24 cells, dynamic: "), HasSubstr(message)))
         << factors;
     EXPECT_THAT(study.results(), Not(Contains("curves.csv"))) << factors;
   }

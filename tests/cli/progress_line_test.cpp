@@ -40,33 +40,33 @@ class ProgressTest : public testing::Test {
 
 TEST_F(ProgressTest, PrintsLinesDuringLongSteps) {
   ProgressLine progress(false, stream.get(), {short_while, short_while});
-  progress.update("HB-1 upper bound", 0.25, "snapshot 3");
+  progress.update("HB-1 displacement", 0.25, "snapshot 3");
   wait_for_lines(3);
   const auto text = shown();
-  EXPECT_THAT(text, testing::StartsWith("HB-1 upper bound: 25 %, snapshot 3, "));
+  EXPECT_THAT(text, testing::StartsWith("HB-1 displacement: 25 %, snapshot 3, "));
   EXPECT_THAT(text, HasSubstr(" so far, "));
   EXPECT_THAT(text, HasSubstr(" left\n"));
 }
 
 TEST_F(ProgressTest, EstimatesNoRemainingTimeAtTheBeginning) {
   ProgressLine progress(false, stream.get(), {short_while, short_while});
-  progress.update("HB-1 upper bound", 0.0, "begun");
+  progress.update("HB-1 displacement", 0.0, "begun");
   wait_for_lines(1);
   EXPECT_THAT(shown(), testing::Not(HasSubstr("left")));
 }
 
 TEST_F(ProgressTest, ShowsTheLatestUpdate) {
   ProgressLine progress(false, stream.get(), {short_while, short_while});
-  progress.update("HB-1 upper bound", 0.5, "snapshot 5");
-  progress.update("HB-1 lower bound", 0.1, "snapshot 1");
+  progress.update("HB-1 displacement", 0.5, "snapshot 5");
+  progress.update("HB-1 traction", 0.1, "snapshot 1");
   wait_for_lines(1);
-  EXPECT_THAT(shown(), testing::StartsWith("HB-1 lower bound: 10 %, snapshot 1, "));
+  EXPECT_THAT(shown(), testing::StartsWith("HB-1 traction: 10 %, snapshot 1, "));
 }
 
 TEST_F(ProgressTest, PrintsNothingWhenQuiet) {
   {
     ProgressLine progress(true, stream.get(), {milliseconds(0), short_while});
-    progress.update("HB-1 upper bound", 0.5, "snapshot 5");
+    progress.update("HB-1 displacement", 0.5, "snapshot 5");
     std::this_thread::sleep_for(10 * short_while);
   }
   EXPECT_EQ(shown(), "");
@@ -75,7 +75,7 @@ TEST_F(ProgressTest, PrintsNothingWhenQuiet) {
 TEST_F(ProgressTest, PrintsNothingBeforeALineIsDue) {
   {
     ProgressLine progress(false, stream.get(), {std::chrono::hours(1), short_while});
-    progress.update("HB-1 upper bound", 0.5, "snapshot 5");
+    progress.update("HB-1 displacement", 0.5, "snapshot 5");
     std::this_thread::sleep_for(10 * short_while);
   }
   EXPECT_EQ(shown(), "");

@@ -156,7 +156,7 @@ TEST_F(Results, PicturesAreWellFormed) {
   EXPECT_EQ(test::count(picture, "<circle"), 4U);
   const auto plot = read_text(path("A/modulus.svg"));
   EXPECT_EQ(test::xml_mistake(plot), "");
-  for (const auto* label : {"Model composite: A", "Relaxation modulus G(t)", "upper bound", "matrix"}) {
+  for (const auto* label : {"Model composite: A", "Relaxation modulus G(t)", "displacement", "matrix"}) {
     EXPECT_THAT(plot, HasSubstr(label));
   }
   const auto bulk_plot = read_text(path("A/bulk_modulus.svg"));

@@ -97,10 +97,10 @@ frequencies = ["0.1 Hz", "10 Hz"]
   EXPECT_NEAR(record.at("frequencies_Hz").at(1).get<double>(), 10.0, 1e-13);
   // At 1 Hz G = 23.64 + 36.04 i MPa, and E = 9 K G / (3 K + G).
   EXPECT_THAT(run.output,
-              HasSubstr("\nA, G, upper bound, quasistatic\n   frequency          |G*|      phase            G'"
+              HasSubstr("\nA, G, displacement, quasistatic\n   frequency          |G*|      phase            G'"
                         "           G''  tan delta\n"));
   EXPECT_THAT(run.output, HasSubstr("        1 Hz      43.1 MPa   56.7 deg      23.6 MPa        36 MPa       1.52\n"));
-  EXPECT_THAT(run.output, HasSubstr("\nA, K + G/3, upper bound, quasistatic\n   frequency          |M*|"));
+  EXPECT_THAT(run.output, HasSubstr("\nA, K + G/3, displacement, quasistatic\n   frequency          |M*|"));
   EXPECT_THAT(run.output,
               HasSubstr("        1 Hz       129 MPa   56.5 deg      71.2 MPa       108 MPa       1.51    0.4960"));
   EXPECT_THAT(run.output, Not(HasSubstr("100 ms"))) << "no table over time";

@@ -135,7 +135,7 @@ TEST(Stages, ABadFitStopsTheStudyAndKeepsFinishedResults) {
   StudyDirectory study(passing_on);
   const auto run = study.breccia("run", {"--set", "tests.method=quasistatic", "--set", "tests.fit_tolerance=1e-12"});
   EXPECT_EQ(run.exit_code, 3);
-  EXPECT_THAT(run.errors, HasSubstr("stage A, upper bound, quasistatic: the fit of G(t)"));
+  EXPECT_THAT(run.errors, HasSubstr("stage A, displacement, quasistatic: the fit of G(t)"));
   EXPECT_THAT(run.errors, HasSubstr("tests.fit_tolerance"));
   EXPECT_THAT(shear_moduli(study), ::testing::SizeIs(1));
 }
@@ -228,9 +228,9 @@ TEST(Stages, ThePlanOfALaterStageIsAGuess) {
   StudyDirectory study(passing_on);
   const auto check = study.breccia("check", {"--set", R"(tests.method=["quasistatic", "dynamic"])"});
   EXPECT_EQ(check.exit_code, 0) << check.errors;
-  EXPECT_THAT(check.output, HasSubstr("B upper bound, quasi-static"));
-  EXPECT_THAT(check.output, HasSubstr("B shear, upper bound, dynamic"));
-  EXPECT_THAT(check.output, HasSubstr("A bulk, upper bound, dynamic"));
+  EXPECT_THAT(check.output, HasSubstr("B displacement, quasi-static"));
+  EXPECT_THAT(check.output, HasSubstr("B shear, displacement, dynamic"));
+  EXPECT_THAT(check.output, HasSubstr("A bulk, displacement, dynamic"));
 }
 
 }  // namespace

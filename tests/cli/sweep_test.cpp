@@ -167,7 +167,7 @@ TEST(Sweep, ItsClosingTableNamesKeysAndValuesOnce) {
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   EXPECT_THAT(run.output, HasSubstr("\nModulus of the last stage\n\n"
                                     "    fraction           0.1                        0.12\n"
-                                    "        time   upper bound   lower bound   upper bound   lower bound\n"));
+                                    "        time   displacement      traction   displacement      traction\n"));
   // The values are those in the tables of a separate run.
   const StudyDirectory single(deck.substr(0, deck.find("[sweep]")));
   const auto alone =

@@ -151,6 +151,26 @@ TEST_F(DeckTests, GrainsThatTheWallsCutHaveBothBounds) {
               HasSubstr("expected the boundaries \"displacement\" and \"traction\""));
 }
 
+TEST_F(DeckTests, ParticlesThatTheSidesCutHaveBothBounds) {
+  const auto deck_of = [](std::string_view walls) {
+    return test::join(test::materials, R"(
+[[stages]]
+name = "A"
+matrix = "binder"
+box = "1 mm"
+cells = 10
+filler = { material = "hmx", fraction = 0.1, sizes = { diameter = "0.2 mm" } }
+packing = { method = "lubachevsky-stillinger", walls = )",
+                      walls, " }\n[tests]\n", times);
+  };
+  const auto study = directory.study(deck_of("\"cut\""));
+  EXPECT_TRUE(study.stages.front().is_periodic()) << "a window in a larger body";
+  EXPECT_THAT(study.tests.boundaries, ElementsAre(Boundary::displacement, Boundary::traction));
+  const auto named = directory.study(deck_of("\"cut\"") + "boundaries = [\"periodic\", \"traction\"]\n");
+  EXPECT_THAT(named.tests.boundaries, ElementsAre(Boundary::periodic, Boundary::traction));
+  EXPECT_THAT(directory.mistakes(deck_of("\"cutt\"")), HasSubstr("packing.walls: expected \"cut\""));
+}
+
 TEST_F(DeckTests, FieldsAreWantedAtTheseTimes) {
   EXPECT_THAT(tests(test::join(times, "fields = \"last\"")).field_times, ElementsAre(1e-2));
   EXPECT_THAT(tests(test::join(times, "fields = \"none\"")).field_times, IsEmpty());

@@ -85,7 +85,7 @@ TEST(IsotropicMean, OfAnUnknownErrorHasNone) {
 TEST(IsotropicMean, NeedsAllShears) {
   const std::vector<TestResult> tests = {relaxing(Load::shear, 2.0), relaxing(Load::diagonal_shear, 4.0, 40)};
   EXPECT_THAT(test::message_of<InputError>([&] { isotropic_mean(2, tests[0].id, tests); }),
-              HasSubstr("isotropic mean: there is no test under shear-xx-yy by upper bound, 20 cells, quasi-static"));
+              HasSubstr("isotropic mean: there is no test under shear-xx-yy by displacement, 20 cells, quasi-static"));
 }
 
 // The shears change by 10 and -8 %, their mean by 1 %. Grids of half the cells: the band is twice the change.

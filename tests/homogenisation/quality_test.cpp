@@ -63,16 +63,17 @@ TEST(Quality, ReportsTheDistanceOfTheBounds) {
   EXPECT_NEAR(*quality.loads[0].times[1].distance(), 0.18, 1e-12);
   EXPECT_FALSE(quality.loads[0].times[1].grid_half_band);
   EXPECT_NEAR(quality.gap_cells, 3.0, 1e-12) << "that to the wall is the narrowest";
-  EXPECT_EQ(summary_of(quality),
-            "bounds 18 % apart at 10 ms, 18 % at 1 s; grid: one grid, error up to about 1.4 % by a rule (cells = "
-            "[50, 100] measures it); narrowest gap: 3 cells; packing: one seed, scatter unknown");
+  EXPECT_EQ(
+      summary_of(quality),
+      "displacement and traction 18 % apart at 10 ms, 18 % at 1 s; grid: one grid, error up to about 1.4 % by a rule "
+      "(cells = [50, 100] measures it); narrowest gap: 3 cells; packing: one seed, scatter unknown");
 }
 
 TEST(Quality, ReportsAFactorIfBoundsAreFarApart) {
   const auto summary = summary_of(quality_of(Study{}, random_stage(),
                                              result_of({constant(Boundary::displacement, TestGrid(100), 30.0),
                                                         constant(Boundary::traction, TestGrid(100), 2.0)})));
-  EXPECT_THAT(summary, HasSubstr("bounds a factor of 15 at 10 ms, a factor of 15 at 1 s;"));
+  EXPECT_THAT(summary, HasSubstr("displacement and traction a factor of 15 at 10 ms, a factor of 15 at 1 s;"));
 }
 
 TEST(Quality, NamesTheLoadAndTheMethodOfTheBoundsAmongSeveral) {
@@ -113,12 +114,12 @@ TEST(Quality, TellsDistancesWithTwoDigits) {
                                                           constant(Boundary::traction, TestGrid(100), lower)})));
     return summary.substr(0, summary.find(" at 10 ms"));
   };
-  EXPECT_EQ(bounds_of(1.0009, 1.0), "bounds less than 0.1 % apart");
-  EXPECT_EQ(bounds_of(1.0011, 1.0), "bounds 0.11 % apart");
-  EXPECT_EQ(bounds_of(1.994, 1.0), "bounds 99 % apart");
-  EXPECT_EQ(bounds_of(2.001, 1.0), "bounds a factor of 2");
-  EXPECT_EQ(bounds_of(99.4, 1.0), "bounds a factor of 99");
-  EXPECT_EQ(bounds_of(1234.0, 1.0), "bounds a factor of 1234");
+  EXPECT_EQ(bounds_of(1.0009, 1.0), "displacement and traction less than 0.1 % apart");
+  EXPECT_EQ(bounds_of(1.0011, 1.0), "displacement and traction 0.11 % apart");
+  EXPECT_EQ(bounds_of(1.994, 1.0), "displacement and traction 99 % apart");
+  EXPECT_EQ(bounds_of(2.001, 1.0), "displacement and traction a factor of 2");
+  EXPECT_EQ(bounds_of(99.4, 1.0), "displacement and traction a factor of 99");
+  EXPECT_EQ(bounds_of(1234.0, 1.0), "displacement and traction a factor of 1234");
 }
 
 TEST(Quality, KnowsNoDistanceOfASingleBound) {
@@ -149,15 +150,16 @@ TEST(Quality, ReportsUnknownErrors) {
   stage.matrix = EarlierStage{"fine"};
   const auto upper =
       summary_of(quality_of(study, stage, result_of({constant(Boundary::displacement, TestGrid(100), 1.0)})));
-  EXPECT_THAT(upper, HasSubstr("bounds: only the upper one, distance unknown"));
+  EXPECT_THAT(upper, HasSubstr("displacement and traction: only displacement, distance unknown"));
   EXPECT_THAT(upper, HasSubstr("matrix: the errors of stage fine add to these"));
   EXPECT_THAT(upper, Not(HasSubstr("seed"))) << "there is one regular packing";
-  EXPECT_THAT(summary_of(quality_of(study, stage, result_of({}))), HasSubstr("bounds: not tested"));
+  EXPECT_THAT(summary_of(quality_of(study, stage, result_of({}))), HasSubstr("displacement and traction: not tested"));
   auto empty = result_of({}, 0);
   empty.microstructure.fraction = 0.0;
   EXPECT_EQ(summary_of(quality_of(study, stage, empty)), "") << "without particles";
   empty.microstructure.fraction = 0.5;
-  EXPECT_THAT(summary_of(quality_of(study, stage, empty)), HasSubstr("bounds: not tested")) << "pixels of an image";
+  EXPECT_THAT(summary_of(quality_of(study, stage, empty)), HasSubstr("displacement and traction: not tested"))
+      << "pixels of an image";
 }
 
 TEST(Quality, BoundsAreComparedAtTheTimesOfBoth) {
@@ -245,7 +247,7 @@ TEST(Quality, TheGridErrorIsTheLargestOfAllTests) {
       result_of({extrapolated(Boundary::displacement, 120.0, 6.0), extrapolated(Boundary::traction, 100.0, 2.0),
                  extrapolated(Boundary::periodic, 110.0, 11.0)}));
   EXPECT_NEAR(quality.grid_share.value(), 0.1, 1e-12);
-  EXPECT_THAT(summary_of(quality), StartsWith("bounds 20 % apart at 10 ms"));
+  EXPECT_THAT(summary_of(quality), StartsWith("displacement and traction 20 % apart at 10 ms"));
 }
 
 TEST(Quality, GivesTheNarrowestGapOnEachGrid) {
@@ -273,11 +275,16 @@ TEST(Quality, SaysThatBoundsAreCrossed) {
   auto falling = extrapolated(Boundary::displacement, 120.0, 6.0);
   for (auto& sample : falling.modulus) sample.modulus = sample.time > 0.5 ? 80.0 : 120.0;
   const auto quality = quality_of(Study{}, stage, result_of({falling, extrapolated(Boundary::traction, 100.0, 2.0)}));
-  EXPECT_THAT(summary_of(quality), StartsWith("bounds: the upper one is 20 % below the lower one at 1 s; "));
-  EXPECT_THAT(warnings_on_bounds(quality),
-              ElementsAre("shear, quasistatic: the upper bound is 20 % below the lower bound at 1 s; likely causes: "
-                          "grids too coarse for the narrowest gap, in cells 1.5 wide with cells = 50, 3 wide with "
-                          "cells = 100; or particles that the sides of the box cut"));
+  EXPECT_THAT(
+      summary_of(quality),
+      StartsWith(
+          "displacement and traction: the modulus under displacement is 20 % below that under traction at 1 s; "));
+  EXPECT_THAT(
+      warnings_on_bounds(quality),
+      ElementsAre(
+          "shear, quasistatic: the modulus under displacement is 20 % below that under traction at 1 s; likely causes: "
+          "grids too coarse for the narrowest gap, in cells 1.5 wide with cells = 50, 3 wide with "
+          "cells = 100; or particles that the sides of the box cut"));
   const auto sound = quality_of(
       Study{}, stage,
       result_of({extrapolated(Boundary::displacement, 120.0, 6.0), extrapolated(Boundary::traction, 100.0, 2.0)}));

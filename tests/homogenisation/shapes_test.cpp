@@ -297,7 +297,7 @@ TEST(Shapes, ThatCrossTheSidesOfABoxAreWarnedOf) {
   study.tests.first_time = 1.0;
   study.tests.last_time = 10.0;
   const auto warned = packed_stage(study, stage, make_microstructure(stage)).warnings;
-  EXPECT_THAT(warned, testing::Contains(HasSubstr("cut the particles that cross its sides")));
+  EXPECT_THAT(warned, testing::Contains(HasSubstr("the sides of the box cut filler, over")));
 }
 
 }  // namespace

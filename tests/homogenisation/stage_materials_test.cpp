@@ -73,7 +73,7 @@ TEST_F(StageMaterials, AreRefusedWhereTheFitIsBad) {
   for (auto& sample : rising.tests[0].modulus) sample.modulus *= 1.0 + std::sqrt(sample.time / 50e-3);
   EXPECT_THAT(
       test::message_of<NumericalError>([&] { static_cast<void>(materials_from(study, study.stages[0], {}, rising)); }),
-      AllOf(HasSubstr("stage fine, upper bound, quasistatic: the fit of G(t), on which later stages build, is up to"),
+      AllOf(HasSubstr("stage fine, displacement, quasistatic: the fit of G(t), on which later stages build, is up to"),
             HasSubstr("more than tests.fit_tolerance = 3 %")));
   auto rising_bulk = fine_with(PronySeries(1e6), PronySeries(1e9));
   for (auto& sample : rising_bulk.tests[1].modulus) sample.modulus *= 1.0 + std::sqrt(sample.time / 50e-3);
@@ -104,7 +104,7 @@ TEST_F(StageMaterials, AreTheMatrixOfLaterStagesUnderTheSameBoundaryAndMethod) {
   EXPECT_EQ(matrix_of("fine", study.stages[0].matrix, {}, Boundary::periodic, Method::dynamic), test::binder)
       << "a material is one";
   EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(matrix(Boundary::traction, Method::dynamic)); }),
-              HasSubstr("stage coarse: stage fine has no result for the lower bound, dynamic"));
+              HasSubstr("stage coarse: stage fine has no result for the boundary traction, dynamic"));
   EXPECT_THROW(
       static_cast<void>(matrix_of("coarse", study.stages[1].matrix, {}, Boundary::traction, Method::quasistatic)),
       InputError);

@@ -224,14 +224,14 @@ TEST(StageWarnings, OfAFillerSofterThanItsBinder) {
   EXPECT_THAT(warnings(stage), ElementsAre(HasSubstr("bulk modulus 3.9 Pa against 4 Pa")));
 }
 
-TEST(StageWarnings, OfBoundsThatCutParticles) {
+TEST(StageWarnings, OfBoundariesThatCutParticles) {
   auto stage = two_discs(1e-3);
   auto study = within(1.0, 2.0);
   auto& packing = *stage.packed_by<ExplicitPacking<2>>();
   packing.walls = Walls::periodic;
   EXPECT_THAT(warnings(stage, study), IsEmpty()) << "no disc crosses a side";
   std::get<std::vector<Disc>>(packing.particles)[0].centre[1] = 0.9e-3;
-  EXPECT_THAT(warnings(stage, study), ElementsAre(HasSubstr("which cut the particles")));
+  EXPECT_THAT(warnings(stage, study), ElementsAre(HasSubstr("A: the sides of the box cut filler, over")));
   study.tests.boundaries = {Boundary::periodic};
   EXPECT_THAT(warnings(stage, study), IsEmpty());
 }

@@ -41,13 +41,11 @@ std::string message_of(const ModulusPlot& plot) {
 }
 
 TEST(ModulusPlot, IsWellFormedAndNamesItsCurvesAndAxes) {
-  const auto svg = modulus_plot({"HB-1",
-                                 {relaxation("upper bound", 3e9), relaxation("lower bound", 2e9, PlotStyle::dashed)},
-                                 {},
-                                 "Shear modulus"});
+  const auto svg = modulus_plot(
+      {"HB-1", {relaxation("displacement", 3e9), relaxation("traction", 2e9, PlotStyle::dashed)}, {}, "Shear modulus"});
   EXPECT_EQ(xml_mistake(svg), "");
-  EXPECT_THAT(svg, HasSubstr(">upper bound<"));
-  EXPECT_THAT(svg, HasSubstr(">lower bound<"));
+  EXPECT_THAT(svg, HasSubstr(">displacement<"));
+  EXPECT_THAT(svg, HasSubstr(">traction<"));
   EXPECT_THAT(svg, HasSubstr(">HB-1<"));
   EXPECT_THAT(svg, HasSubstr(">Time / s<"));
   EXPECT_THAT(svg, HasSubstr(">Shear modulus / MPa<"));

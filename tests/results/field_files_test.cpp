@@ -142,7 +142,7 @@ TEST_F(FieldFiles, ShowTheStressAndTheStrainThatALoadRaises) {
   const auto records = write(Load::shear, Boundary::displacement);
   ASSERT_EQ(records.size(), 1U);
   EXPECT_THAT(picture(records[0].stress_picture),
-              AllOf(HasSubstr(">fine, upper bound, quasi-static, 10 ms<"),
+              AllOf(HasSubstr(">fine, displacement, quasi-static, 10 ms<"),
                     HasSubstr(">Shear stress over mean shear strain in MPa; it goes from 1 to 3<")));
   EXPECT_THAT(picture(records[0].strain_picture),
               HasSubstr(">Largest shear strain over mean shear strain; it goes from 0.5 to 1.5<"));
@@ -156,7 +156,7 @@ TEST_F(FieldFiles, ShowStressesOverTheTraction) {
   }
   const auto records = write(Load::shear, Boundary::traction);
   EXPECT_THAT(picture(records.at(0).stress_picture),
-              AllOf(HasSubstr(">fine, lower bound, quasi-static, 10 ms<"),
+              AllOf(HasSubstr(">fine, traction, quasi-static, 10 ms<"),
                     HasSubstr(">Shear stress over that applied; it goes from 0.5 to 1.5<")));
 }
 

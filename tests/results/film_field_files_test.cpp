@@ -84,7 +84,7 @@ TEST_F(FilmFieldFiles, HavePictures) {
   EXPECT_THAT(picture(record.strain_picture), HasSubstr("Largest shear strain over mean shear strain; it goes from"));
   EXPECT_THAT(picture(record.work_picture), HasSubstr("Work over its mean; 87.5 % of all is in the binder"));
   EXPECT_THAT(picture(record.work_picture), HasSubstr("it goes from 0.5 to 2.5"));
-  EXPECT_THAT(picture(record.work_picture), HasSubstr(study.stages[0].name + ", upper bound, quasi-static, 10 ms"));
+  EXPECT_THAT(picture(record.work_picture), HasSubstr(study.stages[0].name + ", displacement, quasi-static, 10 ms"));
 }
 
 TEST_F(FilmFieldFiles, AreCopiedWithTheirStage) {

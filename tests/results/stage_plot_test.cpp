@@ -45,8 +45,8 @@ TEST_F(StagePlot, NamesTheTestsTheMatrixAndWhatWasMeasured) {
                                 test::test_with({.boundary = Boundary::traction, .grid = TestGrid(12)}, falling),
                                 test::test_with({.load = Load::diagonal_shear, .grid = TestGrid(12)}, falling)});
   EXPECT_THAT(svg,
-              AllOf(HasSubstr(">two scales: fine<"), HasSubstr(">upper bound<"), HasSubstr(">lower bound<"),
-                    HasSubstr(">upper bound, xx-yy<"), HasSubstr(">matrix<"), HasSubstr(">measured, Wetzel, 1999<")));
+              AllOf(HasSubstr(">two scales: fine<"), HasSubstr(">displacement<"), HasSubstr(">traction<"),
+                    HasSubstr(">displacement, xx-yy<"), HasSubstr(">matrix<"), HasSubstr(">measured, Wetzel, 1999<")));
   EXPECT_THAT(svg, AllOf(Not(HasSubstr("of another stage")), Not(HasSubstr("at other times"))));
   EXPECT_FALSE(std::filesystem::exists(directory.path() / "bulk_modulus.svg"));
 }
@@ -57,8 +57,8 @@ TEST_F(StagePlot, ShowsTheMatrixThatAnEarlierStageHasMadeForEachBoundary) {
     fine.materials.push_back({boundary, Method::quasistatic, {test::glass, {1e-3, 50e-3}, 0.0, 0.0}});
   }
   const auto svg = plot_of(study.stages[1], {test::test_with({.grid = TestGrid(12)}, falling)}, {fine});
-  EXPECT_THAT(
-      svg, AllOf(HasSubstr(">matrix, upper bound<"), HasSubstr(">matrix, lower bound<"), Not(HasSubstr(">matrix<"))));
+  EXPECT_THAT(svg,
+              AllOf(HasSubstr(">matrix, displacement<"), HasSubstr(">matrix, traction<"), Not(HasSubstr(">matrix<"))));
 }
 
 TEST_F(StagePlot, ShowsOfSeveralGridsTheLimitAlone) {
@@ -82,7 +82,7 @@ TEST_F(StagePlot, NamesTheMethodsAndTheirTimeDomains) {
   }
   dynamic.record = std::move(record);
   const auto svg = plot_of(study.stages[0], {test::test_with({.grid = TestGrid(12)}, falling), dynamic});
-  EXPECT_THAT(svg, AllOf(HasSubstr(">upper bound, quasistatic<"), HasSubstr(">upper bound, dynamic<"),
+  EXPECT_THAT(svg, AllOf(HasSubstr(">displacement, quasistatic<"), HasSubstr(">displacement, dynamic<"),
                          HasSubstr(">density x 1<"), HasSubstr(">density x 1030<")));
 }
 

@@ -111,10 +111,10 @@ TEST_F(SweepTables, ShowATaskInAColourOfItsOwn) {
   result = {done_with({{1.0, 1e6}, {2.0, 9e5}}), done_with({{1.0, 2e6}, {2.0, 1e6}})};
   write_sweep_plot(directory.path(), sweep, result);
   EXPECT_THAT(read_text(file("sweep.svg")), AllOf(HasSubstr(">seeds and gaps: A<"), HasSubstr(">seed-1_gap-1 um<"),
-                                                  HasSubstr(">seed-1_gap-2 um<"), Not(HasSubstr("lower bound"))));
+                                                  HasSubstr(">seed-1_gap-2 um<"), Not(HasSubstr("traction"))));
   result[1] = done_with({{1.0, 2e6}, {2.0, 1e6}}, {.boundary = Boundary::traction, .grid = TestGrid(12)});
   write_sweep_plot(directory.path(), sweep, result);
-  EXPECT_THAT(read_text(file("sweep.svg")), HasSubstr(">seeds and gaps: A, lower bound dashed<"));
+  EXPECT_THAT(read_text(file("sweep.svg")), HasSubstr(">seeds and gaps: A, traction dashed<"));
 }
 
 // The palette has seven colours.

@@ -38,8 +38,8 @@ TEST(TestGrid, HasACellOrMore) {
 TEST(TestId, IsPartOfACalculation) {
   const TestId dynamic{Load::bulk, Boundary::traction, Method::dynamic, TestGrid(150)};
   const TestId quasistatic{Load::bulk, Boundary::displacement, Method::quasistatic, TestGrid(150)};
-  EXPECT_EQ(calculation_of(dynamic), "bulk, lower bound, 150 cells, dynamic");
-  EXPECT_EQ(calculation_of(quasistatic), "upper bound, 150 cells, quasi-static");
+  EXPECT_EQ(calculation_of(dynamic), "bulk, traction, 150 cells, dynamic");
+  EXPECT_EQ(calculation_of(quasistatic), "displacement, 150 cells, quasi-static");
 }
 
 TEST(TestId, AQuasistaticLimitIsPreferredToEverythingElse) {

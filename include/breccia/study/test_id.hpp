@@ -55,9 +55,9 @@ struct TestId {
   friend bool operator==(const TestId&, const TestId&) = default;
 };
 
-/// The calculation that a test is part of, in words: "shear, upper bound, 150 cells, dynamic". The quasi-static method
-/// computes all loads together, so that the names of its calculations have no load: "upper bound, 150 cells,
-/// quasi-static", "upper bound, films, quasi-static".
+/// The calculation that a test is part of, in words: "shear, displacement, 150 cells, dynamic". The quasi-static method
+/// computes all loads together, so that the names of its calculations have no load: "displacement, 150 cells,
+/// quasi-static", "displacement, films, quasi-static".
 std::string calculation_of(const TestId& test);
 
 /// Whether one test is preferred to another that differs from it only in method or grid: quasi-static tests are

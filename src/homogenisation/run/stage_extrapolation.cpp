@@ -176,7 +176,7 @@ std::vector<TestResult> extrapolate_tests(const std::string& stage, double side,
     const auto grids = same_on_all_grids(test, tests);
     if (grids.size() < 2 || grids.back() != &test) continue;
     const auto name =
-        fmt::format("{} {} {} {}", stage, name_of(test.id.load), bound_of(test.id.boundary), name_of(test.id.method));
+        fmt::format("{} {} {} {}", stage, name_of(test.id.load), name_of(test.id.boundary), name_of(test.id.method));
     extrapolated.push_back(name_errors(name, [&] {
       return has_mixed_cells(mixing) ? finest_with_band(grids, tests, least_half_width(mixing, dimensions))
                                      : extrapolate_test(side, grids);

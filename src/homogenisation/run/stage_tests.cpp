@@ -40,7 +40,7 @@ void finish(const Stage& stage, const Found& found, TestResult& result, Checkpoi
   });
 }
 
-/// The name of a test for errors and the progress: "fine lower bound, 50 cells per side, quasi-static".
+/// The name of a test for errors and the progress: "fine traction, 50 cells per side, quasi-static".
 std::string name_of(const Stage& stage, const TestId& test) {
   return fmt::format("{} {}", stage.name, calculation_of(test));
 }
@@ -140,7 +140,7 @@ std::vector<std::string> warnings_of(const Stage& stage, const TestResult& test)
     warnings.push_back(fmt::format(
         "{} {}, {}: two time domains differ by {:.1f} % between {:.3g} and {:.3g} s; smaller mass scaling factors "
         "or another ramp may reduce the difference",
-        stage.name, name_of(test.id.load), bound_of(test.id.boundary), 100.0 * mismatch, window.begin, window.end));
+        stage.name, name_of(test.id.load), name_of(test.id.boundary), 100.0 * mismatch, window.begin, window.end));
   }
   return warnings;
 }

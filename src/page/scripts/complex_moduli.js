@@ -3,7 +3,7 @@
 import {display, displayRange, percent, shortNumber} from "./numbers.js";
 import {listed} from "./names.js";
 import {valueAt} from "./sampling.js";
-import {areCrossed, threeTimes} from "./result_sentences.js";
+import {areCrossed, crossedText, textOnBoundaries, threeTimes} from "./result_sentences.js";
 
 const perCycle = 2 * Math.PI;
 
@@ -44,11 +44,6 @@ function errorText(moduli, frequency) {
   return Number.isFinite(share) ? ` ± ${percent(share)}` : "";
 }
 
-/// The boundaries of moduli in words. Absolute values and phases have no bounds, unlike the moduli over time.
-function textOnBoundaries(moduli) {
-  return `${moduli.map(({boundary}) => boundary).join(" to ")} boundary`;
-}
-
 /// The sentences on complex moduli; `result` are the relaxation moduli that belong to them, `error` is a text on their
 /// errors, `binder` {at} has the binder's complex modulus.
 export function complexSentences({stage, moduli, result, error, binder}) {
@@ -59,7 +54,7 @@ export function complexSentences({stage, moduli, result, error, binder}) {
     return `${displayRange(...rangeOf(here.map(({size}) => size)), "Pa")}${errorText(moduli, frequency)} with a phase of ` +
       `${phaseText(here.map(({phase}) => phase))} at ${display(frequency, "Hz")}`;
   });
-  const boundaries = isCrossed ? "the bounds cross: do not use them" : textOnBoundaries(moduli);
+  const boundaries = isCrossed ? crossedText : textOnBoundaries(moduli);
   const remarks = [boundaries, error].filter(Boolean).join("; ");
   const sentences = [`|G*| of ${stage} is ${listed(parts)} (${remarks}).`];
   if (binder !== undefined) {

@@ -4,7 +4,7 @@
 import {gridsOfStudy} from "./curves.js";
 import {study} from "./data.js";
 import {chips, element} from "./elements.js";
-import {boundNames, gridName, methodNames, quantities} from "./names.js";
+import {gridName, methodNames, quantities} from "./names.js";
 import {distinct, own} from "./records.js";
 import {lawOf} from "./temperature_axis.js";
 
@@ -74,7 +74,7 @@ function axisChoice(curves, shown, draw) {
   return {elements: [select, field], offer};
 }
 
-/// The choice of stages, bounds, methods, loads and grids, and of other curves to draw.
+/// The choice of stages, boundaries, methods, loads and grids, and of other curves to draw.
 export function testChoices(curves, shown, draw) {
   const tests = study.stages.flatMap((stage) => stage.tests);
   const rows = [];
@@ -83,7 +83,7 @@ export function testChoices(curves, shown, draw) {
   };
   const named = (values, names) => values.map((value) => [value, own(names, value) ?? value]);
   add("stage", named(distinct(study.stages, "name"), {}), shown.stages);
-  add("bound", named(distinct(tests, "boundary"), boundNames), shown.boundaries);
+  add("boundary", distinct(tests, "boundary").map((name) => [name, name]), shown.boundaries);
   add("method", named(distinct(tests, "method"), methodNames), shown.methods);
   add("load", distinct(tests, "load").filter((load) => load !== "bulk").map((load) => [load, load.replace("-", " ")]),
     shown.loads);

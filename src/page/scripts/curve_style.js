@@ -7,7 +7,7 @@ import {shearOf} from "./loads.js";
 
 const dashes = {quasistatic: "solid", dynamic: "dash"};
 
-/// Hues by boundary, as in modulus.svg: the upper bound is blue, the lower one red, between them green.
+/// Hues by boundary, as in modulus.svg: displacement is blue, traction red, between them green.
 const hues = {displacement: 205, traction: 18, periodic: 160};
 
 /// The colour of a curve. Later stages have more contrast to the background than earlier ones.
@@ -37,7 +37,7 @@ export function lineOf(curve) {
   return {color, width, dash: curve.part === "loss" ? "dash" : dashes[curve.method] ?? "solid"};
 }
 
-/// The colour of the area between the bounds.
+/// The colour of the area between displacement and traction.
 export function colourBetween() {
   return isDark() ? "rgba(150, 165, 190, 0.2)" : "rgba(90, 110, 145, 0.15)";
 }

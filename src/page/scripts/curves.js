@@ -5,7 +5,7 @@
 
 import {readTable, study} from "./data.js";
 import {mainLoad, shearOf} from "./loads.js";
-import {boundNames, gridName, methodNames} from "./names.js";
+import {gridName, methodNames} from "./names.js";
 import {distinct, groupsOf, numberOf} from "./records.js";
 import {logarithmic} from "./sampling.js";
 import {lossModulus, relaxationModulus, storageModulus} from "./viscoelasticity.js";
@@ -14,7 +14,7 @@ const testColumns = ["stage", "load", "boundary", "method", "cells"];
 
 function labelOf(stage, curve) {
   const parts = [stage];
-  if (curve.boundary !== undefined) parts.push(boundNames[curve.boundary]);
+  if (curve.boundary !== undefined) parts.push(curve.boundary);
   parts.push(...nameOfLoad(curve.load));
   if (curve.method !== undefined && methodsOfStudy().length > 1) parts.push(methodNames[curve.method]);
   if (curve.cells !== undefined && curve.cells !== bestGrid(stage)) parts.push(gridName(curve.cells));
@@ -130,7 +130,7 @@ function curvesOfProny() {
     const {stage, load, boundary} = group[0];
     const isFinite = (row) => Number.isFinite(numberOf(row.relaxation_time_s));
     const equilibrium_Pa = group.filter((row) => !isFinite(row)).reduce((sum, row) => sum + row.modulus_Pa, 0);
-    const label = [stage, boundNames[boundary], ...nameOfLoad(load)].join(", ");
+    const label = [stage, boundary, ...nameOfLoad(load)].join(", ");
     return curvesInFrequency({equilibrium_Pa, terms: group.filter(isFinite)}, {role: "stage", stage, load, boundary,
       label});
   });
@@ -142,7 +142,7 @@ function engineeringCurves() {
     groupsOf(readTable(table), ["stage", "boundary", "method", "cells"]).flatMap((group) => {
       const {stage, boundary, method} = group[0];
       return columns.map(([quantity, column, letter = "", part = undefined]) => ({role: "stage", quantity, part, stage,
-        load: shearOf(stageNamed(stage)), boundary, method, label: `${stage}, ${boundNames[boundary]}${letter}`,
+        load: shearOf(stageNamed(stage)), boundary, method, label: `${stage}, ${boundary}${letter}`,
         x: group.map((row) => row[x]), y: group.map((row) => row[column])}));
     });
   return [

@@ -1,4 +1,4 @@
-/// The figure with the curves of the study: at first the bounds of the results, and the measurement.
+/// The figure with the curves of the study: at first the results, and the measurement.
 
 import {colourBetween, colourOf, isOfBestGrid, lineOf} from "./curve_style.js";
 import {quantityChoices, testChoices} from "./curve_choices.js";
@@ -10,7 +10,7 @@ import {addEndLabels} from "./end_labels.js";
 import {drawFigure, layoutOf, saveFigure, tracesOf} from "./figure.js";
 import {csvOf, fileName, save} from "./files.js";
 import {loadsShownFirst} from "./loads.js";
-import {axes, boundNames, methodNames, quantities} from "./names.js";
+import {axes, boundaryNames, methodNames, quantities} from "./names.js";
 import {display, shortNumber} from "./numbers.js";
 import {groupsOf} from "./records.js";
 import {binderOf, stagesOfInterest} from "./stages.js";
@@ -56,17 +56,17 @@ function onChosenAxis(curves, quantity, shown) {
   return [shown.axis === "frequency" ? inHertz(curves) : curves, {...quantity, ...axis}];
 }
 
-/// The areas between the bounds of the curves, as traces. Loss moduli, loss factors and ratios have none: they are not
-/// bounded.
+/// The areas between the moduli under displacement and traction, as traces. Loss moduli, loss factors and ratios have
+/// none: they are not in order.
 function areasBetween(curves, quantity) {
-  const hasBounds = !["loss-factor", "young-loss-factor", "poisson"].includes(quantity.name);
-  const bounded = curves.filter((curve) => hasBounds && curve.role === "stage" && curve.part !== "loss");
-  return groupsOf(bounded, ["stage", "load", "method", "cells", "part"]).flatMap((group) => {
+  const isOrdered = !["loss-factor", "young-loss-factor", "poisson"].includes(quantity.name);
+  const ordered = curves.filter((curve) => isOrdered && curve.role === "stage" && curve.part !== "loss");
+  return groupsOf(ordered, ["stage", "load", "method", "cells", "part"]).flatMap((group) => {
     const [upper, lower] = ["displacement", "traction"].map((name) => group.find(({boundary}) => boundary === name));
     if (upper === undefined || lower === undefined) return [];
     return [{x: [...upper.x, ...lower.x.toReversed()], y: [...upper.y, ...lower.y.toReversed()], type: "scatter",
       mode: "lines", fill: "toself", fillcolor: colourBetween(), line: {width: 0}, hoverinfo: "skip",
-      showlegend: false, name: "between the bounds"}];
+      showlegend: false, name: "between displacement and traction"}];
   });
 }
 
@@ -93,7 +93,7 @@ export function curvesFigure(curves) {
     axis: "time",
     abscissa: {s: usualAbscissa(study.times_s, "s"), "rad/s": usualAbscissa(study.times_s, "rad/s")},
     stages: new Set(stagesOfInterest(study).map(({name}) => name)),
-    boundaries: new Set(Object.keys(boundNames)),
+    boundaries: new Set(boundaryNames),
     methods: new Set(Object.keys(methodNames)),
     loads: new Set(loadsShownFirst(curves.map(({load}) => load))),
     grids: new Set(["best"]),
@@ -142,7 +142,7 @@ export function curvesFigure(curves) {
 /// The meaning of the lines and areas, and the sources of the curves.
 function noteOn(curves, quantity, shown) {
   const notes = [];
-  if (areasBetween(curves, quantity).length > 0) notes.push("Filled: between the bounds of the box.");
+  if (areasBetween(curves, quantity).length > 0) notes.push("Filled: between displacement and traction.");
   if (curves.some((curve) => curve.role === "measured")) notes.push("Points: measured.");
   if (curves.some((curve) => curve.method === "dynamic")) notes.push("Dashed: dynamic method.");
   if (curves.some((curve) => curve.part === "loss")) notes.push("Solid: storage modulus, dashed: loss modulus.");

@@ -6,10 +6,10 @@ import {bestGrid} from "./curves.js";
 import {data, study} from "./data.js";
 import {element} from "./elements.js";
 import {mainLoad} from "./loads.js";
-import {boundNames, symbolOf, textOnStage} from "./names.js";
+import {symbolOf, textOnStage} from "./names.js";
 import {display, percent, shortNumber, withMicroSign} from "./numbers.js";
 import {own} from "./records.js";
-import {onAnisotropy, onMeasuringGrids} from "./reliability_sentences.js";
+import {onAnisotropy, nextStep, onMeasuringGrids} from "./reliability_sentences.js";
 import {decades, valueAt} from "./sampling.js";
 import {binderOf, matrixStageOf, stagesOfInterest} from "./stages.js";
 import {table} from "./table.js";
@@ -17,7 +17,7 @@ import {lossModulus, relaxationModulus, storageModulus} from "./viscoelasticity.
 import {groupsOfWarnings, lineOnGroup} from "./warnings.js";
 import {sentenceOnWholeFiller} from "./whole_filler.js";
 
-const orderOfBounds = ["traction", "periodic", "displacement"];
+const softestFirst = ["traction", "periodic", "displacement"];
 
 /// The relaxation moduli of a stage to be shown first: those of the best grid or, where the run has not reached it, of
 /// the last one that it has; in shear or, where that was not tested, in bulk.
@@ -29,7 +29,7 @@ function testedCurves(curves, stage) {
   return best.length > 0 ? best : tested.filter((curve) => curve.cells === tested.at(-1).cells);
 }
 
-/// The curves of the last stage to be shown first, beginning with the lower bound: those of the quasi-static method if
+/// The curves of the last stage to be shown first, beginning with the softest boundary: those of the quasi-static method if
 /// there are any, under the main load.
 function curvesOfResult(curves) {
   const stage = stagesOfInterest(study).at(-1);
@@ -39,7 +39,7 @@ function curvesOfResult(curves) {
   const load = mainLoad(tested.map((curve) => curve.load));
   const of = (boundary) => tested.find((curve) => curve.load === load && curve.method === method &&
     curve.boundary === boundary);
-  return orderOfBounds.map(of).filter((curve) => curve !== undefined);
+  return softestFirst.map(of).filter((curve) => curve !== undefined);
 }
 
 function measuredBeside(curves, stage) {
@@ -146,6 +146,8 @@ export function showResult(curves) {
       binder: isShear ? binderBeside(stage) : undefined, measured});
   const [first, ...others] = sentences;
   place.append(element("p", {id: "answer"}, element("strong", {}, first), ` ${others.join(" ")}`));
+  const next = nextStep(study.stages.find((one) => one.name === stage));
+  if (next !== "") place.append(element("p", {id: "next-step", className: "note"}, next));
 }
 
 /// Shows the warnings that the reader should see before using the results, a line for each kind, beside the first
@@ -206,7 +208,7 @@ export function showModuli(curves) {
   const times = timesOfTable([Math.min(...result.map(({x}) => x[0])), Math.max(...result.map(({x}) => x.at(-1)))], 12);
   const columns = [["time", (time) => display(time, "s")]];
   for (const curve of result) {
-    columns.push([boundNames[curve.boundary], (time) => modulusText(curve, time)]);
+    columns.push([curve.boundary, (time) => modulusText(curve, time)]);
   }
   const ratios = (reference, time) =>
     [...new Set(result.map((curve) => shortNumber(at(curve, time) / reference, 2)))].join(" … ");
@@ -214,7 +216,7 @@ export function showModuli(curves) {
     columns.push([`over ${binder.name}`, (time) => (hasFlowedAway(binder, time) ? "–" : ratios(binder.at(time), time))]);
   }
   for (const young of youngsModuli(curves, result)) {
-    columns.push([`Young's modulus, ${boundNames[young.boundary]}`, (time) => display(at(young, time), "Pa")]);
+    columns.push([`Young's modulus, ${young.boundary}`, (time) => display(at(young, time), "Pa")]);
   }
   if (measured !== undefined) {
     columns.push(["measured", (time) => display(at(measured, time), "Pa")], ["over measured", (time) =>
@@ -227,7 +229,7 @@ export function showModuli(curves) {
 function complexTable(moduli) {
   const whole = timesOfTable(study.frequencies_Hz, 12);
   const frequencies = whole.length > 1 ? whole : study.frequencies_Hz;
-  const named = (boundary) => (moduli.length > 1 ? boundNames[boundary] : "");
+  const named = (boundary) => (moduli.length > 1 ? boundary : "");
   return [[["frequency", (frequency) => display(frequency, "Hz")],
     ...moduli.flatMap((modulus) => complexColumns(modulus, named(modulus.boundary)))], frequencies];
 }
@@ -240,7 +242,7 @@ function showTable(stage, [columns, rows], note) {
 }
 
 function youngsModuli(curves, [{stage, method}]) {
-  return orderOfBounds.flatMap((boundary) => curves.filter((curve) => curve.quantity === "young" &&
+  return softestFirst.flatMap((boundary) => curves.filter((curve) => curve.quantity === "young" &&
     curve.role === "stage" && curve.stage === stage && curve.boundary === boundary && curve.method === method));
 }
 

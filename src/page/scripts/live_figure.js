@@ -7,7 +7,7 @@ import {element} from "./elements.js";
 import {drawFigure, layoutOf, saveFigure, tracesOf} from "./figure.js";
 import {csvOf, fileName, save} from "./files.js";
 import {liveChoices, spectrumButtons} from "./material_choice.js";
-import {boundNames, quantities} from "./names.js";
+import {quantities} from "./names.js";
 import {display, percent} from "./numbers.js";
 import {own} from "./records.js";
 import {respond, sampledRange} from "./response.js";
@@ -94,7 +94,7 @@ function curvesOfResults(results) {
     if (!(begin < end)) return [];
     const x = logarithmic(begin, end, 20);
     return [{quantity: "shear", role: "stage", stage: result.stage, boundary: result.boundary, load: result.load,
-      label: `${result.stage}, ${boundNames[result.boundary]}`, x, y: x.map((t) => result.modulus(t))}];
+      label: `${result.stage}, ${result.boundary}`, x, y: x.map((t) => result.modulus(t))}];
   });
 }
 
@@ -112,14 +112,14 @@ function showRefusals(results) {
     const [begin, end] = result.window;
     const left = begin < end ? `shown from ${display(begin, "s", 2)} to ${display(end, "s", 2)} only` : "not shown";
     if (result.refusal === undefined) {
-      return `${result.stage}, ${boundNames[result.boundary]}: ${left}, as far as ${result.matrix} is known.`;
+      return `${result.stage}, ${result.boundary}: ${left}, as far as ${result.matrix} is known.`;
     }
     const {material, name, value, range, error} = result.refusal;
     if (error !== undefined) {
-      return `${result.stage}, ${boundNames[result.boundary]}: ${left}. With these materials together the error of the ` +
+      return `${result.stage}, ${result.boundary}: ${left}. With these materials together the error of the ` +
         `reduced basis is about ${percent(error)}; ${remedyForRefusals()}.`;
     }
-    return `${result.stage}, ${boundNames[result.boundary]}: ${left}. There ${material} would have a ${name} ` +
+    return `${result.stage}, ${result.boundary}: ${left}. There ${material} would have a ${name} ` +
       `modulus of ${display(value, "Pa", 3)}, outside the range from ${display(range[0], "Pa", 3)} to ` +
       `${display(range[1], "Pa", 3)} in which the run has sampled the boxes; ${remedyForRefusals()}.`;
   });

@@ -2,7 +2,8 @@
 
 import {display, percentOfWhole} from "./numbers.js";
 
-export const boundNames = {displacement: "upper bound", traction: "lower bound", periodic: "periodic"};
+/// The boundary conditions, in the order in which figures offer them.
+export const boundaryNames = ["displacement", "traction", "periodic"];
 export const methodNames = {quasistatic: "quasi-static", dynamic: "dynamic"};
 
 /// The quantities that a figure can show, in the order in which the page offers them.
@@ -35,7 +36,7 @@ export function gridName(cells) {
 
 /// The cells of a table that name a test.
 export function nameOfTest(stage, test) {
-  return [stage.name, test.load, boundNames[test.boundary], methodNames[test.method]];
+  return [stage.name, test.load, test.boundary, methodNames[test.method]];
 }
 
 /// A description of the microstructure of a stage.

@@ -3,7 +3,7 @@
 import {data, study} from "./data.js";
 import {element} from "./elements.js";
 import {fileName, save} from "./files.js";
-import {boundNames, methodNames, textOnStage} from "./names.js";
+import {methodNames, textOnStage} from "./names.js";
 import {display, percentOfWhole} from "./numbers.js";
 import {colourOf, phasesOf} from "./phase_colours.js";
 import {own} from "./records.js";
@@ -77,7 +77,7 @@ export function showFields() {
 }
 
 export function textOnField({test, time_s}) {
-  return `${boundNames[test.boundary]}, ${methodNames[test.method]}, ${display(time_s, "s")}`;
+  return `${test.boundary}, ${methodNames[test.method]}, ${display(time_s, "s")}`;
 }
 
 /// A picture that the reader can zoom, move and save; `below` are the elements below its caption.

@@ -17,8 +17,9 @@ export function showReliability() {
 const words = [
   ["G(t)", "The relaxation modulus in shear: stress over strain, at the time t after the strain was applied and held."],
   ["G′, G″, tan δ", "Storage modulus, loss modulus and their ratio: the same material under a harmonic strain."],
-  ["upper and lower bound", "The modulus of the box with displacements, or with tractions, prescribed on its sides " +
-    "(KUBC and SUBC in the literature)."],
+  ["displacement, traction", "Apparent moduli: of the box with displacements, or with tractions, prescribed on its sides " +
+    "(KUBC and SUBC in the literature). They bound the modulus of the material, on the average over boxes, where the box " +
+    "is a window in a larger body."],
   ["binder, matrix", "The soft material between the particles. The matrix of a stage is the binder, or an earlier " +
     "stage."],
   ["stage", "A box with particles and its tests. Its result may be the matrix of the next stage, of larger particles."],

@@ -28,19 +28,27 @@ function onModel(stage) {
 function onBounds({tests, quality}) {
   const boundaries = new Set(tests.map(({boundary}) => boundary));
   if (!(boundaries.has("displacement") && boundaries.has("traction"))) {
-    return boundaries.has("periodic") ? "The boundary: periodic, the box repeats without end. There are no bounds, " +
-      "so a larger box alone can tell whether this one is large enough." : "";
+    return boundaries.has("periodic") ? "The boundary: periodic, the box repeats without end." : "";
   }
   const apart = (quality?.bounds ?? []).find(({load}) => load !== "bulk");
   const distances = ["first", "last"].map((end) => apart?.[end])
     .filter((end) => Number.isFinite(end?.relative_distance)).map((end) => `${distanceText(end.relative_distance)} at ${display(end.time_s, "s")}`);
   const here = distances.length > 0 ? ` Here they are apart by ${listed(distances)}.` : "";
-  return "The bounds: the upper one moves the sides of the box by given displacements, the lower one loads them by " +
-    `given tractions; a larger body of the same make lies between, on the average over boxes.${here} A larger box ` +
-    "brings them together.";
+  return "The boundary: under displacement the sides of the box move as given, under traction they are loaded as " +
+    `given, with the apparent moduli KUBC and SUBC. ${onWindow(quality)}${here} A larger box brings them together.`;
 }
 
-/// A distance of the bounds over the lower one.
+/// A sentence on what both apparent moduli say of a larger body.
+function onWindow({filler_on_sides: share} = {}) {
+  if (!Number.isFinite(share)) {
+    return "No particle crosses the sides, so they are no bounds of the modulus of a larger body.";
+  }
+  const cut = share > 0 ? `The sides cut filler over ${percent(share)} of them, which moves with them under displacement ` +
+    "and is free under traction: they" : "They";
+  return `${cut} are an upper and a lower bound of the modulus of a larger body, on the average over such windows.`;
+}
+
+/// The distance of a modulus over another one.
 function distanceText(distance) {
   return distance < 1 ? percent(distance) : `a factor of ${shortNumber(1 + distance, 2)}`;
 }
@@ -81,6 +89,19 @@ export function onAnisotropy(quality) {
 /// A sentence on the grids that measure the error of one; empty where none do.
 export function onMeasuringGrids(grids) {
   return grids === undefined ? "" : `Two grids, cells = [${grids.join(", ")}], measure it.`;
+}
+
+/// What to do next about the error of a stage's moduli: how to find it or, where it is large, to lower it; empty where
+/// nothing is to be done, or nothing is known that helps.
+export function nextStep({cells, quality}) {
+  const {largest_error: error, largest_sample_error: ofPacking, measuring_grids: grids} = quality ?? {};
+  if (cells[0] === "films") return "";
+  if (!Number.isFinite(error)) {
+    return grids === undefined ? "" : `Next: cells = [${grids.join(", ")}] in the deck measures the error of the grid.`;
+  }
+  const large = 0.05;
+  if (error <= large || !(ofPacking > 0)) return "";
+  return `Next: for half of this error, accuracy = "${percent(error / 2)}" in [tests], in place of box and cells.`;
 }
 
 function onGrids({cells, quality}) {

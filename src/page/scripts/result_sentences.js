@@ -26,15 +26,12 @@ function ratioText([least, most]) {
   return from === to ? from : `${from} to ${to}`;
 }
 
-/// A description of the values of the curves: "lower to upper bound", or the name of the one boundary.
-export function textOnBounds(curves) {
-  const boundaries = curves.map((curve) => curve.boundary);
-  if (boundaries.includes("displacement") && boundaries.includes("traction")) return "lower to upper bound";
-  const words = {displacement: "upper bound", traction: "lower bound", periodic: "periodic boundary"};
-  return listed([...new Set(boundaries)].map((boundary) => words[boundary]));
+/// The boundary conditions of curves, the softest of which comes first: "traction to displacement boundary".
+export function textOnBoundaries(curves) {
+  return `${[...new Set(curves.map(({boundary}) => boundary))].join(" to ")} boundary`;
 }
 
-/// Whether the lower bound is above the upper one at one of these times, by more than rounding.
+/// Whether the modulus under traction is above that under displacement at one of these times, by more than rounding.
 export function areCrossed(curves, times) {
   const at = (boundary, time) => {
     const curve = curves.find((one) => one.boundary === boundary);
@@ -42,6 +39,9 @@ export function areCrossed(curves, times) {
   };
   return times.some((time) => at("traction", time) > at("displacement", time) * (1 + 1e-9));
 }
+
+/// In place of the boundaries where the moduli cross.
+export const crossedText = "the modulus under displacement is below that under traction: use neither";
 
 /// Below this share of its unrelaxed modulus a binder has flowed away, and no ratio to it is shown.
 const relaxedAway = 1e-6;
@@ -64,8 +64,8 @@ export function resultSentences({stage, symbol, curves, error, binder, measured}
   const times = threeTimes(curves);
   const moduli = times.map((time) => `${displayRange(...rangeAt(curves, time), "Pa")}${errorText(curves, time)} at ` +
     display(time, "s"));
-  const bounds = areCrossed(curves, times) ? "the bounds cross: do not use them" : textOnBounds(curves);
-  const sentences = [`${symbol} of ${stage} is ${listed(moduli)} (${[bounds, error].filter(Boolean).join("; ")}).`];
+  const boundaries = areCrossed(curves, times) ? crossedText : textOnBoundaries(curves);
+  const sentences = [`${symbol} of ${stage} is ${listed(moduli)} (${[boundaries, error].filter(Boolean).join("; ")}).`];
   if (binder !== undefined) {
     const ratios = [times[0], times.at(-1)].filter((time) => !hasFlowedAway(binder, time))
       .map((time) => `${ratioText(rangeAt(curves, time).map((value) => value / binder.at(time)))} times its binder at ` +
@@ -78,7 +78,6 @@ export function resultSentences({stage, symbol, curves, error, binder, measured}
 
 /// The ratio of each curve to the measurement, at the times of the measurement.
 export function sentenceOnMeasurement(curves, measured) {
-  const names = {displacement: "the upper bound", traction: "the lower bound", periodic: "the periodic box"};
   const seen = [];
   const parts = curves.flatMap((curve) => {
     const ratios = measured.x.map((time, i) => [time, valueAt(curve.x, curve.y, time) / measured.y[i]])
@@ -86,7 +85,7 @@ export function sentenceOnMeasurement(curves, measured) {
     if (ratios.length === 0) return [];
     seen.push(...ratios.map(([time]) => time));
     const values = ratios.map(([, ratio]) => ratio);
-    return [`${names[curve.boundary]} is ${ratioText([Math.min(...values), Math.max(...values)])} times`];
+    return [`the modulus under the ${curve.boundary} boundary is ${ratioText([Math.min(...values), Math.max(...values)])} times`];
   });
   if (parts.length === 0) return [];
   const [from, to] = [Math.min(...seen), Math.max(...seen)].map((time) => display(time, "s", 2));
@@ -94,23 +93,23 @@ export function sentenceOnMeasurement(curves, measured) {
     ...sentenceOnPlace(curves, measured)];
 }
 
-/// A sentence on the measurement relative to both bounds: the windows of time in which it is below, between or above
-/// them. No sentence without both bounds, and for bounds that cross.
+/// A sentence on the measurement relative to the moduli under traction and displacement: the windows of time in which
+/// it is below, between or above them. No sentence without both, and for moduli that cross.
 function sentenceOnPlace(curves, measured) {
-  const bounds = ["traction", "displacement"].map((name) => curves.find(({boundary}) => boundary === name));
-  if (bounds.includes(undefined) || areCrossed(curves, measured.x)) return [];
+  const both = ["traction", "displacement"].map((name) => curves.find(({boundary}) => boundary === name));
+  if (both.includes(undefined) || areCrossed(curves, measured.x)) return [];
   const stretches = [];
   measured.x.forEach((time, i) => {
-    const [least, most] = bounds.map(({x, y}) => valueAt(x, y, time));
+    const [least, most] = both.map(({x, y}) => valueAt(x, y, time));
     if (![least, most, measured.y[i]].every(Number.isFinite)) return;
-    const place = measured.y[i] < least ? "below both bounds" : measured.y[i] > most ? "above both bounds"
-      : "between the bounds";
+    const place = measured.y[i] < least ? "below both" : measured.y[i] > most ? "above both"
+      : "between both";
     if (stretches.at(-1)?.place !== place) stretches.push({place, from: time});
     stretches.at(-1).to = time;
   });
   const most = 4;
   if (stretches.length === 0) return [];
-  if (stretches.length > most) return ["The measurement goes in and out of the bounds."];
+  if (stretches.length > most) return ["The measurement goes in and out between both."];
   const parts = stretches.map(({place, from, to}, i) => {
     if (stretches.length === 1) return `${place} at all of these times`;
     if (i === 0) return `${place} up to ${display(to, "s", 2)}`;

@@ -2,7 +2,7 @@
 /// those of the swept keys, by the path of the key. Where there are several grids only the best one is kept.
 
 import {data, sweep} from "./data.js";
-import {boundNames, methodNames} from "./names.js";
+import {methodNames} from "./names.js";
 import {distinct, groupsOf, own} from "./records.js";
 
 /// The swept keys: {path, label, values, isSeed, numbers, unit}; `numbers` are the values in one unit if all have one.
@@ -44,12 +44,11 @@ export function sweepCurves() {
 /// where `of` returns the value of a curve and `textOf` its text. A property of the test is a dimension only if a task
 /// has several values of it; otherwise a swept key changes it.
 export function dimensionsOf(curves) {
-  const names = {boundary: boundNames, method: methodNames};
+  const names = {method: methodNames};
   const tasks = groupsOf(curves, ["task"]);
   const isFree = (name) => name !== "quantity" && tasks.some((task) => distinct(task, name).length > 1);
-  const fields = testFields.filter(isFree).map((name) => ({name, label: name === "boundary" ?
-    "bound" : name, values: distinct(curves, name), textOf: (value) => names[name]?.[value] ?? value,
-    of: (curve) => curve[name]}));
+  const fields = testFields.filter(isFree).map((name) => ({name, label: name, values: distinct(curves, name),
+    textOf: (value) => names[name]?.[value] ?? value, of: (curve) => curve[name]}));
   const keys = sweptKeys.map(({path, label, values}) => ({name: path, label, values, textOf: String,
     of: (curve) => curve.values[path]}));
   return [...fields, ...keys].filter(({values}) => values.length > 1);

@@ -82,7 +82,7 @@ function noteOnSweep(curves, measured) {
   const notes = [];
   if (measured.length > 0) notes.push("Points: measured.");
   if (distinct(curves, "method").length > 1) notes.push("Dashed: dynamic method.");
-  if (distinct(curves, "boundary").length > 1) notes.push("Thick: upper bound; thin: lower bound.");
+  if (distinct(curves, "boundary").length > 1) notes.push("Thick: displacement; thin: traction.");
   return notes.join(" ");
 }
 

@@ -1,7 +1,6 @@
 /// The measurements that the tasks of a sweep are compared with.
 
 import {data} from "./data.js";
-import {boundNames} from "./names.js";
 import {mainLoad} from "./loads.js";
 import {shortNumber} from "./numbers.js";
 import {distinct} from "./records.js";
@@ -21,7 +20,7 @@ export function ratioColumns(curves) {
     const load = mainLoad(ofStage.map((curve) => curve.load));
     const tested = ofStage.filter((curve) => curve.load === load);
     return distinct(tested, "boundary").map((boundary) => ({
-      head: `${measured.stage} over ${measured.label}, ${boundNames[boundary]}`,
+      head: `${measured.stage} over ${measured.label}, ${boundary}`,
       of: (task) => {
         const curve = tested.find((one) => one.task === task && one.boundary === boundary);
         const range = curve && ratioRange(curve, measured);

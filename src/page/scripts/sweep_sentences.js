@@ -6,7 +6,7 @@ import {listed} from "./names.js";
 import {display, shortNumber} from "./numbers.js";
 import {ratioRange, valueAt} from "./sampling.js";
 
-/// The curves of one test that the sentences are about: the main load, the last stage, the upper bound
+/// The curves of one test that the sentences are about: the main load, the last stage, under displacement
 /// before others. A task without that test has none.
 export function curvesOfSentences(curves) {
   const order = ["displacement", "periodic", "traction"];
@@ -18,15 +18,15 @@ export function curvesOfSentences(curves) {
   return ofStage.filter((curve) => curve.boundary === boundary);
 }
 
-/// The sentences. `curves` are those of one test, one for each task, `symbol` is that of the modulus, `bound` the name
-/// of the boundary, `tasks` the number of tasks that are done; `textOnTask` returns a text on the swept values of the
+/// The sentences. `curves` are those of one test, one for each task, `symbol` is that of the modulus, `boundary` the
+/// boundary condition, `tasks` the number of tasks that are done; `textOnTask` returns a text on the swept values of the
 /// task of a curve; `measured` {name, x, y} may be undefined.
-export function sweepSentences({curves, symbol, bound, tasks, textOnTask, measured}) {
+export function sweepSentences({curves, symbol, boundary, tasks, textOnTask, measured}) {
   const times = threeTimes(curves);
   const ranges = [times[0], times.at(-1)].map((time) => rangeAt(curves, time, textOnTask));
   const part = curves.length < tasks ? `, in ${curves.length} of ${tasks} tasks` : "";
-  const sentences = [`${symbol} of ${curves[0].stage}, ${bound}${part}: ${listed([...new Set(ranges)])}.`];
-  return measured === undefined ? sentences : [...sentences, ...nearestTo(measured, curves, bound, textOnTask)];
+  const sentences = [`${symbol} of ${curves[0].stage}, ${boundary} boundary${part}: ${listed([...new Set(ranges)])}.`];
+  return measured === undefined ? sentences : [...sentences, ...nearestTo(measured, curves, boundary, textOnTask)];
 }
 
 /// "1 MPa (gap 10 um) to 3 MPa (gap 1 um) at 1 ms".
@@ -40,7 +40,7 @@ function rangeAt(curves, time, textOnTask) {
 }
 
 /// The task whose largest deviation from the measurement, as a factor, is the smallest, at the times of all tasks.
-function nearestTo({name, x, y}, curves, bound, textOnTask) {
+function nearestTo({name, x, y}, curves, boundary, textOnTask) {
   const isCommon = (time) => curves.every((curve) => Number.isFinite(valueAt(curve.x, curve.y, time)));
   const places = [...x.keys()].filter((i) => isCommon(x[i]));
   const isPart = places.length < x.filter((time) => curves.some((one) => Number.isFinite(valueAt(one.x, one.y, time)))).length;
@@ -52,6 +52,6 @@ function nearestTo({name, x, y}, curves, bound, textOnTask) {
   const {curve, range} = known.reduce((best, one) => (factor(one.range) < factor(best.range) ? one : best));
   const [least, most] = range.map((ratio) => shortNumber(ratio, 2));
   const ratios = least === most ? least : `${least} to ${most}`;
-  return [`Nearest to what was measured (${name}) comes ${textOnTask(curve)}, with a modulus (${bound}) of ` +
+  return [`Nearest to what was measured (${name}) comes ${textOnTask(curve)}, with a modulus (${boundary} boundary) of ` +
     `${ratios} times the measured one${isPart ? ", at the times that all tasks have" : ""}.`];
 }

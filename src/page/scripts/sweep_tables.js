@@ -2,7 +2,7 @@
 
 import {readTable, sweep} from "./data.js";
 import {element} from "./elements.js";
-import {boundNames, gridName, listed, methodNames, symbolOf} from "./names.js";
+import {gridName, listed, methodNames, symbolOf} from "./names.js";
 import {display, duration, percent} from "./numbers.js";
 import {groupsOf} from "./records.js";
 import {decades, valueAt} from "./sampling.js";
@@ -32,7 +32,7 @@ function showResult(curves) {
   const [{load, boundary, stage}] = curves;
   const moving = sweptKeys.filter(({values}) => values.length > 1);
   const measured = ["isotropic", "shear"].includes(load) ? measuredCurves().find((one) => one.stage === stage) : undefined;
-  const [first, ...others] = sweepSentences({curves, symbol: symbolOf(load), bound: boundNames[boundary], measured,
+  const [first, ...others] = sweepSentences({curves, symbol: symbolOf(load), boundary, measured,
     tasks: sweep.tasks.filter(({state}) => state === "done").length,
     textOnTask: ({values}) => moving.map(({path, label}) => `${label} ${values[path]}`).join(", ") || "the one task"});
   document.getElementById("summary").append(
@@ -66,7 +66,7 @@ export function showSpread() {
     const {stage, load, boundary, method, cells, tasks} = group[0];
     const times = group.map((row) => row.time_s);
     const at = (column, time) => valueAt(times, group.map((row) => row[column]), time);
-    const title = [...keys.map((path) => `${labelOfKey(path)} = ${group[0][path]}`), stage, load, boundNames[boundary],
+    const title = [...keys.map((path) => `${labelOfKey(path)} = ${group[0][path]}`), stage, load, boundary,
       methodNames[method], gridName(cells), `${tasks} seeds`].join(", ");
     document.getElementById("spread-tables").append(element("h3", {}, title),
       table(["time", "mean", "standard deviation"], decades(times[0], times.at(-1)).map((time) => {

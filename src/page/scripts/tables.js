@@ -2,7 +2,7 @@
 
 import {readTable, study} from "./data.js";
 import {element} from "./elements.js";
-import {boundNames, listed, methodNames, nameOfTest, textOnStage} from "./names.js";
+import {listed, methodNames, nameOfTest, textOnStage} from "./names.js";
 import {display, duration, percent, percentOfWhole, withMicroSign} from "./numbers.js";
 import {distinct, groupsOf} from "./records.js";
 import {decades, valueAt} from "./sampling.js";
@@ -24,9 +24,9 @@ export function showStages() {
   });
   const [begin, end] = study.times_s.map((time) => display(time, "s"));
   const tests = study.stages.flatMap((stage) => stage.tests);
-  const bounds = listed(distinct(tests, "boundary").map((boundary) => boundNames[boundary]));
+  const boundaries = listed(distinct(tests, "boundary"));
   const methods = listed(distinct(tests, "method").map((method) => methodNames[method]));
-  const what = `The relaxation modulus from ${begin} to ${end}, computed from the constituents: ${bounds}, by the ` +
+  const what = `The relaxation modulus from ${begin} to ${end}, computed from the constituents: ${boundaries} boundary, by the ` +
     `${methods} method.`;
   document.getElementById("stages").append(element("p", {}, tests.length > 0 ? what : "Packed, not tested."), sentences.length > 1
     ? element("ol", {}, ...sentences.map((text) => element("li", {}, text))) : element("p", {}, sentences.join("")));
@@ -42,7 +42,7 @@ export function showComparison() {
   for (const group of groupsOf(rows, ["measurement", "stage"])) {
     const {measurement, stage} = group[0];
     const tests = groupsOf(group, ["boundary", "method"]);
-    const names = tests.map(([row]) => `${boundNames[row.boundary]}, ${methodNames[row.method]}`);
+    const names = tests.map(([row]) => `${row.boundary}, ${methodNames[row.method]}`);
     const at = (test, column, time) => valueAt(test.map((row) => row.time_s), test.map((row) => row[column]), time);
     const every = tests.flat().map((row) => row.time_s);
     const body = decades(Math.min(...every), Math.max(...every)).map((time) => {
@@ -56,12 +56,12 @@ export function showComparison() {
       table(["time", "measured", ...names.flatMap((name) => [name, "ratio"])], body));
   }
   const extremes = study.stages.flatMap((stage) => (stage.comparisons ?? []).map((one) => [stage.name, one.measurement,
-    boundNames[one.boundary], methodNames[one.method],
+    one.boundary, methodNames[one.method],
     `${one.best.ratio.toFixed(3)} at ${display(one.best.time_s, "s", 2)}`,
     `${one.worst.ratio.toFixed(3)} at ${display(one.worst.time_s, "s", 2)}`]));
   if (extremes.length > 0) {
     place.append(element("h3", {}, "Where the ratio is nearest to one and where furthest"),
-      table(["stage", "measurement", "bound", "method", "best", "worst"], extremes));
+      table(["stage", "measurement", "boundary", "method", "best", "worst"], extremes));
   }
 }
 
@@ -82,7 +82,7 @@ export function showQuality() {
       place.append(element("h3", {}, title), element("p", {className: "note"}, explanation), table(heads, rows));
     }
   };
-  const what = ["stage", "load", "bound", "method"];
+  const what = ["stage", "load", "boundary", "method"];
   add("Errors in time, and of fits",
     "Relative. Error: of the reduced basis or of the time steps; the grid is not in it.",
     [...what, "cells", "error", "fit", "snapshots"],
@@ -94,10 +94,10 @@ export function showQuality() {
     tests.flatMap(({stage, test}) => (test.overlaps ?? []).map(({window_s: [begin, end], mismatch}) =>
       [...nameOfTest(stage, test), display(begin, "s", 3), display(end, "s", 3), percent(mismatch)])));
   add("Limit of vanishing cells", "Half the width of the band in which it is expected, over its value.",
-    ["stage", "load", "bound", "method", "smallest", "largest", "at"], extrapolationRows());
+    ["stage", "load", "boundary", "method", "smallest", "largest", "at"], extrapolationRows());
   add("Stages as matrices", "Largest relative deviation of the fitted series that the next stage takes.",
-    ["stage", "bound", "method", "shear", "bulk"],
-    study.stages.flatMap((stage) => (stage.materials ?? []).map((one) => [stage.name, boundNames[one.boundary],
+    ["stage", "boundary", "method", "shear", "bulk"],
+    study.stages.flatMap((stage) => (stage.materials ?? []).map((one) => [stage.name, one.boundary,
       methodNames[one.method], percent(one.shear_fit_error), percent(one.bulk_fit_error)])));
 }
 
@@ -108,7 +108,7 @@ function extrapolationRows() {
     const shares = group.map((row) => row.half_band_Pa / row.modulus_Pa);
     const largest = Math.max(...shares);
     const {stage, load, boundary, method, time_s} = group[shares.indexOf(largest)];
-    return [stage, load, boundNames[boundary], methodNames[method], percent(Math.min(...shares)), percent(largest),
+    return [stage, load, boundary, methodNames[method], percent(Math.min(...shares)), percent(largest),
       display(time_s, "s", 2)];
   });
 }
@@ -132,7 +132,7 @@ export function showProvenance() {
       String(made.seed ?? ""), display(made.wall_time_s, "s", 2)])));
   const tests = study.stages.flatMap((stage) => stage.tests.map((test) => ({stage, test})));
   const secondsOf = (test) => test.wall_time_s ?? test.time_domains?.reduce((sum, one) => sum + one.wall_time_s, 0);
-  place.append(table(["stage", "load", "bound", "method", "cells", "volume strain", "solver", "wall time"],
+  place.append(table(["stage", "load", "boundary", "method", "cells", "volume strain", "solver", "wall time"],
     tests.filter(({test}) => secondsOf(test) !== undefined).map(({stage, test}) => [...nameOfTest(stage, test),
       String(test.cells), test.volumetric ?? "", test.solver ?? test.formulation, duration(secondsOf(test))])));
 }

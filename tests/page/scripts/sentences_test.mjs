@@ -9,7 +9,7 @@ import {displayRange, percent, shortNumber, withMicroSign} from "../../../src/pa
 import {mainLoad, shearOf, shearsOf} from "../../../src/page/scripts/loads.js";
 import {binderOf, stagesOfInterest} from "../../../src/page/scripts/stages.js";
 import {curvesOfSentences, sweepSentences} from "../../../src/page/scripts/sweep_sentences.js";
-import {sentencesOnReliability} from "../../../src/page/scripts/reliability_sentences.js";
+import {nextStep, sentencesOnReliability} from "../../../src/page/scripts/reliability_sentences.js";
 import {groupsOfWarnings, lineOnGroup} from "../../../src/page/scripts/warnings.js";
 
 /// A modulus that falls as t^-1/2 from a value at 1 ms, to 10 s.
@@ -23,7 +23,7 @@ const bounds = [falling("traction", 1e9), falling("displacement", 2e9)];
 test("the modulus at the first, the middle and the last time", () => {
   assert.deepEqual(threeTimes(bounds).map((time) => Number(time.toPrecision(6))), [1e-3, 0.1, 10]);
   assert.deepEqual(resultSentences({stage: "mix", symbol: "G(t)", curves: bounds}),
-    ["G(t) of mix is 1 to 2 GPa at 1 ms, 100 to 200 MPa at 100 ms and 10 to 20 MPa at 10 s (lower to upper bound)."]);
+    ["G(t) of mix is 1 to 2 GPa at 1 ms, 100 to 200 MPa at 100 ms and 10 to 20 MPa at 10 s (traction to displacement boundary)."]);
   const [alone] = resultSentences({stage: "cell", symbol: "G(t)", curves: [falling("periodic", 1e6)]});
   assert.equal(alone, "G(t) of cell is 1 MPa at 1 ms, 100 kPa at 100 ms and 10 kPa at 10 s (periodic boundary).");
 });
@@ -34,13 +34,12 @@ test("beside the binder and the measurement", () => {
     binder: {at: () => 1e6}, measured});
   assert.equal(binder, "That is 1000 to 2000 times its binder at 1 ms and 10 to 20 times its binder at 10 s.");
   // 1e9 sqrt(0.1) / 4e8 = 0.79 and 1e9 / 10 / 1e8 = 1.
-  assert.equal(ratio, "From 10 ms to 100 ms the lower bound is 0.79 to 1 times and the upper bound is 1.6 to 2 times " +
-    "what was measured (Bennett).");
-  assert.equal(place, "The measurement lies between the bounds at all of these times.");
+  assert.equal(ratio, "From 10 ms to 100 ms the modulus under the traction boundary is 0.79 to 1 times and the modulus " +
+    "under the displacement boundary is 1.6 to 2 times what was measured (Bennett).");
+  assert.equal(place, "The measurement lies between both at all of these times.");
   const crossing = {name: "Bennett", x: [1e-3, 1e-2, 1e-1, 1], y: [1e8, 4e8, 1.5e8, 1e9]};
   assert.equal(resultSentences({stage: "mix", symbol: "G(t)", curves: bounds, measured: crossing}).at(-1),
-    "The measurement lies below both bounds up to 1 ms, between the bounds from 10 ms to 100 ms and above both bounds " +
-    "from 1 s on.");
+    "The measurement lies below both up to 1 ms, between both from 10 ms to 100 ms and above both from 1 s on.");
   const elsewhere = {name: "Bennett", x: [100, 1000], y: [1, 1]};
   assert.equal(resultSentences({stage: "mix", symbol: "G(t)", curves: bounds, measured: elsewhere}).length, 1);
 });
@@ -79,7 +78,7 @@ test("complex moduli, their phase and error at frequencies in hertz", () => {
   assert.deepEqual(elastic.at(1), {size: 2e6, phase: 0, storage: 2e6, loss: 0});
   const crossed = ["traction", "displacement"].map((boundary, i) => ({...relaxed, boundary, y: [3e6 - i * 1e6, 1]}));
   const both = crossed.map((curve) => ({...modulus, boundary: curve.boundary}));
-  assert.ok(complexSentences({stage: "mix", moduli: both, result: crossed})[0].endsWith("(the bounds cross: do not use them)."));
+  assert.ok(complexSentences({stage: "mix", moduli: both, result: crossed})[0].endsWith("(the modulus under displacement is below that under traction: do not use them)."));
   assert.ok(complexSentences({stage: "mix", moduli: both, result: [...crossed].reverse().map((curve, i) => ({...curve,
     boundary: crossed[i].boundary}))})[0].endsWith("(traction to displacement boundary)."));
 });
@@ -87,7 +86,7 @@ test("complex moduli, their phase and error at frequencies in hertz", () => {
 test("bounds that cross, and the error of the grid", () => {
   const crossed = [falling("traction", 3e6), falling("displacement", 2e6)];
   const [text] = resultSentences({stage: "mix", symbol: "G(t)", curves: crossed, error: "± 3 % by the grid"});
-  assert.ok(text.endsWith("(the bounds cross: do not use them; ± 3 % by the grid)."), text);
+  assert.ok(text.endsWith("(the modulus under displacement is below that under traction: do not use them; ± 3 % by the grid)."), text);
 });
 
 test("a binder that has flowed away, and curves of no time in common", () => {
@@ -96,7 +95,7 @@ test("a binder that has flowed away, and curves of no time in common", () => {
   assert.equal(ratio, "That is 1100 to 2200 times its binder at 1 ms.");
   const apart = [{boundary: "traction", x: [1e-3, 1e-2], y: [2, 2]}, {boundary: "displacement", x: [1, 10], y: [3, 3]}];
   assert.deepEqual(resultSentences({stage: "mix", symbol: "G(t)", curves: apart}),
-    ["G(t) of mix is 3 Pa at 1 s (lower to upper bound)."]);
+    ["G(t) of mix is 3 Pa at 1 s (traction to displacement boundary)."]);
   const sample = [{boundary: "periodic", x: [1], y: [2e6]}];
   assert.deepEqual(resultSentences({stage: "mix", symbol: "G(t)", curves: sample}),
     ["G(t) of mix is 2 MPa at 1 s (periodic boundary)."]);
@@ -107,19 +106,19 @@ test("a sweep: its range, and the task that is nearest to the measurement", () =
   const task = (gap, atBegin) => ({...falling("displacement", atBegin), stage: "mix", load: "shear", method: "quasistatic",
     values: {gap}});
   const curves = [task(10, 1e6), task(1, 3e6), task(3, 2e6)];
-  const words = {curves, symbol: "G(t)", bound: "upper bound", textOnTask: ({values}) => `gap ${values.gap}`};
-  assert.deepEqual(sweepSentences(words), ["G(t) of mix, upper bound: 1 MPa (gap 10) to 3 MPa (gap 1) at 1 ms and " +
+  const words = {curves, symbol: "G(t)", boundary: "displacement", textOnTask: ({values}) => `gap ${values.gap}`};
+  assert.deepEqual(sweepSentences(words), ["G(t) of mix, displacement boundary: 1 MPa (gap 10) to 3 MPa (gap 1) at 1 ms and " +
     "10 kPa (gap 10) to 30 kPa (gap 1) at 10 s."]);
   // 2e6 sqrt(0.1) / 8e5 = 0.79 and 2e6 / 10 / 2e5 = 1; the others are off by a factor of 2 and 1.5.
   const measured = {name: "Bennett", x: [1e-2, 1e-1], y: [8e5, 2e5]};
   assert.equal(sweepSentences({...words, measured})[1],
-    "Nearest to what was measured (Bennett) comes gap 3, with a modulus (upper bound) of 0.79 to 1 times the measured one.");
+    "Nearest to what was measured (Bennett) comes gap 3, with a modulus (displacement boundary) of 0.79 to 1 times the measured one.");
   // A task with fewer times is compared with the others at its own times.
   const short = {...task(5, 1.9e6), x: curves[0].x.slice(0, 4), y: task(5, 1.9e6).y.slice(0, 4)};
   const late = {name: "Bennett", x: [1e-2, 1e-1], y: [6e5, 6e5]};
   assert.ok(sweepSentences({...words, curves: [...curves, short], measured: late})[1].includes("comes gap 5, with a " +
-    "modulus (upper bound) of 1 times"));
-  assert.ok(sweepSentences({...words, tasks: 4})[0].startsWith("G(t) of mix, upper bound, in 3 of 4 tasks: 1 MPa"));
+    "modulus (displacement boundary) of 1 times"));
+  assert.ok(sweepSentences({...words, tasks: 4})[0].startsWith("G(t) of mix, displacement boundary, in 3 of 4 tasks: 1 MPa"));
   assert.equal(sweepSentences({...words, curves: curves.slice(1, 2), measured}).length, 1);
 });
 
@@ -199,6 +198,27 @@ test("the reliability of a stage, from the error estimates of the run", () => {
   const periodic = {...stage, matrix: "b", dimensions: 3, cells: [32, 64], tests: [{boundary: "periodic"}],
     microstructure: {particles: 1}, quality: {grid_error: 0.02}};
   const other = sentencesOnReliability({stages: [periodic]}, periodic).join("\n");
-  for (const words of ["a cube", "no bounds", "whose error is 2 % at most"]) assert.ok(other.includes(words), other);
+  for (const words of ["a cube", "repeats without end", "whose error is 2 % at most"]) assert.ok(other.includes(words), other);
   assert.ok(!other.includes("seed") && !other.includes("stages"));
+});
+
+test("what both apparent moduli say of a larger body", () => {
+  const tests = [{boundary: "displacement"}, {boundary: "traction"}];
+  const stage = {name: "mix", dimensions: 2, cells: [100], tests, microstructure: {particles: 1}, quality: {}};
+  const study = {stages: [stage]};
+  const saying = (quality) => sentencesOnReliability(study, {...stage, quality}).join("\n");
+  assert.ok(saying({}).includes("No particle crosses the sides, so they are no bounds"));
+  assert.ok(saying({filler_on_sides: 0.46}).includes("The sides cut filler over 46 % of them"));
+  assert.ok(saying({filler_on_sides: 0}).includes("They are an upper and a lower bound"));
+});
+
+test("the next step about the error", () => {
+  const step = (quality, cells = [100]) => nextStep({cells, quality});
+  assert.equal(step({measuring_grids: [50, 100]}), "Next: cells = [50, 100] in the deck measures the error of the grid.");
+  assert.equal(step({largest_error: 0.08, largest_sample_error: 0.07}),
+    'Next: for half of this error, accuracy = "4 %" in [tests], in place of box and cells.');
+  assert.equal(step({largest_error: 0.08, largest_sample_error: 0}), "", "a regular array has no other packing");
+  assert.equal(step({largest_error: 0.05, largest_sample_error: 0.04}), "");
+  assert.equal(step({}, ["films"]), "");
+  assert.equal(step({}), "");
 });

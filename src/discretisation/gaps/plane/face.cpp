@@ -9,7 +9,7 @@
 namespace breccia::gaps {
 namespace {
 
-constexpr double rounding = 1e-9;
+constexpr double rounding_of_place = 1e-9;
 /// Number of faces on either side that a piece of binder is followed to.
 constexpr int most_steps = 3;
 
@@ -68,7 +68,7 @@ class Crossing {
       if (binder.empty()) break;
       const double piece = direction < 0 ? binder.back().length() : binder.front().length();
       length += piece;
-      if (piece < 1.0 - rounding) break;
+      if (piece < 1.0 - rounding_of_place) break;
     }
     return length;
   }
@@ -164,7 +164,7 @@ class Crossing {
     double begin = 0.0, end = 1.0;
     if (is_owned(0) && !is_in_binder(0)) begin = binder_.front().begin;
     if (is_owned(1) && !is_in_binder(1)) end = binder_.back().end;
-    face.has_slope = {begin > rounding, end < 1.0 - rounding};
+    face.has_slope = {begin > rounding_of_place, end < 1.0 - rounding};
     const double before = 0.5 * end, behind = 0.5 * (1.0 - begin);  // weights of the displacements at both surfaces
     face.of_nodes = {0.5 * begin + before, 0.5 * (1.0 - end) + behind};
     face.of_slopes = {before * begin, -behind * (1.0 - end)};
