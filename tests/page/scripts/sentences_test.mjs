@@ -78,7 +78,7 @@ test("complex moduli, their phase and error at frequencies in hertz", () => {
   assert.deepEqual(elastic.at(1), {size: 2e6, phase: 0, storage: 2e6, loss: 0});
   const crossed = ["traction", "displacement"].map((boundary, i) => ({...relaxed, boundary, y: [3e6 - i * 1e6, 1]}));
   const both = crossed.map((curve) => ({...modulus, boundary: curve.boundary}));
-  assert.ok(complexSentences({stage: "mix", moduli: both, result: crossed})[0].endsWith("(the modulus under displacement is below that under traction: do not use them)."));
+  assert.ok(complexSentences({stage: "mix", moduli: both, result: crossed})[0].endsWith("(the modulus under displacement is below that under traction: use neither)."));
   assert.ok(complexSentences({stage: "mix", moduli: both, result: [...crossed].reverse().map((curve, i) => ({...curve,
     boundary: crossed[i].boundary}))})[0].endsWith("(traction to displacement boundary)."));
 });
@@ -86,7 +86,7 @@ test("complex moduli, their phase and error at frequencies in hertz", () => {
 test("bounds that cross, and the error of the grid", () => {
   const crossed = [falling("traction", 3e6), falling("displacement", 2e6)];
   const [text] = resultSentences({stage: "mix", symbol: "G(t)", curves: crossed, error: "± 3 % by the grid"});
-  assert.ok(text.endsWith("(the modulus under displacement is below that under traction: do not use them; ± 3 % by the grid)."), text);
+  assert.ok(text.endsWith("(the modulus under displacement is below that under traction: use neither; ± 3 % by the grid)."), text);
 });
 
 test("a binder that has flowed away, and curves of no time in common", () => {
