@@ -56,7 +56,7 @@ void add_run_arguments(CLI::App& command, RunArguments& arguments) {
                   "processes)")
       ->type_name("N")
       ->check(CLI::Range(1, 1024).description(""));
-  command.add_flag("--quiet", arguments.quiet, "print nothing but errors");
+  command.add_flag("--quiet", arguments.quiet, "print nothing but warnings and errors");
   command.add_flag("--resume", arguments.resume,
                    "continue a run that was interrupted or killed; complete results are kept");
   command

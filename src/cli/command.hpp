@@ -9,6 +9,7 @@
 #include "breccia/campaign/run.hpp"
 
 #include "campaign/sweep.hpp"
+#include "cli/detail.hpp"
 #include "io/range.hpp"
 
 namespace breccia::cli {
@@ -32,6 +33,7 @@ struct RunArguments {
   std::filesystem::path directory;  ///< directory of the results; empty: results/<deck name>
   int threads = 0;                  ///< number of threads; 0: all cores
   bool quiet = false;
+  bool verbose = false;
   bool resume = false;
   bool overwrite = false;
   bool ignore_memory = false;
@@ -40,6 +42,7 @@ struct RunArguments {
   std::string time_limit;                      ///< time limit with its unit; empty: none
   std::string checkpoint_interval = "10 min";  ///< interval with its unit
 
+  [[nodiscard]] Detail detail() const { return verbose ? Detail::full : Detail::brief; }
   /// The directory for the results.
   [[nodiscard]] std::filesystem::path results() const;
   /// The options for the run; the time limit counts from now. Throws InputError with the name of the bad option.

@@ -58,14 +58,12 @@ std::string table_of(const StageResult& stage, const EngineeringCurves& curves) 
 
 }  // namespace
 
-std::string frequency_tables_of(const std::vector<StageResult>& stages) {
+std::string frequency_table_of(const StageResult& stage) {
   std::string text;
-  for (const auto& stage : stages) {
-    for (const auto* test : shown_tests(stage)) {
-      if (test->series.unrelaxed() > 0.0) text += table_of(stage, *test);
-    }
-    for (const auto& curves : engineering_curves(stage, decades_of_hertz)) text += table_of(stage, curves);
+  for (const auto* test : shown_tests(stage)) {
+    if (test->series.unrelaxed() > 0.0) text += table_of(stage, *test);
   }
+  for (const auto& curves : engineering_curves(stage, decades_of_hertz)) text += table_of(stage, curves);
   return text;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -60,7 +61,6 @@ std::string describe(const Stage& stage, const StageResult& result) {
                           100.0 * own.fraction);
     }
   }
-  for (const auto& warning : result.warnings) text += "\nwarning: " + warning;
   return text;
 }
 
@@ -85,10 +85,6 @@ std::string describe_error(double error_estimate, const std::optional<ReducedRes
 
 // The line that reports an event to the user; empty where there is none.
 
-std::string line_of(const StagePacked& event) {
-  return describe(event.stage, event.result.stages.back());
-}
-
 std::string line_of(const DomainFinished& event) {
   const auto& domain = event.domain;
   const auto points = point_count(event.stage, event.test.grid.cells().value());
@@ -100,15 +96,30 @@ std::string line_of(const DomainFinished& event) {
       domain.point_steps_per_second(points) / 1e6);
 }
 
+/// Whether a test is of the same quasi-static calculation as an earlier one, under another load.
+bool is_of_earlier_calculation(std::span<const TestResult> tests, const TestId& id) {
+  const auto is_same = [&id](const TestResult& other) {
+    return other.id.boundary == id.boundary && other.id.grid == id.grid && other.id.method == id.method;
+  };
+  return std::ranges::any_of(tests.first(tests.size() - 1), is_same);
+}
+
 /// The line about a quasi-static test. Dynamic tests have a line for each time domain instead.
-std::string line_of(const TestFinished& event) {
-  const auto& test = event.result.stages.back().tests.back();
+std::string line_of(const TestFinished& event, Detail detail) {
+  const auto& tests = event.result.stages.back().tests;
+  const auto& test = tests.back();
   const auto* record = std::get_if<QuasistaticRecord>(&test.record);
   if (record == nullptr) return {};
   const auto how = record->reduced ? fmt::format("{} snapshots", record->reduced->snapshots.size())
                                    : fmt::format("{} solves", record->effort.solves);
+  const auto seconds = test.seconds.value_or(0.0);
+  if (detail == Detail::brief) {
+    if (is_of_earlier_calculation(tests, test.id)) return {};
+    return fmt::format("{}, {}: {}, {}, {:.2g} s", event.stage.name, name_of(test.id.boundary), words_of(test.id.grid),
+                       how, seconds);
+  }
   return fmt::format("{} {}, {}: {}, {}, {:.2g} s for all loads, {}", event.stage.name, name_of(test.id.load),
-                     name_of(test.id.boundary), words_of(test.id.grid), how, test.seconds.value_or(0.0),
+                     name_of(test.id.boundary), words_of(test.id.grid), how, seconds,
                      describe_error(test.error_estimate, record->reduced));
 }
 
@@ -141,9 +152,19 @@ std::string line_of(const TaskFailed& event) {
 /// progress is not.
 struct PrintEvent {
   ProgressLine& line;
+  Detail detail;
 
   void operator()(const Note& note) const {
     if (parallel::rank() == 0) line.note(note.text);
+  }
+  void operator()(const StagePacked& event) const {
+    const auto& stage = event.result.stages.back();
+    line.print(describe(event.stage, stage));
+    if (!parallel::is_first()) return;
+    for (const auto& warning : stage.warnings) line.warn(warning);
+  }
+  void operator()(const TestFinished& event) const {
+    if (const auto text = line_of(event, detail); !text.empty()) line.print(text);
   }
   template <class Event>
   void operator()(const Event& event) const {
@@ -153,12 +174,12 @@ struct PrintEvent {
 
 }  // namespace
 
-RunObserver narrate(ProgressLine& line) {
+RunObserver narrate(ProgressLine& line, Detail detail) {
   return {.progress = [&line](const Progress& now) { line.update(now.what, now.share, now.details); },
           .event =
-              [&line](const RunEvent& event) {
+              [&line, detail](const RunEvent& event) {
                 if (std::holds_alternative<TaskBegun>(event)) stop_if_interrupted();
-                std::visit(PrintEvent{line}, event);
+                std::visit(PrintEvent{line, detail}, event);
               }};
 }
 

@@ -19,7 +19,7 @@ namespace {
 
 void pack(const Study& study, const std::filesystem::path& directory, const RunOptions& options,
           ProgressLine& progress) {
-  const auto observer = narrate(progress);
+  const auto observer = narrate(progress, Detail::brief);
   ResultTransaction results(study, directory, options);
   if (const auto [seconds, note] = results.take_over(); seconds) {
     if (!note.empty()) observer.tell(Note{note});

@@ -75,6 +75,12 @@ void ProgressLine::print(std::string_view line) {
   (void)std::fflush(stdout);
 }
 
+void ProgressLine::warn(const std::string& warning) {
+  if (!warnings_.insert(warning).second) return;
+  if (quiet_) return note("warning: " + warning);
+  print("warning: " + warning);
+}
+
 void ProgressLine::note(std::string_view line) {
   const std::lock_guard lock(mutex_);
   clear_live_line();

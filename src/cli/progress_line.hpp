@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -32,6 +33,8 @@ class ProgressLine {
   void print(std::string_view line);
   /// Prints an important line on standard error, even when quiet.
   void note(std::string_view line);
+  /// Prints a warning, "warning: ...", unless it was printed before: on standard error when quiet.
+  void warn(const std::string& warning);
 
  private:
   struct Running {
@@ -53,6 +56,7 @@ class ProgressLine {
   bool is_running_ = false;  ///< whether update() was called after the last permanent line
   Clock::time_point shown_;  ///< time at which a line was last shown
   bool line_is_live_ = false;
+  std::set<std::string> warnings_;      ///< those that were printed
   std::optional<Heartbeat> heartbeat_;  ///< last member, so that it ends before the members that it reads
 };
 

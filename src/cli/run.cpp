@@ -36,20 +36,9 @@ std::vector<std::string> tables_in(const std::filesystem::path& directory) {
   return tables;
 }
 
-void run_single(const Study& study, const RunArguments& arguments, const RunOptions& options, ProgressLine& progress) {
-  const auto directory = arguments.results();
-  const auto observer = narrate(progress);
-  ResultTransaction results(study, directory, options);
-  if (arguments.resume) {
-    const auto [seconds, note] = results.take_over();
-    if (!note.empty()) observer.tell(Note{note});
-    if (seconds) return progress.print(fmt::format("The results in {} are complete", directory.string()));
-  }
-  SharedStages nothing;
-  const auto result = run_study(results, observer, nothing);
-  progress.print(closing_tables(study, result));
-  progress.print(fmt::format("Results are in {}: {}", directory.string(), fmt::join(tables_in(directory), ", ")));
-  progress.print(fmt::format("  report          {}", (directory / "report.html").string()));
+/// Prints the names of the files of a study in full.
+void print_files(const StudyResult& result, const std::filesystem::path& directory, ProgressLine& progress) {
+  progress.print(fmt::format("  tables          {}", fmt::join(tables_in(directory), ", ")));
   for (const auto& stage : result.stages) {
     const auto of_stage = directory / stage.name;
     progress.print(fmt::format("  microstructure  {}", (of_stage / "microstructure.svg").string()));
@@ -61,9 +50,30 @@ void run_single(const Study& study, const RunArguments& arguments, const RunOpti
   }
 }
 
+void run_single(const Study& study, const RunArguments& arguments, const RunOptions& options, ProgressLine& progress) {
+  const auto directory = arguments.results();
+  const auto observer = narrate(progress, arguments.detail());
+  ResultTransaction results(study, directory, options);
+  if (arguments.resume) {
+    const auto [seconds, note] = results.take_over();
+    if (!note.empty()) observer.tell(Note{note});
+    if (seconds) return progress.print(fmt::format("The results in {} are complete", directory.string()));
+  }
+  SharedStages nothing;
+  const auto result = run_study(results, observer, nothing);
+  progress.print(closing_tables(study, result, arguments.detail()));
+  if (parallel::is_first()) {
+    for (const auto& stage : result.stages) {
+      for (const auto& warning : stage.warnings) progress.warn(warning);
+    }
+  }
+  progress.print(fmt::format("Results are in {}: open {}", directory.string(), (directory / "report.html").string()));
+  if (arguments.verbose) print_files(result, directory, progress);
+}
+
 void run_all(const Sweep& sweep, const RunArguments& arguments, const RunOptions& options, ProgressLine& progress) {
   const auto directory = arguments.results();
-  const auto result = run_sweep(sweep, directory, options, narrate(progress));
+  const auto result = run_sweep(sweep, directory, options, narrate(progress, arguments.detail()));
   progress.print(closing_table(sweep, result));
   progress.print(fmt::format("Results are in {}", directory.string()));
   for (const auto* file : {"report.html", "sweep.csv", "spread.csv", "sweep.json", "sweep.svg"}) {
@@ -89,6 +99,8 @@ void add_run(CLI::App& application) {
                     "replace results of other studies in the directory when the new ones are complete");
   command->add_flag("--no-memory-check", arguments->ignore_memory,
                     "start even if the study may not fit into the memory");
+  command->add_flag("--verbose", arguments->verbose,
+                    "print the tables of all stages, the error of each calculation and the names of all files");
   command
       ->add_option("--processes-per-task", arguments->processes_per_task,
                    "for a sweep under mpirun: N processes share a task, and the tasks run side by side")

@@ -80,18 +80,30 @@ std::string table_of(const std::string& measurement, const StageResult& stage) {
   return text + "\n";
 }
 
-/// A line about the quality of the results for each stage with particles.
-std::string words_on_quality(const Study& study, const StudyResult& result) {
-  std::string text;
+/// Whether another stage builds upon a stage.
+bool is_matrix(const Study& study, const std::string& stage) {
+  return std::ranges::any_of(study.stages, [&stage](const Stage& other) {
+    const auto* earlier = std::get_if<EarlierStage>(&other.matrix);
+    return earlier != nullptr && earlier->name == stage;
+  });
+}
+
+/// The stages that the tables show, by their numbers.
+std::vector<std::size_t> shown_stages(const Study& study, const StudyResult& result, Detail detail) {
+  std::vector<std::size_t> shown;
   for (std::size_t i = 0; i < result.stages.size(); ++i) {
-    const auto quality = quality_of(study, study.stages[i], result.stages[i]);
-    const auto summary = summary_of(quality);
-    if (summary.empty()) continue;
-    // The summary ends with the packing.
-    text +=
-        fmt::format("\n{}, this box: {}{}", result.stages[i].name, summary, quality.is_random ? " (--seeds 3)" : "");
+    if (detail == Detail::full || !is_matrix(study, study.stages[i].name)) shown.push_back(i);
   }
-  return text.empty() ? text : text + "\n";
+  return shown;
+}
+
+/// A line about the quality of a stage's results; empty for a box without particles.
+std::string line_on_quality(const Study& study, const Stage& stage, const StageResult& result) {
+  const auto quality = quality_of(study, stage, result);
+  const auto summary = summary_of(quality);
+  if (summary.empty()) return {};
+  // The summary ends with the packing.
+  return fmt::format("{}, this box: {}{}\n", stage.name, summary, quality.is_random ? " (--seeds 3)" : "");
 }
 
 }  // namespace
@@ -102,10 +114,15 @@ std::string tables_of(const std::vector<StageResult>& stages, const TimeWindow& 
   return text;
 }
 
-std::string closing_tables(const Study& study, const StudyResult& result) {
+std::string closing_tables(const Study& study, const StudyResult& result, Detail detail) {
   const TimeWindow times = {study.tests.first_time, study.tests.last_time};
-  auto text = study.tests.by_frequency ? frequency_tables_of(result.stages) : tables_of(result.stages, times);
-  text += words_on_quality(study, result);
+  std::string text, qualities;
+  for (const auto i : shown_stages(study, result, detail)) {
+    const auto& stage = result.stages[i];
+    text += study.tests.by_frequency ? frequency_table_of(stage) : table_of(stage, times);
+    qualities += line_on_quality(study, study.stages[i], stage);
+  }
+  if (!qualities.empty()) text += "\n" + qualities;
   for (const auto& measurement : study.measurements) {
     const auto stage = std::ranges::find(result.stages, measurement.stage, &StageResult::name);
     const bool is_compared = std::ranges::any_of(
@@ -116,8 +133,6 @@ std::string closing_tables(const Study& study, const StudyResult& result) {
   for (const auto& stage : result.stages) fillers.push_back(stage.microstructure.fillers);
   auto remarks = filler_summary(study, fillers);
   for (const auto& stage : result.stages) {
-    // Some warnings were printed when the stage was packed, perhaps hours ago; they are repeated.
-    for (const auto& warning : stage.warnings) remarks += "warning: " + warning + "\n";
     for (const auto& test : stage.tests) {
       const auto* dynamic = std::get_if<DynamicRecord>(&test.record);
       if (dynamic == nullptr || dynamic->overlaps.empty()) continue;
