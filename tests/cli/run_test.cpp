@@ -46,6 +46,24 @@ void expect_quasi_static(const Curve& curve, const std::array<Known, 5>& known, 
   }
 }
 
+/// A stage of four particles, and one of four larger ones in its composite.
+std::string two_stages() {
+  auto deck = test::replaced(std::string(test::good_deck), "name    = \"A\"", "name    = \"fine\"");
+  deck = test::replaced(deck, "\"6 mm\"", "\"3 mm\"");
+  deck = test::replaced(deck, "cells   = 60", "cells   = 24");
+  deck = test::replaced(deck, "fraction = 0.5", "fraction = 0.35");
+  deck = test::replaced(deck, "walls = true", "walls = false");
+  return test::replaced(deck, "[tests]", R"([[stages]]
+name    = "coarse"
+matrix  = "fine"
+box     = "60 mm"
+cells   = 24
+filler  = { material = "hmx", fraction = 0.35, sizes = { diameter = "20 mm" }, gap = "2 mm" }
+packing = { method = "lubachevsky-stillinger", walls = false, seed = 1 }
+
+[tests])");
+}
+
 void expect_exact(const Curve& curve, double constant, double relaxing) {
   EXPECT_EQ(curve.front().time, 1e-3);
   EXPECT_EQ(curve.back().time, 50e-3);
@@ -59,7 +77,7 @@ TEST(Run, ModelCompositeAgreesWithTheQuasiStaticLimit) {
   const auto run = study.breccia("run");
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   EXPECT_THAT(run.output, HasSubstr("A: 4 particles fill 34.91 % of the box"));
-  EXPECT_THAT(run.output, HasSubstr("Results are in out: curves.csv, prony.csv, study.json"));
+  EXPECT_THAT(run.output, HasSubstr("Results are in out: open out/report.html\n"));
   expect_quasi_static(read_curve(study.result("curves.csv"), "A", "shear"), known_standard_24, 0.015);
 }
 
@@ -170,7 +188,32 @@ TEST(Run, ThreadsSleepSoonUnlessTheEnvironmentSaysHowTheyWait) {
   EXPECT_THAT(settings(), Not(HasSubstr("GOMP_SPINCOUNT = '1000'")));
 }
 
-TEST(Run, QuietPrintsNothing) {
+// HB-1 is the matrix of the last stage: its table is for those who ask for it. Each warning stands once.
+TEST(Run, PrintsAScreenAndMoreOnRequest) {
+  const StudyDirectory study(two_stages());
+  const auto brief = study.breccia("run").output;
+  EXPECT_THAT(
+      brief, AllOf(HasSubstr("fine, periodic: 24 cells, "), HasSubstr("\ncoarse\n"), HasSubstr("coarse, this box: "),
+                   Not(HasSubstr("\nfine\n")), Not(HasSubstr("fine, this box: ")), Not(HasSubstr("error of the basis")),
+                   Not(HasSubstr("microstructure.svg"))));
+  const std::string warning = "warning: fine: only 4 particles in the box";
+  EXPECT_THAT(brief, HasSubstr(warning));
+  EXPECT_EQ(brief.find(warning), brief.rfind(warning));
+  const auto full = study.breccia("run", {"--overwrite", "--verbose"}).output;
+  EXPECT_THAT(full, AllOf(HasSubstr("fine shear, periodic: 24 cells, "), HasSubstr("\nfine\n"), HasSubstr("\ncoarse\n"),
+                          HasSubstr("error of the basis"), HasSubstr("out/fine/microstructure.svg"),
+                          HasSubstr("curves.csv, prony.csv, study.json")));
+}
+
+TEST(Run, QuietKeepsWarnings) {
+  const StudyDirectory study(two_stages());
+  const auto run = study.breccia("run", {"--quiet"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.output, "");
+  EXPECT_THAT(run.errors, HasSubstr("warning: fine: only 4 particles in the box"));
+}
+
+TEST(Run, QuietPrintsNothingMore) {
   const StudyDirectory study(homogeneous_deck);
   for (const auto* command : {"run", "pack"}) {
     const auto outcome = study.breccia(command, {"--quiet", "--set", "stages.A.cells=8"});
