@@ -10,8 +10,8 @@ namespace breccia {
 /// What [tests] says about the stages, which are read before it.
 struct StageDefaults {
   Model model = Model::cells;
-  /// Walls of random packings that do not name theirs: a box is periodic, unless the tests name a boundary that would
-  /// cut its particles, or name none and another stage asks for walls.
+  /// Walls of random packings and images that do not name theirs: a box is periodic, unless the tests name a boundary
+  /// that would cut its particles, or name none and another stage asks for walls.
   Walls walls = Walls::periodic;
 };
 

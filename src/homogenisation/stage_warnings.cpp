@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "discretisation/contrast.hpp"
+#include "homogenisation/image_warnings.hpp"
 #include "homogenisation/material_warnings.hpp"
 #include "homogenisation/narrow_gaps.hpp"
 #include "homogenisation/plan/grid_error.hpp"
@@ -299,8 +300,7 @@ struct CutContent {
   }
   template <int dim>
   Warning operator()(const SharedImage<dim>&) const {
-    return "the displacement or the traction boundary cuts what crosses the sides of a periodic image; without "
-           "tests.boundaries it is tested under the periodic boundary alone";
+    return std::nullopt;  // said by warnings_on_image
   }
   template <int dim>
   Warning operator()(const Microstructure<dim>& balls) const {
@@ -381,6 +381,7 @@ std::vector<std::string> warnings_on(const Study& study, const Stage& stage,
         warning_of_cut_particles(stage, study.tests.boundaries, microstructure)}) {
     if (warning) of_stage.push_back(*warning);
   }
+  std::ranges::move(warnings_on_image(study, stage), std::back_inserter(of_stage));
   std::ranges::move(warnings_of_unknown_times(stage, study.tests), std::back_inserter(of_stage));
   for (const auto& measurement : study.measurements) {
     if (measurement.stage != stage.name) continue;
