@@ -2,7 +2,9 @@
 """Draws a picture like a micrograph: bright crystals of several sizes at random places in a dark binder, blurred, with
 noise and with more light in the middle. It is the same picture in every run.
 
-  examples/image/micrograph.py OUT.png
+  examples/image/micrograph.py OUT.png [LABELS.png]
+
+LABELS.png has the crystals as they were drawn, without defects: 255, and 0 for the binder.
 """
 
 import math
@@ -71,6 +73,8 @@ def main():
             level = round(light * grey[row][column] + chance.gauss(0.0, NOISE))
             grey[row][column] = min(max(level, 0), 255)
     grey_png.write(sys.argv[1], grey)
+    if len(sys.argv) > 2:
+        grey_png.write(sys.argv[2], [[255 if is_crystal else 0 for is_crystal in row] for row in taken])
     share = sum(map(sum, taken)) / SIDE**2
     print(f"{sys.argv[1]}: {SIDE} x {SIDE} pixels, {100.0 * share:.1f} % crystals")
 

@@ -99,30 +99,44 @@ class Image(Table):
 
     labels: an array of whole numbers, [y, x], in a cube [z, y, x], with the top row first, as pictures have it, and the
     lowest plane first; or a file; materials: the material of each value, or a list of those of 0, 1, ...; pixel: side of
-    a pixel [m]; periodic: whether the image continues at its sides.
+    a pixel [m]; periodic: whether the image continues at its sides, True unless the boundaries of the tests cut it.
+
+    A grey picture is divided by threshold, "otsu" or a grey value, and materials is {"dark": binder, "bright": glass}
+    then; smooth: each pixel first takes the median of a square of so many pixels a side, such as 3; crop: the part of a
+    picture, {"left": 0, "top": 20, "width": 400, "height": 400} in pixels, in a stack with "lowest" and "depth".
 
     Microstructure.labels() has the bottom row first: Image(box.labels()[0][..., ::-1, :], ...) is the same box.
     """
 
     def __init__(self, labels: PathLike | NDArray[Any], *,
-                 materials: Mapping[int, Material | str] | Sequence[Material | str],
-                 pixel: Quantity | None = None, periodic: bool | None = None, **keys: Any) -> None:
+                 materials: Mapping[int, Material | str] | Mapping[str, Material | str] | Sequence[Material | str],
+                 pixel: Quantity | None = None, periodic: bool | None = None, threshold: float | str | None = None,
+                 smooth: int | None = None, crop: Mapping[str, int] | None = None, **keys: Any) -> None:
         self.labels = labels
         if isinstance(materials, str) or not isinstance(materials, Iterable):
             raise InputError(f"Image: materials: expected the material of each value, as in {{0: rubber, 1: glass}}, got "
                              f"{materials!r}")
         by_value = materials if isinstance(materials, Mapping) else dict(enumerate(materials))
-        self.materials: dict[int, Material | str] = dict(by_value)
+        self.materials: dict[Any, Material | str] = dict(by_value)
         self.pixel = pixel
         self.periodic = periodic
+        self.threshold = threshold
+        self.smooth = smooth
+        self.crop = crop
         self.keys = keys
+
+    def _labels(self) -> Any:
+        """The key `labels`: a table of the two sides of a threshold, or one for each value."""
+        named = {value: name_of("Image: materials", material) for value, material in self.materials.items()}
+        if any(isinstance(value, str) for value in named):
+            return named
+        return [{"value": int(value), "material": name} for value, name in named.items()]
 
     def _table(self, files: _deck.Files) -> dict[str, Any]:
         file = self.labels if isinstance(self.labels, (str, os.PathLike)) else files.image(
             self.labels, "labels of Image")
-        labels = [{"value": int(value), "material": name_of("Image: materials", material)}
-                  for value, material in self.materials.items()]
-        return {"method": "image", "file": file, "pixel": self.pixel, "labels": labels, "periodic": self.periodic,
+        return {"method": "image", "file": file, "pixel": self.pixel, "labels": self._labels(),
+                "periodic": self.periodic, "threshold": self.threshold, "smooth": self.smooth, "crop": self.crop,
                 **self.keys}
 
     def __repr__(self) -> str:

@@ -107,6 +107,30 @@ def test_particles_and_images_are_given_as_arrays(binder, particle):
     assert np.array_equal(box.labels()[0], labels)
 
 
+def test_a_grey_picture_is_divided_at_a_threshold(binder, particle):
+    """A part of a noisy picture with a bar of 3 rows below it has the labels that it was made from."""
+    random = np.random.default_rng(2)
+    bright = np.zeros((16, 16), bool)
+    bright[3:12, 4:13] = True
+    picture = np.where(bright, 180, 60) + random.integers(-40, 41, bright.shape)
+    picture[7, 7] = 20
+    picture = np.vstack([picture, np.zeros((3, 16), int)])
+    sides = {"dark": binder, "bright": particle}
+    crop = {"left": 0, "top": 0, "width": 16, "height": 16}
+
+    def pixels_of(**keys):
+        scan = breccia.Stage("scan", matrix=binder,
+                             packing=breccia.Image(picture, pixel=1e-6, materials=sides, crop=crop, **keys))
+        return breccia.pack(breccia.Study(scan, breccia.Tests(times=(1e-3, 1e-2))))["scan"].microstructure.labels()[0]
+
+    raw = pixels_of(threshold=120)[::-1] > 0
+    assert np.array_equal(raw, picture[:16] > 120)
+    assert not raw[7, 7]
+    assert (pixels_of(threshold="otsu", smooth=3)[::-1] > 0)[7, 7]
+    with pytest.raises(breccia.InputError, match="expected an odd number"):
+        pixels_of(threshold="otsu", smooth=4)
+
+
 def test_images_and_labels_of_a_cube(binder, particle):
     """The planes of an image have their top rows first, those of labels their bottom rows; z rises in both."""
     voxels = np.zeros((4, 4, 4), int)

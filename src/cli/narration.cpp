@@ -19,6 +19,7 @@
 #include "io/units.hpp"
 #include "parallel/session.hpp"
 #include "study/gap.hpp"
+#include "study/picture_words.hpp"
 
 namespace breccia::cli {
 namespace {
@@ -61,6 +62,7 @@ std::string describe(const Stage& stage, const StageResult& result) {
                           100.0 * own.fraction);
     }
   }
+  for (const auto& line : words_on_threshold(stage)) text += "\n  " + line;
   return text;
 }
 

@@ -14,6 +14,7 @@
 #include "io/units.hpp"
 #include "study/filler_shapes.hpp"
 #include "study/gap.hpp"
+#include "study/picture_words.hpp"
 #include "study/test_rules.hpp"
 #include "viscoelasticity/poisson_ratio.hpp"
 
@@ -145,6 +146,11 @@ std::string describe_fillers(const Stage& stage) {
   std::string text;
   for (const auto& filler : stage.fillers) text += describe_filler(stage, filler);
   text += fmt::format("    packing  {}\n", visit_nested(DescribePacking(), stage.packing));
+  if (const auto crop = words_on_crop(stage); !crop.empty()) text += fmt::format("    crop     {}\n", crop);
+  if (const auto grey = words_on_threshold(stage); !grey.empty()) {
+    text += fmt::format("    grey     {}\n", fmt::join(grey, "\n             "));
+  }
+  if (const auto sides = words_on_sides(stage); !sides.empty()) text += fmt::format("    sides    {}\n", sides);
   if (!stage.is_random()) return text;
   for (const auto& filler : stage.fillers) text += describe_gap(stage, filler);
   return text;

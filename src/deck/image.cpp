@@ -1,24 +1,25 @@
 #include "deck/image.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "breccia/microstructure/pixel_labels.hpp"
-#include "breccia/rasters/raster_reader.hpp"
 
+#include "deck/grey_rule.hpp"
 #include "deck/materials.hpp"
 #include "deck/packing.hpp"
+#include "deck/picture_file.hpp"
 #include "deck/rounding.hpp"
 #include "study/limits.hpp"
 #include "study/stage_rules.hpp"
@@ -35,44 +36,102 @@ std::size_t filler_of(const Material& material, Stage& stage) {
   return stage.fillers.size() - 1;
 }
 
-/// Reads `labels = [{ value = 0, material = "..." }, ...]` and adds the fillers of the stage. Empty where a value is
+/// Whether a key has the name of the matrix of a stage.
+bool names_matrix(const Section& section, const std::string& key, const Stage& stage) {
+  const auto matrix = name_of(stage.matrix);
+  return !matrix.empty() && section.kind(key) == Kind::text && section.optional_text(key) == matrix;
+}
+
+/// How the values of the pixels become labels: by a table of the values, or by a threshold.
+using PixelRule = std::variant<std::vector<ValueLabel>, GreyRule>;
+
+/// Reads the name of a material of a label, and adds it to the fillers of the stage unless it is the matrix; 0 after a
+/// mistake, too.
+Label read_label(const Section& section, const std::string& key, const std::vector<ShiftedMaterial>& materials,
+                 Stage& stage) {
+  if (names_matrix(section, key, stage)) {
+    static_cast<void>(section.optional_text(key));
+    return 0;
+  }
+  const auto material = read_material_reference(section, key, materials);
+  return material.name.empty() ? Label{0} : static_cast<Label>(filler_of(material, stage) + 1);
+}
+
+/// Reads `labels = [{ value = 0, material = "..." }, ...]` and adds the fillers of the stage. Nothing where a value is
 /// not known because of a mistake.
-std::vector<ValueLabel> read_labels(const Section& packing, const std::vector<ShiftedMaterial>& materials,
-                                    Stage& stage) {
+std::optional<PixelRule> read_value_labels(const Section& packing, const std::vector<ShiftedMaterial>& materials,
+                                           Stage& stage) {
   constexpr Range values = {.lower = static_cast<double>(std::numeric_limits<std::int32_t>::min()),
                             .upper = static_cast<double>(std::numeric_limits<std::int32_t>::max())};
-  const auto& matrix = name_of(stage.matrix);
   std::vector<ValueLabel> table;
   bool has_matrix = false, has_values = true;
   const auto sections = packing.sections("labels");
   for (const auto& section : sections) {
-    auto& entry = table.emplace_back();
     has_values = has_values && section.kind("value") == Kind::integer;
-    entry.value = static_cast<std::int32_t>(section.integer("value", values));
-    if (!matrix.empty() && section.kind("material") == Kind::text && section.optional_text("material") == matrix) {
-      has_matrix = true;
-      continue;
-    }
-    const auto material = read_material_reference(section, "material", materials);
-    if (!material.name.empty()) entry.label = static_cast<Label>(filler_of(material, stage) + 1);
+    has_matrix = has_matrix || names_matrix(section, "material", stage);
+    const auto value = static_cast<std::int32_t>(section.integer("value", values));
+    table.push_back({value, read_label(section, "material", materials, stage)});
   }
   // An unknown matrix has been reported already.
-  if (!sections.empty() && !has_matrix && !matrix.empty()) {
+  if (const auto matrix = name_of(stage.matrix); !sections.empty() && !has_matrix && !matrix.empty()) {
     packing.report("labels", fmt::format("no label is of the matrix of the stage, \"{}\"", matrix));
   }
+  return has_values && !table.empty() ? std::optional<PixelRule>(std::move(table)) : std::nullopt;
+}
+
+/// Reads `threshold`, `smooth` and `labels = { dark = "...", bright = "..." }`, and adds the fillers of the stage.
+std::optional<PixelRule> read_threshold_labels(const Section& packing, const std::vector<ShiftedMaterial>& materials,
+                                               Stage& stage) {
+  auto rule = read_grey_rule(packing);
+  if (packing.kind("labels") != Kind::table) {
+    packing.report("labels",
+                   "expected the materials of the pixels up to packing.threshold and above it, as in { dark = "
+                   "\"binder\", bright = \"glass\" }");
+    return std::nullopt;
+  }
+  const auto sides = packing.section("labels");
+  const bool has_matrix = names_matrix(sides, "dark", stage) || names_matrix(sides, "bright", stage);
+  rule.dark = read_label(sides, "dark", materials, stage);
+  rule.bright = read_label(sides, "bright", materials, stage);
+  const auto matrix = name_of(stage.matrix);
+  if (matrix.empty() || !sides.has("dark") || !sides.has("bright")) return std::nullopt;
+  if (!has_matrix) {
+    packing.report("labels", fmt::format("neither side of the threshold is the matrix of the stage, \"{}\"", matrix));
+  } else if (names_matrix(sides, "dark", stage) && names_matrix(sides, "bright", stage)) {
+    packing.report("labels", fmt::format("both sides of the threshold are \"{}\"", matrix));
+  }
+  return rule;
+}
+
+/// Reads the keys that say how the values of the pixels become labels.
+std::optional<PixelRule> read_pixel_rule(const Section& packing, const std::vector<ShiftedMaterial>& materials,
+                                         Stage& stage) {
+  if (packing.has("threshold")) return read_threshold_labels(packing, materials, stage);
+  packing.refuse({"smooth"}, "the medians of grey values: expected packing.threshold, too");
+  if (packing.kind("labels") == Kind::table) {
+    const auto sides = packing.section("labels");
+    if (sides.has("dark") || sides.has("bright")) {
+      sides.accept_all_keys();
+      packing.report("labels",
+                     "dark and bright are the two sides of packing.threshold: expected threshold = \"otsu\" or a "
+                     "grey value, too");
+      return std::nullopt;
+    }
+  }
+  return read_value_labels(packing, materials, stage);
+}
+
+/// Reads the labels of an image and reports fillers that no stage may have.
+std::optional<PixelRule> read_labels(const Section& packing, const std::vector<ShiftedMaterial>& materials,
+                                     Stage& stage) {
+  auto rule = read_pixel_rule(packing, materials, stage);
   if (stage.fillers.size() > allowed::most_fillers) {
     packing.report("labels", fmt::format("expected at most {} materials beside the matrix, got {}",
                                          allowed::most_fillers, stage.fillers.size()));
   }
   for (const auto& mistake : mistakes_of_phases(stage)) packing.report("labels", mistake);
-  return has_values ? table : std::vector<ValueLabel>();
+  return rule;
 }
-
-/// The keys of a deck for an image, apart from the labels of its values.
-struct AskedPixels {
-  std::string file, array;
-  std::optional<std::int64_t> page;
-};
 
 /// The properties of an image that are known without its values.
 struct RasterFrame {
@@ -80,74 +139,23 @@ struct RasterFrame {
   std::optional<double> pixel;  ///< side of a pixel, as Raster::pixel
 };
 
-/// Reduces a stack to one of its pages, counted from 1. Reports a stack for which no page is given, and a page that the
-/// file does not have.
-bool take_page(const Section& packing, std::optional<std::int64_t> page, Raster& raster) {
-  const auto pages = raster.extents.size() > 2 ? raster.extents[2] : 1;
-  if (packing.has("page") && page.value_or(0) < 1) return false;  // a bad page has been reported already
-  if (page && static_cast<std::size_t>(*page) > pages) {
-    packing.report("page", fmt::format("expected a page from 1 to {}, got {}", pages, *page));
-    return false;
-  }
-  if (!page && pages > 1) {
-    // Programs that read colours write arrays of [y][x][colour].
-    const bool may_be_colours = raster.extents[0] == 3 || raster.extents[0] == 4;
-    packing.report(
-        "file", fmt::format("a stack of {} images: expected one image in a box of two dimensions; {}", pages,
-                            may_be_colours ? "if it is one image in colours, save one of them, or labels"
-                                           : "packing.page = 1 takes the first one, dimensions = 3 the whole stack"));
-    return false;
-  }
-  const auto pixels = static_cast<std::int64_t>(raster.extents[0] * raster.extents[1]);
-  const auto first = raster.values.begin() + (page.value_or(1) - 1) * pixels;
-  if (pages > 1) raster.values = std::vector<std::int32_t>(first, first + pixels);
-  raster.extents.resize(2);
-  return true;
-}
-
-/// Reports an image that is not a square.
-bool require_square(const Section& packing, const Raster& raster) {
-  const auto columns = raster.extents[0], rows = raster.extents[1];
-  if (columns == rows) return true;
-  const auto side = std::min(columns, rows);
-  packing.report("file", fmt::format("expected a square image, since boxes are square, got {} x {} pixels; crop it to "
-                                     "{} x {} (ImageMagick: convert IN -crop {}x{}+0+0 +repage OUT)",
-                                     columns, rows, side, side, side, side));
-  return false;
-}
-
-/// Reports an image that is not a cube of voxels.
-bool require_cube(const Section& packing, const Raster& raster) {
-  if (raster.extents.size() < 3) {
-    packing.report("file", fmt::format("expected a stack of images in a box of three dimensions, got one of {} pixels",
-                                       fmt::join(raster.extents, " x ")));
-    return false;
-  }
-  const auto [fewest, most] = std::ranges::minmax(raster.extents);
-  if (fewest == most) return true;
-  packing.report("file",
-                 fmt::format("expected a cube of voxels, since boxes are cubic, got {} voxels; crop it to {}",
-                             fmt::join(raster.extents, " x "), fmt::join(std::array{fewest, fewest, fewest}, " x ")));
-  return false;
-}
-
-/// Reads one image, a page of a stack.
-bool take_image(const Section& packing, std::optional<std::int64_t> page, Raster& raster) {
-  return take_page(packing, page, raster) && require_square(packing, raster);
-}
-
-/// The image that a stage requests; nothing where it is not known because of a mistake.
+/// Labels in the place of the pixels of a picture, and how a grey one became labels.
 template <int dim>
-std::optional<AskedPixels> asked_pixels(const Section& packing, ImagePacking<dim>& image) {
-  const auto page = packing.optional_integer("page", Range::positive());
-  if (dim == 3) packing.refuse({"page"}, "a box of three dimensions takes the whole stack");
-  const auto written = packing.text("file");
-  if (written.empty()) return std::nullopt;
-  auto [file, array] = raster_name(written);
-  image.file = packing.file("file", file.string());
-  image.array = std::move(array);
-  if (image.file.empty()) return std::nullopt;
-  return AskedPixels{image.file.string(), image.array, page};
+struct LabelledPicture {
+  SharedImage<dim> image;
+  std::optional<GreySegmentation> segmentation = {};
+};
+
+/// Reports how to label the pixels of a grey picture, if some have values without a label that look like grey values.
+void point_to_threshold(const Section& packing, const std::vector<std::int32_t>& values,
+                        const std::vector<ValueLabel>& table) {
+  std::set<std::int32_t> unlabelled(values.begin(), values.end());
+  for (const auto& entry : table) unlabelled.erase(entry.value);
+  constexpr std::size_t several = 3;
+  if (unlabelled.size() < several) return;
+  packing.report("labels",
+                 "in a grey picture a threshold divides the values: packing.threshold = \"otsu\" with labels = "
+                 "{ dark = \"...\", bright = \"...\" } (docs/tutorial-image.md)");
 }
 
 /// The pixels of a square image, or the voxels of a cubic stack in a box of three dimensions. The file is read only if
@@ -156,7 +164,7 @@ template <int dim>
 class PixelsOfStage {
  public:
   /// The section must outlive this object.
-  PixelsOfStage(const Section& packing, AskedPixels asked)
+  PixelsOfStage(const Section& packing, AskedPicture asked)
       : packing_(packing), asked_(std::move(asked)), frame_(packing.file_cache().find<RasterFrame>(key())) {
     if (frame_ || !read()) return;
     frame_ = packing.file_cache().keep(key(), RasterFrame{raster_->extents, raster_->pixel});
@@ -165,37 +173,59 @@ class PixelsOfStage {
   /// The properties of the image; null where it cannot be read, which has been reported.
   [[nodiscard]] const RasterFrame* frame() const { return frame_.get(); }
 
-  /// The image of labels that fills a box of this side [m]; null where it cannot be read. Throws InputError.
-  [[nodiscard]] SharedImage<dim> labelled(const std::vector<ValueLabel>& table, double side, Walls walls) {
-    auto known_by = fmt::format("{}\nside {} walls {}", key(), side, static_cast<int>(walls));
-    for (const auto& [value, label] : table) known_by += fmt::format("\n{} is {}", value, label);
+  /// The labels that fill a box of this side [m]; null where it cannot be read. Reports values that the rule does not
+  /// take.
+  [[nodiscard]] std::shared_ptr<const LabelledPicture<dim>> labelled(const PixelRule& rule, double side, Walls walls) {
+    const auto known_by = fmt::format("{}\nside {} walls {}{}", key(), side, static_cast<int>(walls), in_words(rule));
     auto& cache = packing_.file_cache();
-    if (auto known = cache.find<LabelImage<dim>>(known_by)) return known;
+    if (auto known = cache.find<LabelledPicture<dim>>(known_by)) return known;
     if (!raster_ && !read()) return nullptr;
     const int pixels = static_cast<int>(raster_->extents[0]);
-    LabelImage<dim> image = {
-        .pixels = {}, .pixel_side = side / pixels, .walls = walls, .labels = pixel_labels(raster_->values, table)};
+    LabelImage<dim> image = {.pixels = {}, .pixel_side = side / pixels, .walls = walls, .labels = {}};
     image.pixels.fill(pixels);
-    return cache.keep(known_by, std::move(image));
+    LabelledPicture<dim> made;
+    if (const auto* const grey = std::get_if<GreyRule>(&rule)) {
+      packing_.report_errors_of("threshold", [&] {
+        auto [segmentation, labels] = grey_labels(*raster_, *grey);
+        made.segmentation = segmentation;
+        image.labels = std::move(labels);
+      });
+    } else {
+      const auto& table = std::get<std::vector<ValueLabel>>(rule);
+      packing_.report_errors_of("labels", [&] { image.labels = pixel_labels(raster_->values, table); });
+      if (image.labels.empty()) point_to_threshold(packing_, raster_->values, table);
+    }
+    if (image.labels.empty()) return nullptr;
+    made.image = std::make_shared<const LabelImage<dim>>(std::move(image));
+    return cache.keep(known_by, std::move(made));
   }
 
  private:
   /// The key of these pixels in the cache of files.
-  [[nodiscard]] std::string key() const {
-    return fmt::format("{}\n{}\npage {} in {} dimensions", asked_.file, asked_.array, asked_.page.value_or(0), dim);
+  [[nodiscard]] std::string key() const { return name_in_cache(asked_, dim); }
+
+  /// What distinguishes a rule from others in the cache of files.
+  static std::string in_words(const PixelRule& rule) {
+    if (const auto* const grey = std::get_if<GreyRule>(&rule)) {
+      const auto threshold = grey->threshold ? fmt::format("{}", *grey->threshold) : "otsu";
+      return fmt::format("\nthreshold {} of medians {}: {}, {}", threshold, grey->median_side, grey->dark,
+                         grey->bright);
+    }
+    std::string text;
+    for (const auto& [value, label] : std::get<std::vector<ValueLabel>>(rule)) {
+      text += fmt::format("\n{} is {}", value, label);
+    }
+    return text;
   }
 
   /// Whether the file could be read.
   bool read() {
-    packing_.report_errors_of("file", [&] { raster_ = read_raster(asked_.file, asked_.array); });
-    if (!raster_) return false;
-    const bool fits = dim == 3 ? require_cube(packing_, *raster_) : take_image(packing_, asked_.page, *raster_);
-    if (!fits) raster_.reset();
-    return fits;
+    raster_ = read_picture(packing_, asked_, dim);
+    return raster_.has_value();
   }
 
   const Section& packing_;
-  AskedPixels asked_;
+  AskedPicture asked_;
   std::shared_ptr<const RasterFrame> frame_;
   std::optional<Raster> raster_;
 };
@@ -244,17 +274,27 @@ struct PixelsAlong {
 
 /// Reads the image of a box of so many dimensions, and the side of the box.
 template <int dim>
-ImagePacking<dim> read_image_in(const Section& section, const Section& packing, const std::vector<ValueLabel>& table,
-                                double& side) {
+ImagePacking<dim> read_image_in(const Section& section, const Section& packing, const std::optional<PixelRule>& rule,
+                                Walls walls, double& side) {
   ImagePacking<dim> image;
+  const auto asked = asked_picture(packing, dim);
   std::optional<PixelsOfStage<dim>> pixels;
-  if (const auto asked = asked_pixels(packing, image)) pixels.emplace(packing, *asked);
+  if (asked) {
+    image.file = asked->file;
+    image.array = asked->array;
+    image.crop = asked->crop;
+    pixels.emplace(packing, *asked);
+  }
   const auto* const frame = pixels ? pixels->frame() : nullptr;
   side = read_side(section, packing, frame);
-  const bool is_periodic = packing.optional_boolean("periodic").value_or(false);
-  if (frame == nullptr || table.empty()) return image;
-  packing.report_errors_of(
-      "labels", [&] { image.image = pixels->labelled(table, side, is_periodic ? Walls::periodic : Walls::hard); });
+  if (const auto is_periodic = packing.optional_boolean("periodic")) {
+    walls = *is_periodic ? Walls::periodic : Walls::hard;
+  }
+  if (frame == nullptr || !rule) return image;
+  if (const auto labelled = pixels->labelled(*rule, side, walls)) {
+    image.image = labelled->image;
+    image.segmentation = labelled->segmentation;
+  }
   return image;
 }
 
@@ -265,7 +305,7 @@ bool has_image(const Section& stage) {
   return has_method(stage.section("packing"), PackingName::image);
 }
 
-void read_image(const Section& section, const std::vector<ShiftedMaterial>& materials, Stage& stage) {
+void read_image(const Section& section, const std::vector<ShiftedMaterial>& materials, Walls walls, Stage& stage) {
   const auto packing = section.section("packing");
   constexpr auto filler_elsewhere =
       "the fillers of an image are the materials of its labels: packing.labels = [{ value = 0, material = \"...\" }, "
@@ -273,11 +313,11 @@ void read_image(const Section& section, const std::vector<ShiftedMaterial>& mate
   section.refuse({"filler"}, filler_elsewhere);
   packing.refuse({"walls"}, "an image has periodic = true or false");
   packing.refuse({"seed"}, "nothing in an image is at random");
-  const auto table = read_labels(packing, materials, stage);
+  const auto rule = read_labels(packing, materials, stage);
   if (stage.dimensions() == 3) {
-    stage.packing = read_image_in<3>(section, packing, table, stage.side);
+    stage.packing = read_image_in<3>(section, packing, rule, walls, stage.side);
   } else {
-    stage.packing = read_image_in<2>(section, packing, table, stage.side);
+    stage.packing = read_image_in<2>(section, packing, rule, walls, stage.side);
   }
 }
 

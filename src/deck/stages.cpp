@@ -204,7 +204,7 @@ std::vector<Stage> read_stages(const Section& deck, const std::vector<ShiftedMat
     const bool is_image = has_image(section);
     section.refuse({"image"}, image_elsewhere);
     if (is_image) {
-      read_image(section, materials, stage);
+      read_image(section, materials, defaults.walls, stage);
       read_grid(section, defaults.model, stage);
     } else if (section.has("box")) {
       section.refuse({"particles"}, "the box is given already");

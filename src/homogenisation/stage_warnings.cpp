@@ -11,6 +11,7 @@
 
 #include "discretisation/contrast.hpp"
 #include "homogenisation/box/filler_on_sides.hpp"
+#include "homogenisation/image_warnings.hpp"
 #include "homogenisation/material_warnings.hpp"
 #include "homogenisation/narrow_gaps.hpp"
 #include "homogenisation/plan/grid_error.hpp"
@@ -295,11 +296,9 @@ std::optional<std::string> warning_of_cut_filler(const Stage& stage, const std::
   if (!(share > 0.0)) return std::nullopt;
   return fmt::format(
       "the sides of the box cut filler, over {:.2g} % of their {}: a displacement boundary moves it with the sides, "
-      "and "
-      "its modulus is an upper bound, far too high where the filler is far stiffer than the matrix; a "
-      "traction boundary leaves it free, a lower bound; both come closer in a larger box, and the boundary "
-      "\"periodic\" "
-      "does neither",
+      "and its modulus is an upper bound, far too high where the filler is far stiffer than the matrix; a traction "
+      "boundary leaves it free, a lower bound; both come closer in a larger box, and the boundary \"periodic\" does "
+      "neither",
       100.0 * share, stage.dimensions() == 3 ? "area" : "length");
 }
 
@@ -355,6 +354,7 @@ std::vector<std::string> warnings_on(const Study& study, const Stage& stage,
         warning_of_cut_filler(stage, study.tests.boundaries, microstructure)}) {
     if (warning) of_stage.push_back(*warning);
   }
+  std::ranges::move(warnings_on_image(study, stage), std::back_inserter(of_stage));
   std::ranges::move(warnings_of_unknown_times(stage, study.tests), std::back_inserter(of_stage));
   for (const auto& measurement : study.measurements) {
     if (measurement.stage != stage.name) continue;

@@ -58,6 +58,7 @@ class PngDecoder {
   [[nodiscard]] std::size_t width() const { return png_get_image_width(png_, info_); }
   [[nodiscard]] std::size_t height() const { return png_get_image_height(png_, info_); }
   [[nodiscard]] std::size_t channels() const { return png_get_channels(png_, info_); }
+  [[nodiscard]] bool has_palette() const { return png_get_color_type(png_, info_) == PNG_COLOR_TYPE_PALETTE; }
   [[nodiscard]] std::size_t bytes_per_sample() const { return png_get_bit_depth(png_, info_) > 8 ? 2 : 1; }
   [[nodiscard]] std::size_t bytes_per_row() const { return png_get_rowbytes(png_, info_); }
   [[nodiscard]] const char* message() const { return message_.data(); }
@@ -109,7 +110,11 @@ Raster read_png(const std::filesystem::path& file, std::string_view bytes) {
   std::vector<std::int32_t> values;
   values.reserve(pixels * png.channels());
   append_elements(values, file, samples, type);
-  if (png.channels() == 1) return raster_from_top(std::move(extents), std::move(values));
+  if (png.channels() == 1) {
+    auto raster = raster_from_top(std::move(extents), std::move(values));
+    if (png.has_palette()) raster.shades = Shades::palette;
+    return raster;
+  }
   const std::uint16_t most = type.bytes == 1 ? 255 : 65535;
   return raster_from_top(std::move(extents), grey_levels(file, {png.channels(), most, {values.begin(), values.end()}}));
 }

@@ -42,6 +42,11 @@ ElementType sample_type(const TiffFile& tiff, unsigned bits) {
   tiff.refuse(fmt::format("samples of {} bits", bits), "1, 2, 4, 8, 16, 32 or 64, or floating point of 32 or 64");
 }
 
+Shades shades_of(uint16_t colours) {
+  if (colours == PHOTOMETRIC_PALETTE) return Shades::palette;
+  return colours == PHOTOMETRIC_MINISWHITE ? Shades::falling : Shades::rising;
+}
+
 std::size_t bytes_for(std::size_t pixels, const TiffPage& page) {
   return (pixels * page.channels * page.bits + 7) / 8;
 }
@@ -127,7 +132,7 @@ TiffPage page_layout(const TiffFile& tiff) {
     tiff.refuse(fmt::format("a mirrored or rotated picture (orientation {})", orientation),
                 "rows from the left, from the top (1) or the bottom (4)");
   }
-  return {width, height, bits, channels, type, orientation == ORIENTATION_TOPLEFT};
+  return {width, height, bits, channels, type, orientation == ORIENTATION_TOPLEFT, shades_of(colours)};
 }
 
 void append_page(std::vector<std::int32_t>& values, const TiffFile& tiff, const TiffPage& page) {

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "breccia/rasters/raster.hpp"
+
 #include "rasters/raster_elements.hpp"
 #include "rasters/tiff_file.hpp"
 
@@ -16,6 +18,7 @@ struct TiffPage {
   std::size_t channels = 0;     ///< samples of a pixel
   ElementType type;             ///< type of samples of whole bytes
   bool is_from_the_top = true;  ///< the first row is the top one
+  Shades shades = Shades::rising;
 };
 
 /// Throws InputError for a page that does not hold labels: colours that are not in a palette, parts of a pixel,

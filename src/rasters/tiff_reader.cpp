@@ -97,6 +97,7 @@ Raster read_tiff(const std::filesystem::path& file, std::string_view bytes) {
   auto raster = first.is_from_the_top ? raster_from_top(std::move(extents), std::move(values))
                                       : raster_from_bottom(std::move(extents), std::move(values));
   raster.pixel = pixel;
+  raster.shades = first.shades;
   return raster;
 }
 

@@ -45,6 +45,38 @@ inline constexpr auto fields<FillerEntry> =
                field("size_distribution_deviation", &FillerEntry::size_deviation), field("gap_m", &FillerEntry::gap),
                field("coating", &FillerEntry::coating), field_if_any("shape", &FillerEntry::shape));
 
+/// One side of the threshold of a grey picture.
+struct GreySideEntry {
+  std::string material;
+  int darkest = 0, brightest = 0;
+  double mean = 0.0;
+  double fraction = 0.0;  ///< [-]
+};
+template <>
+inline constexpr auto fields<GreySideEntry> = std::tuple(field("material", &GreySideEntry::material),
+                                                         field("darkest", &GreySideEntry::darkest),
+                                                         field("brightest", &GreySideEntry::brightest),
+                                                         field("mean", &GreySideEntry::mean),
+                                                         field("fraction", &GreySideEntry::fraction));
+
+/// What a threshold made of a grey picture.
+struct ThresholdEntry {
+  double value = 0.0;
+  std::string method;   ///< "otsu" or "given"
+  int median_side = 1;  ///< [pixels]
+  double separability = 0.0;
+  GreySideEntry dark = {}, bright = {};
+  std::string words;
+};
+template <>
+inline constexpr auto fields<ThresholdEntry> = std::tuple(field("value", &ThresholdEntry::value),
+                                                          field("method", &ThresholdEntry::method),
+                                                          field("median_of_pixels", &ThresholdEntry::median_side),
+                                                          field("separability", &ThresholdEntry::separability),
+                                                          field("dark", &ThresholdEntry::dark),
+                                                          field("bright", &ThresholdEntry::bright),
+                                                          field("words", &ThresholdEntry::words));
+
 struct MicrostructureEntry {
   std::optional<std::size_t> particles = {};
   double fraction = 0.0;                             ///< [-]
@@ -57,6 +89,9 @@ struct MicrostructureEntry {
   std::optional<double> smallest_diameter = {}, largest_diameter = {};  ///< [m]
   std::optional<std::vector<int>> pixels = {};  ///< number of pixels of an image along its sides
   std::optional<double> pixel_side = {};        ///< [m]
+  std::optional<double> cut_share = {};         ///< share of the filler that the sides of an image cut [-]
+  std::optional<double> seam = {};              ///< share of the pixels at opposite sides that differ [-]
+  std::optional<ThresholdEntry> threshold = {};
   std::optional<double> size_deviation = {};
   std::optional<std::uint64_t> seed = {};
   std::optional<std::uint64_t> events = {};
@@ -72,6 +107,8 @@ inline constexpr auto fields<MicrostructureEntry> = std::tuple(
     field_if_any("smallest_diameter_m", &MicrostructureEntry::smallest_diameter),
     field_if_any("largest_diameter_m", &MicrostructureEntry::largest_diameter),
     field_if_any("pixels", &MicrostructureEntry::pixels), field_if_any("pixel_m", &MicrostructureEntry::pixel_side),
+    field_if_any("cut_share", &MicrostructureEntry::cut_share), field_if_any("seam_share", &MicrostructureEntry::seam),
+    field_if_any("threshold", &MicrostructureEntry::threshold),
     field_if_any("size_distribution_deviation", &MicrostructureEntry::size_deviation),
     field_if_any("seed", &MicrostructureEntry::seed), field_if_any("events", &MicrostructureEntry::events));
 

@@ -17,8 +17,10 @@
 #include "homogenisation/narrow_gaps.hpp"
 #include "homogenisation/quality.hpp"
 #include "homogenisation/whole_filler.hpp"
+#include "microstructure/image/image_sides.hpp"
 #include "study/filler_shapes.hpp"
 #include "study/identity.hpp"
+#include "study/picture_words.hpp"
 #include "study/test_rules.hpp"
 
 namespace breccia {
@@ -189,6 +191,20 @@ std::vector<FillerEntry> entries_of_fillers(const Stage& stage, const std::vecto
   return entries;
 }
 
+GreySideEntry entry_of(const Stage& stage, const GreySide& side) {
+  return {material_of_label(stage, side.label), side.darkest, side.brightest, side.mean, side.share};
+}
+
+ThresholdEntry entry_of(const Stage& stage, const GreySegmentation& made) {
+  return {.value = made.threshold,
+          .method = made.is_otsu ? "otsu" : "given",
+          .median_side = made.median_side,
+          .separability = made.separability,
+          .dark = entry_of(stage, made.dark),
+          .bright = entry_of(stage, made.bright),
+          .words = fmt::format("{}", fmt::join(words_on_threshold(stage), "; "))};
+}
+
 /// Adds the entries of study.json on the content of a box, in addition to the statistics of every content.
 struct AddContent {
   const Stage& stage;
@@ -219,6 +235,10 @@ struct AddContent {
     entry.particles.reset();  // pixels do not distinguish particles
     entry.pixels.emplace(image->pixels.begin(), image->pixels.end());
     entry.pixel_side = image->pixel_side;
+    entry.cut_share = cut_share(*image);
+    entry.seam = seam_of(*image).across;
+    const auto* const pixels = stage.packed_by<ImagePacking<dim>>();
+    if (pixels != nullptr && pixels->segmentation) entry.threshold = entry_of(stage, *pixels->segmentation);
   }
 
  private:

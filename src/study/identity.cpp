@@ -174,9 +174,9 @@ class Content {
   }
   template <int dim>
   void add(const ImagePacking<dim>& packing) {
-    const auto& [file, array, image] = packing;
+    const auto& [file, array, image, crop, segmentation] = packing;
     if (image) add(*image);
-    static_cast<void>(array);  // only the source of the image, like `file`
+    static_cast<void>(array), static_cast<void>(crop), static_cast<void>(segmentation);  // how it was made, like `file`
   }
   template <int dim>
   void add(const LabelImage<dim>& image) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -137,7 +138,8 @@ packing = { method = "explicit", discs = "discs.csv" })";
 
 std::string image_of_discs(std::string_view file, std::string_view cells = "") {
   return fmt::format(
-      "{}\npacking = {{ method = \"image\", file = \"{}\", pixel = \"{}\", labels = [{{ value = 0, material "
+      "{}\npacking = {{ method = \"image\", file = \"{}\", pixel = \"{}\", periodic = false, labels = [{{ value = 0, "
+      "material "
       "= \"binder\" }}, {{ value = 1, material = \"hmx\" }}] }}",
       cells, file, "15.625 um");
 }
@@ -271,6 +273,102 @@ TEST(Image, IsSwept) {
                                            R"(stages.A.packing.pixel=["10 um", "20 um"])"});
   ASSERT_EQ(sweep.exit_code, 0) << sweep.errors;
   EXPECT_TRUE(std::filesystem::exists(study.result("sweep.csv")));
+}
+
+/// Writes a noisy picture of two discs: grey values around 200 before a ground around 60, above a bar of 8 black rows.
+void write_micrograph(const StudyDirectory& study) {
+  constexpr int pixels = 64, bar = 8;
+  std::mt19937_64 random(5);
+  std::vector<std::uint16_t> values(std::size_t{pixels} * bar, 0);  // rows from the bottom
+  for (int row = 0; row < pixels; ++row) {
+    for (int column = 0; column < pixels; ++column) {
+      const double x = (column + 0.5) / pixels, y = (row + 0.5) / pixels;
+      const bool is_disc = std::hypot(x - 0.3, y - 0.25) <= 0.2 || std::hypot(x - 0.62, y - 0.66) <= 0.3;
+      const int noise = static_cast<int>(random() % 101) - 50;
+      values.push_back(static_cast<std::uint16_t>((is_disc ? 200 : 60) + noise));
+    }
+  }
+  write_npy(study.path() / "discs.npy", std::array<std::size_t, 2>{pixels, pixels + bar}, values);
+}
+
+std::string grey_stage(std::string_view keys) {
+  return fmt::format(
+      "packing = {{ method = \"image\", file = \"discs.npy\", pixel = \"15.625 um\", labels = {{ dark = \"binder\", "
+      "bright "
+      "= \"hmx\" }}, {} }}",
+      keys);
+}
+
+constexpr auto crop = "crop = { left = 0, top = 0, width = 64, height = 64 }";
+
+TEST(Image, ThatIsGreyIsDividedAtAThreshold) {
+  const StudyDirectory labels(deck_of(image_of_discs("discs.png")));
+  labels.write("discs.png", picture_of_discs(64));
+  const StudyDirectory grey(deck_of(grey_stage(fmt::format("threshold = \"otsu\", periodic = false, {}", crop))));
+  write_micrograph(grey);
+  ASSERT_EQ(labels.breccia("run").exit_code, 0);
+  const auto run = grey.breccia("run");
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_EQ(read_text(grey.result("curves.csv")), read_text(labels.result("curves.csv")))
+      << "noise of 50 of 140 values";
+  EXPECT_THAT(run.output, AllOf(HasSubstr("dark = binder, "), HasSubstr("bright = hmx, 41.0 %"),
+                                HasSubstr("grey values 150 to 250")));
+  const auto stage = nlohmann::json::parse(read_text(grey.result("study.json")))["stages"][0]["microstructure"];
+  EXPECT_EQ(stage["threshold"]["method"], "otsu");
+  EXPECT_EQ(stage["threshold"]["value"], 129.5) << "the middle of 110 and 149, between which no pixel is";
+  EXPECT_EQ(stage["threshold"]["bright"]["material"], "hmx");
+  EXPECT_NEAR(stage["threshold"]["bright"]["fraction"].get<double>(), stage["fraction"].get<double>(), 1e-12);
+  EXPECT_THAT(read_text(grey.result("report.html")), HasSubstr("threshold 129.5 (Otsu)"));
+  const auto check =
+      grey.breccia("check", {"--set", "stages.A.packing.threshold=120", "--set", "stages.A.packing.smooth=3"});
+  EXPECT_THAT(check.output,
+              AllOf(HasSubstr("grey     threshold 120 of the medians of 3 x 3 pixels"),
+                    HasSubstr("crop     64 x 64 pixels, from 0 right of the left side and 0 below the top"),
+                    HasSubstr("sides    they cut ")));
+}
+
+TEST(Image, ThatIsGreyIsPeriodicByDefault) {
+  const StudyDirectory grey(deck_of(grey_stage(fmt::format("threshold = \"otsu\", {}", crop))));
+  write_micrograph(grey);
+  const auto check = grey.breccia("check");
+  ASSERT_EQ(check.exit_code, 0) << check.errors;
+  EXPECT_THAT(check.output, AllOf(HasSubstr("64 x 64 pixels of 15.625 um, periodic"), HasSubstr("bounds   periodic")));
+}
+
+TEST(Image, ThatIsGreyMayHaveAFrame) {
+  const StudyDirectory grey(
+      deck_of(grey_stage("threshold = \"otsu\", crop = { left = 0, top = 8, width = 64, height = 64 }")));
+  write_micrograph(grey);
+  const auto check = grey.breccia("check");
+  ASSERT_EQ(check.exit_code, 0) << check.errors;
+  EXPECT_THAT(check.output + check.errors,
+              HasSubstr("the outermost 8 lines of pixels at a side of the picture have one "
+                        "grey value throughout"));
+}
+
+TEST(Image, ThatIsGreyTellsItsMistakes) {
+  const auto mistakes = [](std::string_view keys) {
+    const StudyDirectory grey(deck_of(grey_stage(keys)));
+    write_micrograph(grey);
+    const auto check = grey.breccia("check");
+    EXPECT_EQ(check.exit_code, 2) << keys;
+    return check.errors;
+  };
+  EXPECT_THAT(
+      mistakes("threshold = \"otsu\""),
+      HasSubstr("stages.A.packing.file: expected a square image, since boxes are square, got 64 x 72 pixels; crop "
+                "= { left = 0, top = 0, width = 64, height = 64 } takes a square of it"));
+  EXPECT_THAT(mistakes(fmt::format("threshold = 300, {}", crop)),
+              HasSubstr("stages.A.packing.threshold: expected a threshold from 10 to below 250, the darkest and the "
+                        "brightest grey value, got 300"));
+  EXPECT_THAT(mistakes(fmt::format("threshold = 0.45, {}", crop)),
+              HasSubstr("packing.threshold: expected a threshold on the scale of the grey values, here from 10 to 250, "
+                        "got 0.45"));
+  EXPECT_THAT(mistakes("threshold = 100, smooth = 4, crop = { left = 60, top = 0, width = 64 }"),
+              AllOf(HasSubstr("packing.smooth: expected an odd number"),
+                    HasSubstr("packing.crop.height: missing, expected an integer")));
+  EXPECT_THAT(mistakes("threshold = 100, crop = { left = 60, top = 0, width = 64, height = 64 }"),
+              HasSubstr("packing.crop: the pixels 60 to 124 from the left reach beyond a picture of 64 x 72"));
 }
 
 }  // namespace

@@ -86,7 +86,8 @@ TEST_F(DeckImage, IsABoxOfPixels) {
   ASSERT_NE(stage.packed_by<ImagePacking<2>>(), nullptr);
   EXPECT_THAT(stage.packed_by<ImagePacking<2>>()->image->labels,
               ElementsAre(1, 1, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0));
-  EXPECT_EQ(stage.packed_by<ImagePacking<2>>()->image->walls, Walls::hard);
+  EXPECT_EQ(stage.packed_by<ImagePacking<2>>()->image->walls, Walls::periodic) << "by default";
+  EXPECT_FALSE(stage.packed_by<ImagePacking<2>>()->segmentation);
 }
 
 TEST_F(DeckImage, TheGridMayBeAnother) {
@@ -107,7 +108,103 @@ TEST_F(DeckImage, TheBoxMayStandForThePixel) {
 TEST_F(DeckImage, OfAPeriodicBoxIsTestedUnderThePeriodicBoundary) {
   EXPECT_THAT(study(keys("scan.npy", "pixel = \"1 um\", periodic = true")).tests.boundaries,
               ElementsAre(Boundary::periodic));
-  EXPECT_EQ(study(keys("scan.npy")).tests.boundaries.size(), 2U);
+  EXPECT_THAT(study(keys("scan.npy")).tests.boundaries, ElementsAre(Boundary::periodic)) << "by default";
+  EXPECT_EQ(study(keys("scan.npy", "pixel = \"1 um\", periodic = false")).tests.boundaries.size(), 2U);
+}
+
+TEST_F(DeckImage, IsAWindowWhereTheTestsNameABoundaryThatCuts) {
+  const auto walls = [&](const std::string& boundaries, std::string_view pixel = "pixel = \"1 um\"") {
+    const auto read = directory.study(deck(keys("scan.npy", pixel)) + "boundaries = " + boundaries + "\n");
+    return read.stages.at(0).packed_by<ImagePacking<2>>()->image->walls;
+  };
+  EXPECT_EQ(walls(R"(["displacement", "traction"])"), Walls::hard);
+  EXPECT_EQ(walls(R"(["displacement"])", "pixel = \"1 um\", periodic = true"), Walls::periodic);
+  EXPECT_EQ(walls(R"(["periodic"])"), Walls::periodic);
+  EXPECT_EQ(walls(R"(["periodic"])", "pixel = \"1 um\", periodic = false"), Walls::hard);
+}
+
+TEST_F(DeckImage, MayBeAPartOfAPicture) {
+  // Columns rise by one, rows from the top by ten.
+  std::vector<std::uint16_t> values;  // from the bottom row
+  for (const int row : {3, 2, 1, 0}) {
+    for (int column = 0; column < 5; ++column) values.push_back(static_cast<std::uint16_t>(10 * row + column));
+  }
+  write("ramp.npy", {5, 4}, values);
+  const auto part = [](std::string_view crop) { return fmt::format("crop = {{ {} }}, pixel = \"1 um\"", crop); };
+  const auto labels = R"([{ value = 12, material = "binder" }, { value = 13, material = "hmx" },
+                         { value = 22, material = "hmx" }, { value = 23, material = "binder" }])";
+  const auto deck = keys("ramp.npy", part("left = 2, top = 1, width = 2, height = 2"), labels);
+  const auto stage = study(deck, "cells = 2").stages.at(0);
+  const auto* const pixels = stage.packed_by<ImagePacking<2>>();
+  EXPECT_THAT(pixels->image->labels, ElementsAre(1, 0, 0, 1)) << "the lower row first";
+  EXPECT_EQ(stage.side, 2e-6);
+  EXPECT_EQ(pixels->crop->top, 1U);
+  EXPECT_THAT(mistakes(keys("ramp.npy", part("left = 2, top = 3, width = 2, height = 2"))),
+              HasSubstr("packing.crop: the pixels 3 to 5 from the top reach beyond a picture of 5 x 4"));
+  EXPECT_THAT(mistakes(keys("ramp.npy", part("left = -1, top = 0, width = 0, height = 2, depth = 1"))),
+              AllOf(HasSubstr("packing.crop.left: "), HasSubstr("packing.crop.width: "),
+                    HasSubstr("crop.depth: a box of two dimensions takes one image")));
+  EXPECT_THAT(mistakes(keys("ramp.npy", part("left = 0, top = 0, width = 3, height = 2"))),
+              HasSubstr("packing.crop: expected a square image, since boxes are square, got 3 x 2 pixels"));
+}
+
+constexpr auto two_sides = R"({ dark = "binder", bright = "hmx" })";
+
+TEST_F(DeckImage, ThatIsGreyHasTwoSidesOfAThreshold) {
+  write("grey.npy", {2, 2}, {40, 60, 200, 90});
+  const auto labels = [&](std::string_view threshold, std::string_view sides = two_sides,
+                          std::string_view file = "grey.npy") {
+    const auto stage =
+        study(keys(file, fmt::format("pixel = \"1 um\", threshold = {}", threshold), sides), "cells = 2");
+    return stage.stages.at(0).packed_by<ImagePacking<2>>()->image->labels;
+  };
+  EXPECT_THAT(labels("\"otsu\""), ElementsAre(0, 0, 1, 0));
+  EXPECT_THAT(labels("60"), ElementsAre(0, 0, 1, 1)) << "60 itself is dark";
+  EXPECT_THAT(labels("59.5"), ElementsAre(0, 1, 1, 1));
+  EXPECT_THAT(labels("60", R"({ dark = "hmx", bright = "binder" })"), ElementsAre(1, 1, 0, 0));
+  write("speck.npy", {4, 4}, {40, 40, 100, 100, 40, 200, 100, 100, 40, 40, 100, 100, 40, 40, 100, 100});
+  EXPECT_THAT(labels("70", two_sides, "speck.npy"), ElementsAre(0, 0, 1, 1, 0, 1, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1));
+  EXPECT_THAT(labels("70, smooth = 3", two_sides, "speck.npy"),
+              ElementsAre(0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1));
+}
+
+TEST_F(DeckImage, MistakesInAThreshold) {
+  write("grey.npy", {2, 2}, {40, 60, 200, 90});
+  const auto with = [&](std::string_view further, std::string_view labels = two_sides) {
+    return mistakes(keys("grey.npy", fmt::format("pixel = \"1 um\"{}", further), labels), "cells = 2");
+  };
+  EXPECT_THAT(with("", R"([{ value = 40, material = "binder" }])"),
+              AllOf(HasSubstr("values without a label: "),
+                    HasSubstr("packing.labels: in a grey picture a threshold divides the values: packing.threshold = "
+                              "\"otsu\" with labels = { dark = \"...\", bright = \"...\" } (docs/tutorial-image.md)")));
+  EXPECT_THAT(with(""),
+              HasSubstr("dark and bright are the two sides of packing.threshold: expected threshold = \"otsu\" "
+                        "or a grey value, too"));
+  EXPECT_THAT(with(", threshold = \"ostu\""), HasSubstr("did you mean \"otsu\"?"));
+  EXPECT_THAT(with(", threshold = \"45 %\""), HasSubstr("packing.threshold: expected \"otsu\""));
+  EXPECT_THAT(with(", threshold = [40]"),
+              HasSubstr("packing.threshold: expected \"otsu\" or a grey value of the picture, such as 115"));
+  EXPECT_THAT(with(", threshold = 60, smooth = 2"), HasSubstr("packing.smooth: "));
+  EXPECT_THAT(with(", smooth = 3", two_labels), HasSubstr("packing.smooth: the medians of grey values"));
+  EXPECT_THAT(with(", threshold = 60", two_labels),
+              HasSubstr("packing.labels: expected the materials of the pixels up to packing.threshold and above it"));
+  EXPECT_THAT(with(", threshold = 60", R"({ dark = "hmx", bright = "hmx" })"),
+              HasSubstr("packing.labels: neither side of the threshold is the matrix of the stage, \"binder\""));
+  EXPECT_THAT(with(", threshold = 60", R"({ dark = "binder", bright = "binder" })"),
+              HasSubstr("packing.labels: both sides of the threshold are \"binder\""));
+  EXPECT_THAT(with(", threshold = 60", R"({ dark = "binder", light = "hmx" })"),
+              AllOf(HasSubstr("packing.labels.bright: missing"), HasSubstr("unknown key \"light\"")));
+  EXPECT_THAT(with(", threshold = 60", R"({ dark = "binder", bright = "hmxx" })"),
+              HasSubstr("packing.labels.bright: unknown material \"hmxx\", did you mean \"hmx\"?"));
+  const auto otsu = "pixel = \"1 um\", threshold = \"otsu\"";
+  write("flat.npy", {2, 2}, {40, 40, 40, 40});
+  EXPECT_THAT(mistakes(keys("flat.npy", otsu, two_sides), "cells = 2"),
+              HasSubstr("packing.threshold: all pixels have the grey value 40"));
+  const std::array<std::uint8_t, 4> pixels = {0, 1, 2, 1};
+  const std::array<Rgb, 3> palette = {Rgb{0, 0, 0}, Rgb{255, 0, 0}, Rgb{9, 9, 9}};
+  directory.write("palette.png", encode_png(2, pixels, palette));
+  EXPECT_THAT(mistakes(keys("palette.png", otsu, two_sides), "cells = 2"),
+              HasSubstr("packing.threshold: the values of this picture are numbers of the colours of a palette"));
 }
 
 TEST_F(DeckImage, SeveralValuesMayHaveOneMaterial) {
@@ -154,7 +251,7 @@ TEST_F(DeckImage, PixelsAreTheIdentityOfAStudyAndItsFileIsNot) {
   write("copy.npy", {4, 4}, changed);
   EXPECT_NE(content_of(study(keys("copy.npy"))), first);
   EXPECT_NE(content_of(study(keys("scan.npy", "pixel = \"3 um\""))), first);
-  EXPECT_NE(content_of(study(keys("scan.npy", "pixel = \"2 um\", periodic = true"))), first);
+  EXPECT_NE(content_of(study(keys("scan.npy", "pixel = \"2 um\", periodic = false"))), first);
   const auto read = study(keys("scan.npy"));
   EXPECT_EQ(read.provenance.file_hashes.size(), 1U);
 }
@@ -198,8 +295,8 @@ TEST_F(DeckImage, MistakesInTheSize) {
   write("wide.npy", {3, 2}, {0, 7, 0, 7, 0, 7});
   EXPECT_THAT(
       mistakes(keys("wide.npy")),
-      HasSubstr("stages.a.packing.file: expected a square image, since boxes are square, got 3 x 2 pixels; crop "
-                "it to 2 x 2 (ImageMagick: convert IN -crop 2x2+0+0 +repage OUT)"));
+      HasSubstr("stages.a.packing.file: expected a square image, since boxes are square, got 3 x 2 pixels; crop = { "
+                "left = 0, top = 0, width = 2, height = 2 } takes a square of it"));
   write("odd.npy", {3, 3}, {0, 7, 0, 7, 0, 7, 7, 7, 7});
   EXPECT_THAT(mistakes(keys("odd.npy")), HasSubstr("stages.a.cells: missing: cells of 2 x 2 points cannot give each "
                                                    "of 3 x 3 pixels one point; cells = 3 gives each four points"));

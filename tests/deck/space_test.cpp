@@ -151,7 +151,8 @@ TEST_F(DeckStack, RefusesWhatIsNoCube) {
   write("long.npy", {2, 4, 2}, {7, 0, 0, 0, 0, 0, 0, 7, 7, 0, 0, 0, 0, 0, 0, 7});
   EXPECT_THAT(
       directory.mistakes(deck_of(R"(file = "long.npy", pixel = "2 um")")),
-      HasSubstr("expected a cube of voxels, since boxes are cubic, got 2 x 4 x 2 voxels; crop it to 2 x 2 x 2"));
+      HasSubstr("expected a cube of voxels, since boxes are cubic, got 2 x 4 x 2 voxels; crop = { left = 0, top = "
+                "0, lowest = 0, width = 2, height = 2, depth = 2 } takes a cube of it"));
   write("stack.npy", {2, 2, 2}, {7, 0, 0, 0, 0, 0, 0, 7});
   EXPECT_THAT(directory.mistakes(deck_of(R"(file = "stack.npy", pixel = "2 um", page = 1)")),
               HasSubstr("packing.page: a box of three dimensions takes the whole stack"));

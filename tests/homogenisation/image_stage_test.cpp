@@ -16,6 +16,8 @@
 namespace breccia {
 namespace {
 
+using testing::AllOf;
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -65,17 +67,77 @@ TEST(ImageStage, HasThePhasesOfItsFillers) {
 }
 
 // The layers cut the sides across them, over half of their length, and not the others.
-TEST(ImageStage, WarnsOfABoundaryThatCutsIt) {
+TEST(ImageStage, WarnsOfABoundaryThatCutsItsFiller) {
   for (const auto walls : {Walls::hard, Walls::periodic}) {
     const auto stage = layered_image(walls);
     auto study = image_study(stage, Mixing::series);
     const auto packed = make_microstructure(stage);
-    study.tests.boundaries = {Boundary::periodic};
-    EXPECT_THAT(warnings_on(study, stage, packed), IsEmpty());
     study.tests.boundaries = {Boundary::traction};
     EXPECT_THAT(warnings_on(study, stage, packed),
-                ElementsAre(HasSubstr("the sides of the box cut filler, over 25 % of their length: ")));
+                Contains(HasSubstr("the sides of the box cut filler, over 25 % of their length: ")));
+    study.tests.boundaries = {Boundary::periodic};
+    EXPECT_THAT(warnings_on(study, stage, packed),
+                ElementsAre(HasSubstr("a line of pixels crosses its filler in 2.7 pixels")))
+        << "the sides fit together, and flint with iron is 2 or 4 pixels long";
   }
+}
+
+/// A stage whose 16 x 16 pixels of flint in bitumen are given by a rule of column and row.
+template <class IsFlint>
+Stage picture(const IsFlint& is_flint) {
+  LabelImage<2> image = {{16, 16}, 1e-3, Walls::periodic, {}};
+  for (int row = 0; row < 16; ++row) {
+    for (int column = 0; column < 16; ++column) image.labels.push_back(is_flint(column, row) ? Label{1} : Label{0});
+  }
+  return {.name = "A",
+          .matrix = bitumen,
+          .side = 16e-3,
+          .cells = 8,
+          .fillers = {{.material = flint}},
+          .packing = ImagePacking<2>{.file = "scan.png", .image = std::make_shared<const LabelImage<2>>(image)}};
+}
+
+std::vector<std::string> warnings_of(const Stage& stage) {
+  auto study = image_study(stage, Mixing::series);
+  study.tests.boundaries = {Boundary::periodic};
+  return warnings_on(study, stage, make_microstructure(stage));
+}
+
+TEST(ImageStage, WarnsOfSidesThatDoNotFitTogether) {
+  EXPECT_THAT(warnings_of(picture([](int column, int) { return column >= 4 && column < 12; })), IsEmpty());
+  EXPECT_THAT(warnings_of(picture([](int column, int row) { return row >= column; })),
+              Contains(AllOf(HasSubstr("opposite sides of the picture do not fit together: 94 % of their pixels"),
+                             HasSubstr("at most 6 % of those of neighbouring lines inside"),
+                             HasSubstr("100 % of the filler"))));
+}
+
+TEST(ImageStage, WarnsOfNoiseAndOfPixelsThatAreTooLarge) {
+  EXPECT_THAT(warnings_of(picture([](int column, int row) { return (column + 3 * row) % 7 == 0; })),
+              Contains(AllOf(HasSubstr("single pixels of another material than all around them have 100 % of the "
+                                       "interface"),
+                             HasSubstr("packing.smooth = 3"))));
+  EXPECT_THAT(warnings_of(picture([](int column, int) { return column % 8 < 6; })),
+              Contains(HasSubstr("100 % of the gaps between its filler, along lines of pixels, are narrower than 3 "
+                                 "pixels (1.5 cells)")))
+      << "gaps of two pixels";
+  auto coarse = picture([](int column, int) { return column < 6 || column >= 10; });
+  EXPECT_THAT(warnings_of(coarse), IsEmpty()) << "gaps of four";
+  coarse.cells = 4;
+  EXPECT_THAT(warnings_of(coarse), Contains(HasSubstr("are narrower than 6 pixels (1.5 cells)")));
+}
+
+TEST(ImageStage, WarnsOfAPoorThresholdAndOfAFrame) {
+  auto stage = picture([](int column, int) { return column >= 4 && column < 12; });
+  auto& made = std::get<ImagePacking<2>>(std::get<PackingMethod<2>>(stage.packing)).segmentation.emplace();
+  made.separability = 0.76;
+  EXPECT_THAT(warnings_of(stage), IsEmpty());
+  made.separability = 0.74;
+  made.frame = 3;
+  EXPECT_THAT(warnings_of(stage),
+              ElementsAre(HasSubstr("hardly separates the grey values: Otsu's separability is 0.74, "
+                                    "and that of a flat histogram 0.75"),
+                          HasSubstr("the outermost 3 lines of pixels at a side of the picture have "
+                                    "one grey value throughout")));
 }
 
 TEST(ImageStage, TakesTheMemoryOfItsMixedCells) {

@@ -7,6 +7,13 @@
 
 namespace breccia {
 
+/// What the values of a picture say about the brightness of its pixels.
+enum class Shades {
+  rising,   ///< 0 is the darkest one
+  falling,  ///< 0 is white, as in some TIFF files
+  palette   ///< nothing: they are numbers of the colours of a palette
+};
+
 /// The content of an image file: whole numbers on a regular lattice of square pixels or of cubic voxels.
 ///
 /// The axes are those of a box: x to the right, y upwards, z from layer to layer. The order of the rows of a file is:
@@ -19,6 +26,7 @@ struct Raster {
   std::vector<std::size_t> extents;  ///< number of pixels along x, y and, in three dimensions, z
   std::vector<std::int32_t> values;  ///< x runs fastest, then y from the bottom row up, then z
   std::optional<double> pixel;       ///< side of a pixel [m], where the file gives it in a unit of length
+  Shades shades = Shades::rising;
 };
 
 }  // namespace breccia

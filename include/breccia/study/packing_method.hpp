@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "breccia/microstructure/cubic_array.hpp"
+#include "breccia/microstructure/grey_segmentation.hpp"
 #include "breccia/microstructure/label_image.hpp"
 #include "breccia/microstructure/laguerre_sites.hpp"
 #include "breccia/microstructure/microstructure.hpp"
@@ -98,6 +99,13 @@ struct LaguerrePacking {
   [[nodiscard]] bool is_random() const { return sites.empty(); }
 };
 
+/// The part of a picture that is used: the pixels left of it, above it and, in a stack, the layers below it, and its
+/// own pixels along x, y and z.
+struct PictureCrop {
+  std::size_t left = 0, top = 0, lowest = 0;
+  std::vector<std::size_t> extents = {};
+};
+
 /// The pixels of an image, or the voxels of a stack of images, in place of particles. The label 0 is that of the
 /// matrix, the label k that of the filler k - 1 of the stage.
 template <int dim>
@@ -105,6 +113,8 @@ struct ImagePacking {
   std::filesystem::path file;
   std::string array = {};       ///< data set of the file; empty if none was named
   SharedImage<dim> image = {};  ///< image that fills the box
+  std::optional<PictureCrop> crop = {};
+  std::optional<GreySegmentation> segmentation = {};  ///< of a grey picture
 
   static constexpr auto name = PackingName::image;
 };

@@ -46,7 +46,8 @@ export function textOnStage(stage) {
   const {particles, pixels, fraction, film_m: film} = stage.microstructure;
   if (pixels !== undefined) {
     const image = `an image of ${pixels.join(" x ")} pixels: ${stage.filler}, ${percentOfWhole(fraction)}`;
-    return `${image} of ${box}, in ${stage.matrix}`;
+    const {threshold} = stage.microstructure;
+    return `${image} of ${box}, in ${stage.matrix}${threshold === undefined ? "" : `; ${threshold.words}`}`;
   }
   const kind = film === undefined ? "particles" : `grains, with films of ${display(film, "m")} between them,`;
   return `${particles} ${kind} of ${stage.filler} fill ${percentOfWhole(fraction)} of ${box} of ${stage.matrix}`;
