@@ -45,7 +45,7 @@ Warning warning_of_sides(const std::vector<Boundary>& boundaries, const LabelIma
     return fmt::format(
         "the sides of the picture cut {:.0f} % of its filler (with what is connected to it): under the "
         "displacement boundary these particles move with the sides, and the modulus at long times may "
-        "come out ten times too high; under traction they are free, and it comes out too low; without "
+        "come out tens to hundreds of times too high; under traction they are free, and it comes out too low; without "
         "tests.boundaries and packing.periodic it is tested under the periodic boundary",
         cut);
   }
