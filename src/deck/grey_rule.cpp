@@ -1,7 +1,6 @@
 #include "deck/grey_rule.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string>
 
 #include <fmt/format.h>
@@ -19,7 +18,7 @@ enum class ThresholdWord { otsu };
 
 std::optional<double> read_threshold(const Section& packing) {
   const auto kind = packing.kind("threshold");
-  if (kind == Kind::integer || kind == Kind::number) return packing.number("threshold");
+  if (kind == Kind::integer || kind == Kind::number) return packing.optional_number("threshold");
   if (kind == Kind::text) {
     static_cast<void>(packing.choice<ThresholdWord>("threshold", {{"otsu", ThresholdWord::otsu}}));
   } else {
@@ -30,14 +29,13 @@ std::optional<double> read_threshold(const Section& packing) {
 
 int read_median_side(const Section& packing) {
   constexpr Range sides = {.lower = 3.0, .upper = 15.0};
-  const auto side = packing.optional_integer("smooth", sides);
-  if (!side || *side == 0) return 1;
-  if (*side % 2 == 0) {
-    packing.report("smooth", fmt::format("expected an odd number, the side of the square of pixels whose median each "
-                                         "pixel takes, got {}",
-                                         *side));
-  }
-  return static_cast<int>(*side);
+  const auto side = packing.optional_integer("smooth", sides).value_or(1);
+  if (side % 2 == 1) return static_cast<int>(side);
+  packing.report("smooth",
+                 fmt::format("expected an odd number, the side of the square of pixels whose median each pixel "
+                             "takes, got {}",
+                             side));
+  return 1;
 }
 
 /// Throws InputError if the values of a picture do not rise with the brightness.

@@ -182,6 +182,7 @@ TEST_F(DeckImage, MistakesInAThreshold) {
                         "or a grey value, too"));
   EXPECT_THAT(with(", threshold = \"ostu\""), HasSubstr("did you mean \"otsu\"?"));
   EXPECT_THAT(with(", threshold = \"45 %\""), HasSubstr("packing.threshold: expected \"otsu\""));
+  EXPECT_THAT(with(", threshold = nan"), HasSubstr("packing.threshold: expected a number"));
   EXPECT_THAT(with(", threshold = [40]"),
               HasSubstr("packing.threshold: expected \"otsu\" or a grey value of the picture, such as 115"));
   EXPECT_THAT(with(", threshold = 60, smooth = 2"), HasSubstr("packing.smooth: "));
