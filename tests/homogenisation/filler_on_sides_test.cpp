@@ -39,7 +39,7 @@ TEST(FillerOnSides, IsTheCirclesOfSpheres) {
 }
 
 TEST(FillerOnSides, IsSampledForOtherShapes) {
-  const std::vector<Particle> ellipses = {{Ellipse{{0.5, 0.5}}, Pose({0.3, 1.6}, 0.7)}};
+  const std::vector<Particle> ellipses = {{Ellipse{{1.0, 1.0}}, Pose({0.3, 1.6}, 0.7)}};
   EXPECT_NEAR(share_of(box_of<2>(ellipses, Walls::periodic)).value(), (0.8 + 0.6) / 4.0, 1e-3);
 }
 

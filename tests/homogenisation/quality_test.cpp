@@ -89,13 +89,13 @@ TEST(Quality, NamesTheLoadAndTheMethodOfTheBoundsAmongSeveral) {
     return summary_of(quality_of(Study{}, random_stage(), result_of({upper, lower, further})));
   };
   EXPECT_THAT(summary_with(other(upper, Load::bulk, Method::quasistatic)),
-              StartsWith("bounds under shear 18 % apart at"));
+              StartsWith("displacement and traction under shear 18 % apart at"));
   EXPECT_THAT(summary_with(other(upper, Load::shear, Method::dynamic)),
-              StartsWith("bounds under shear, quasistatic 18 % apart at"));
+              StartsWith("displacement and traction under shear, quasistatic 18 % apart at"));
   const auto crossed = result_of(
       {upper, lower, other(lowest, Load::bulk, Method::quasistatic), other(lower, Load::bulk, Method::quasistatic)});
   EXPECT_THAT(summary_of(quality_of(Study{}, random_stage(), crossed)),
-              StartsWith("bounds under bulk: the upper one is 20 % below the lower one at 10 ms"));
+              StartsWith("displacement and traction under bulk: the modulus under displacement is 20 % below that under traction at 10 ms"));
 }
 
 TEST(Quality, SaysOfFilmsWhichKeyHalvesTheirMesh) {
