@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "discretisation/contrast.hpp"
+#include "homogenisation/dynamic_warnings.hpp"
 #include "homogenisation/material_warnings.hpp"
 #include "homogenisation/narrow_gaps.hpp"
 #include "homogenisation/plan/grid_error.hpp"
@@ -382,6 +383,7 @@ std::vector<std::string> warnings_on(const Study& study, const Stage& stage,
     if (warning) of_stage.push_back(*warning);
   }
   std::ranges::move(warnings_of_unknown_times(stage, study.tests), std::back_inserter(of_stage));
+  if (auto warning = warning_of_ringing(study.tests)) of_stage.push_back(*std::move(warning));
   for (const auto& measurement : study.measurements) {
     if (measurement.stage != stage.name) continue;
     const auto warning = warning_of_other_times(measurement, {study.tests.first_time, study.tests.last_time});
