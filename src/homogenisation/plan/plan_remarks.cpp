@@ -38,7 +38,7 @@ std::optional<std::string> remark_on_range(const Study& study, const Stage& stag
 
 std::optional<std::string> remark_on_rounding(const Study& study, const Stage& stage) {
   // Measured with spheres in cubes: theory, section 10.
-  constexpr double limit = 3e-7;
+  constexpr double limit = 1e-6;
   double softest = std::numeric_limits<double>::infinity();
   for (const auto& point : expected_path(study, stage)) {
     for (const auto& [bulk, shear] : point.moduli) softest = std::min(softest, shear / bulk);
