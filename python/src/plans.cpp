@@ -63,7 +63,10 @@ void bind_plans(py::module_& module) {
           "Largest relative error [-] to be expected of the finest grid; None where there is no rule for it.")
       .def("cells_for", &cells_for, py::arg("error"),
            "Cells per side for a relative error [-] of the moduli; None where no rule tells them.")
-      .def_readonly("warnings", &StagePlan::warnings);
+      .def_readonly("warnings", &StagePlan::warnings)
+      .def_readonly("remarks", &StagePlan::remarks,
+                    "What is known beforehand of the tests: a range of moduli that takes far less time, and that "
+                    "rounding may keep the tolerance from being met.");
   py::class_<StudyPlan>(module, "Plan", "What a study is expected to take.")
       .def_readonly("stages", &StudyPlan::stages)
       .def_property_readonly("seconds", &StudyPlan::seconds, "Time of all tests, one after the other [s].")

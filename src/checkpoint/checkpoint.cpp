@@ -88,6 +88,11 @@ bool Checkpoint::is_due() {
   return wish > 0.0;
 }
 
+bool Checkpoint::is_to_end() {
+  ends_ = parallel::largest(schedule_.stop && schedule_.stop() ? 1.0 : 0.0) > 0.0;
+  return ends_;
+}
+
 void Checkpoint::put(const WriteState& write, bool is_finished) {
   StateWriter writer(path_, owner_);
   writer.write(finished_name, std::int64_t{is_finished});

@@ -30,6 +30,8 @@ class Checkpoint {
 
   /// Whether the state should be saved now: the same value on all processes, each of which must call the function.
   [[nodiscard]] bool is_due();
+  /// Whether the run shall end: the same value on all processes, each of which must call the function.
+  [[nodiscard]] bool is_to_end();
   /// Saves the state; then throws Interrupted if the run shall end. Throws FileError, on all processes.
   void save(const WriteState& write);
   /// Saves the result, and removes the last but one state. Throws FileError, on all processes.

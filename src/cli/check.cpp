@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@
 
 #include "cli/command.hpp"
 #include "cli/filler_summary.hpp"
+#include "cli/progress_line.hpp"
 #include "cli/summary.hpp"
 #include "cli/sweep_summary.hpp"
 #include "homogenisation/quality.hpp"
@@ -122,6 +124,7 @@ void print(const Study& study, const StudyPlan& plan, const std::vector<double>&
     for (const auto& test : stage.tests) fmt::print("{}", lines_of_test(stage.stage, test));
     if (stage.grid) fmt::print("{}", line_of_grid(stage.stage, *stage.grid, errors));
     fmt::print("{}", line_of_sample(stage, errors));
+    for (const auto& remark : stage.remarks) fmt::print("  {}: {}\n", stage.stage, remark);
     for (const auto& warning : stage.warnings) fmt::print("warning: {}\n", warning);
     fillers.push_back(stage.fillers);
   }
@@ -129,9 +132,17 @@ void print(const Study& study, const StudyPlan& plan, const std::vector<double>&
              line_of_processes(processes, study, plan, plan.seconds()));
 }
 
+/// Makes a plan whose packings, which may take long, are followed by a line.
+template <class Task>
+auto followed_plan_of(const Task& task) {
+  std::fflush(stdout);
+  ProgressLine progress(false);
+  return plan_of(task, [&](const Progress& now) { progress.update(now.what, now.share, now.details); });
+}
+
 void check_study(const Study& study, const std::vector<double>& errors, int processes) {
   fmt::print("{}{}", summary(study), heading);
-  print(study, plan_of(study), errors, processes);
+  print(study, followed_plan_of(study), errors, processes);
   // Several processes may use the memory of several machines.
   if (processes == 1) require_memory(study, parallel::available_memory());
 }
@@ -157,7 +168,7 @@ void check_sweep(const Sweep& sweep, const std::vector<double>& errors, int proc
   fmt::print("a sweep of {} tasks\n\n{}\nthe first one:\n\n", sweep.tasks.size(), table_of_tasks(sweep));
   const auto& study = sweep.tasks.front().study;
   fmt::print("{}", summary(study));
-  const auto plan = plan_of(sweep);
+  const auto plan = followed_plan_of(sweep);
   std::vector<std::string> failures;
   for (const auto& part : plan.parts) {
     if (!part.failure.empty()) {

@@ -21,9 +21,9 @@ std::timespec first_request = {};
 // NOLINTEND(cppcoreguidelines-avoid-non-const-global-variables)
 
 constexpr std::string_view notice =
-    "\nStopping after the solution in progress, which may take a while; Ctrl-C again stops at once, and a run then "
-    "goes on "
-    "from its last checkpoint with --resume.\n";
+    "\nStopping as soon as what has been computed is saved; Ctrl-C again stops at once, and a run then goes on from "
+    "its "
+    "last checkpoint with --resume.\n";
 
 /// The time since the first request [s].
 double seconds_since_request() {

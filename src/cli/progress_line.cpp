@@ -28,6 +28,11 @@ ProgressLine::ProgressLine(bool quiet, std::FILE* stream, const Pace& pace)
   if (!quiet) heartbeat_.emplace(pace.beat, [this] { show(); });
 }
 
+ProgressLine::~ProgressLine() {
+  heartbeat_.reset();
+  clear_live_line();
+}
+
 void ProgressLine::update(std::string_view what, double share, std::string_view details) {
   if (quiet_) return;
   const std::lock_guard lock(mutex_);

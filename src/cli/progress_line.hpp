@@ -26,6 +26,12 @@ class ProgressLine {
   explicit ProgressLine(bool quiet);
   /// Writes progress lines to a stream, which is not closed, with the given timing.
   ProgressLine(bool quiet, std::FILE* stream, const Pace& pace);
+  /// Removes the line from a terminal.
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+  ProgressLine(ProgressLine&&) = delete;
+  ProgressLine& operator=(ProgressLine&&) = delete;
 
   /// Sets the running work, its finished share (0 to 1) and details; may be called as often as needed.
   void update(std::string_view what, double share, std::string_view details);

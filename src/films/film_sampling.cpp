@@ -6,7 +6,6 @@
 #include "films/fields/film_recovery.hpp"
 #include "films/film_composite.hpp"
 #include "quasistatic/reduced/greedy_sampling.hpp"
-#include "quasistatic/solvers/linear_effort_state.hpp"
 
 namespace breccia {
 namespace {
@@ -35,10 +34,9 @@ FilmResponses sample_film_responses(const FilmProblem& problem, std::span<const 
   films::FilmSolver solver(sampled->composite);
   if (const auto* earlier = checkpoint != nullptr ? checkpoint->earlier() : nullptr) {
     sampling.restore(*earlier);
-    solver.count_from(read_effort(*earlier, "/effort"));
+    solver.count_from(sampling.effort());
   }
-  quasistatic::sample(sampling, solver, path, options, observer, checkpoint,
-                      [&](StateWriter& state) { save(state, "/effort", solver.effort()); });
+  quasistatic::sample(sampling, solver, path, options, observer, checkpoint);
   return {.responses = sampling.responses(),
           .effort = solver.effort(),
           .fields = [sampled, problem](std::size_t load, std::span<const Material> materials, double time) {

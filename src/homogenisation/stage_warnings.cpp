@@ -11,6 +11,7 @@
 
 #include "discretisation/contrast.hpp"
 #include "homogenisation/box/filler_on_sides.hpp"
+#include "homogenisation/dynamic_warnings.hpp"
 #include "homogenisation/image_warnings.hpp"
 #include "homogenisation/material_warnings.hpp"
 #include "homogenisation/narrow_gaps.hpp"
@@ -356,6 +357,7 @@ std::vector<std::string> warnings_on(const Study& study, const Stage& stage,
   }
   std::ranges::move(warnings_on_image(study, stage), std::back_inserter(of_stage));
   std::ranges::move(warnings_of_unknown_times(stage, study.tests), std::back_inserter(of_stage));
+  if (auto warning = warning_of_ringing(study.tests)) of_stage.push_back(*std::move(warning));
   for (const auto& measurement : study.measurements) {
     if (measurement.stage != stage.name) continue;
     const auto warning = warning_of_other_times(measurement, {study.tests.first_time, study.tests.last_time});

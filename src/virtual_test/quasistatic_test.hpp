@@ -69,7 +69,7 @@ struct QuasistaticTestResult {
 /// Runs a test. With a checkpoint, the state is saved when that is due, and an earlier state is resumed, with results
 /// that are bitwise identical to those of one run; a finished test returns its result without the fields. Throws
 /// InputError for an incomplete test or field times outside its times, NumericalError when a linear system cannot be
-/// solved or the tolerance cannot be met.
+/// solved or the basis leaves an error above a tenth.
 QuasistaticTestResult run_quasistatic_test(const QuasistaticTest& test, const ProgressObserver& observer = {},
                                            Checkpoint* checkpoint = nullptr);
 

@@ -102,6 +102,24 @@ TEST(PackingAdvice, WithoutAGapAFractionAloneIsNamed) {
   EXPECT_NO_THROW(static_cast<void>(make_microstructure(stage))) << message;
 }
 
+// Two fillers of which the particles alone would leave room.
+TEST(PackingAdvice, NamesTheGapsOfSeveralFillersAndThoseThatPack) {
+  for (const auto walls : {Walls::hard, Walls::periodic}) {
+    auto stage = box(120e-6, 0.3, 60e-6, walls);
+    stage.fillers.push_back(box(60e-6, 0.15, 30e-6).fillers.front());
+    const auto message = message_on(stage);
+    EXPECT_THAT(message, AllOf(HasSubstr("with half of the gap around each they would fill"),
+                               HasSubstr("% without the gaps"), HasSubstr("the gaps take the room: gaps of ")));
+    stage.fillers[0].gap = 1e-6 * number_after(message, "gaps of ");
+    stage.fillers[1].gap = 1e-6 * number_after(message, "um and ");
+    EXPECT_NEAR(stage.fillers[0].gap, 2.0 * stage.fillers[1].gap, 0.1 * stage.fillers[0].gap);
+    EXPECT_GE(make_microstructure(stage).gap, stage.fillers[1].gap) << message;
+    stage.fillers[0].fraction = 0.8;
+    stage.fillers[1].fraction = 0.4;
+    EXPECT_THAT(message_on(stage), HasSubstr("; expected fewer or smaller particles"));
+  }
+}
+
 // Between the walls 100 um remain for two gaps.
 TEST(PackingAdvice, AParticleThatDoesNotFit) {
   auto stage = box(0.9e-3, 0.35, 0.2e-3);

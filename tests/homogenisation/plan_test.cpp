@@ -9,6 +9,8 @@
 #include <variant>
 #include <vector>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -115,6 +117,32 @@ TEST(Plan, HasTheErrorOfTheGridAndTheCellsForAnother) {
 }
 
 // In this order the last tasks are the largest: all of them are planned, not the first alone.
+TEST(Plan, NamesTheRangeOfTimesWhereItTakesFarLessTime) {
+  auto study = box_to_plan(400);
+  auto& stage = study.stages.front();
+  std::get<Material>(stage.matrix).shear = PronySeries(1e4, {{1e-9, 1e9}, {1e3, 1e6}});
+  study.tests.last_time = 2e-3;
+  const auto remarks = [&] { return fmt::format("{}", fmt::join(plan_of(study).stages.front().remarks, "\n")); };
+  EXPECT_EQ(remarks(), "") << "a run of less than two minutes";
+  stage.cells = 4000;
+  EXPECT_THAT(remarks(), MatchesRegex("tests.quasistatic.range = \"times\" takes some .* in place of .*"));
+  study.tests.quasistatic.range = SampledRange::times;
+  EXPECT_EQ(remarks(), "");
+}
+
+TEST(Plan, SaysWhereRoundingMayKeepTheToleranceFromBeingMet) {
+  auto study = box_to_plan(20);
+  auto& matrix = std::get<Material>(study.stages.front().matrix);
+  const auto remarks = [&] { return plan_of(study).stages.front().remarks; };
+  matrix.shear = PronySeries(1e3, {{1e-2, 1e6}});
+  EXPECT_THAT(remarks(), testing::IsEmpty());
+  matrix.shear = PronySeries(2e2, {{1e-2, 1e6}});
+  ASSERT_EQ(remarks().size(), 1U);
+  EXPECT_THAT(remarks().front(), HasSubstr("a shear modulus falls to 2e-07 of the bulk modulus"));
+  study.tests.quasistatic.solver = Solver::stepping;
+  EXPECT_THAT(remarks(), testing::IsEmpty());
+}
+
 TEST(PlanOfASweep, HasAllTasks) {
   const auto sweep = sweep_over_cells({40, 80, 400});
   const auto plan = plan_of(sweep);

@@ -9,6 +9,7 @@
 
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/filler_statistics.hpp"
+#include "breccia/progress.hpp"
 #include "breccia/study/study.hpp"
 #include "breccia/study/sweep.hpp"
 #include "breccia/virtual_test/time_domain.hpp"
@@ -75,6 +76,9 @@ struct StagePlan {
   std::optional<double> sample_error = {};
   std::vector<FillerStatistics> fillers = {};  ///< statistics of the fillers in the packed box
   std::vector<std::string> warnings = {};      ///< warnings about the stage as it is packed (warnings_on)
+  /// What is known beforehand of its quasi-static tests: a range of moduli that takes far less time, and that rounding
+  /// may keep the tolerance from being met.
+  std::vector<std::string> remarks = {};
 };
 
 /// The plan of a study: the plans of its stages.
@@ -105,8 +109,9 @@ struct SweepPlan {
 
 /// Plans a study: packs the boxes of its stages, and runs a trial of a fraction of a second for dynamic tests. No
 /// quasi-static test is computed. Throws the errors of require_sound(), make_microstructure() and plan_dynamic_test().
-StudyPlan plan_of(const Study& study);
-SweepPlan plan_of(const Sweep& sweep);
+/// The observer is told how far a packing is.
+StudyPlan plan_of(const Study& study, const ProgressObserver& follow = {});
+SweepPlan plan_of(const Sweep& sweep, const ProgressObserver& follow = {});
 
 /// The memory [B] of all processes together for the largest test of spheres with flow through gaps, which several
 /// processes solve by sparse factors; nothing for a study without such a test.

@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "io/display.hpp"
 #include "study/filler_sizes.hpp"
@@ -59,6 +63,31 @@ std::optional<double> widest_gap(const Stage& stage, const PackingRequest& reque
   return low > 0.0 ? std::optional(rounded_down_to_two_digits(low)) : std::nullopt;
 }
 
+/// The packing request with all gaps, and the parts of shells that gaps have, multiplied by a share; the shells must be
+/// those of gaps alone.
+PackingRequest with_share_of_gaps(const Stage& stage, PackingRequest request, double share) {
+  for (double& shell : request.shells) shell *= share;
+  const double gap = share * request.minimum_gap;
+  return with_gap(stage, std::move(request), gap);
+}
+
+/// The share of all gaps, 1 at most, with which the particles fill at most a fraction of the box; nothing where they
+/// would fill more without gaps, or have coatings.
+template <int dim>
+std::optional<double> share_of_gaps(const Stage& stage, const PackingRequest& request, double fraction) {
+  const auto fits = [&](double share) {
+    return inflated_fraction<dim>(with_share_of_gaps(stage, request, share)) <= fraction;
+  };
+  if (has_coatings(stage) || !fits(0.0)) return std::nullopt;
+  double low = 0.0, high = 1.0;
+  for (int halving = 0; halving < 60; ++halving) {
+    const double middle = 0.5 * (low + high);
+    (fits(middle) ? low : high) = middle;
+  }
+  const double share = rounded_down_to_two_digits(low);
+  return share > 0.0 ? std::optional(share) : std::nullopt;
+}
+
 /// The number of cells per side for which the gap, given in material points, is not wider than another gap.
 std::optional<int> cells_for(const Stage& stage, double gap) {
   constexpr double most = 1 << 20;
@@ -95,6 +124,16 @@ std::string in_words(const PackingAdvice& advice) {
   if (advice.gap && advice.fraction) return fmt::format("{}, and so should {} with this gap", gap, fraction);
   if (advice.gap) return gap;
   if (advice.fraction) return fmt::format("{} with this gap should pack", fraction);
+  if (!advice.gaps.empty()) {
+    std::vector<std::string> gaps;
+    gaps.reserve(advice.gaps.size());
+    for (const double of_filler : advice.gaps) gaps.push_back(display(of_filler, "m", 2));
+    const bool are_equal = std::ranges::adjacent_find(gaps, std::not_equal_to<>()) == gaps.end();
+    return are_equal
+               ? fmt::format("the gaps take the room: a gap of {} or less of each filler should pack", gaps.front())
+               : fmt::format("the gaps take the room: gaps of {} or less of the fillers, in their order, should pack",
+                             fmt::join(gaps, " and "));
+  }
   return "expected fewer or smaller particles";
 }
 
@@ -118,10 +157,17 @@ const Filler& widest_filler(const Stage& stage) {
 template <int dim>
 PackingAdvice packing_advice(const Stage& stage, const PackingRequest& request, const PackingError& error) {
   PackingAdvice advice;
-  // With several fillers there is no one gap and no one fraction to change.
-  if (stage.fillers.size() > 1) return advice;
-  const auto& filler = stage.fillers.front();
   const double safe = safe_fraction<dim>(request, error);
+  if (stage.fillers.size() > 1) {
+    const bool is_too_wide = error.obstacle() == PackingObstacle::size;
+    const auto share = is_too_wide ? std::nullopt : share_of_gaps<dim>(stage, request, safe);
+    if (!share) return advice;
+    for (const auto& filler : stage.fillers) {
+      advice.gaps.emplace_back(rounded_down_to_two_digits(*share * filler.gap));
+    }
+    return advice;
+  }
+  const auto& filler = stage.fillers.front();
   advice.gap = widest_gap<dim>(stage, request, safe);
   if (advice.gap && filler.gap_source == GapSource::points) advice.cells = cells_for(stage, *advice.gap);
   const bool has_fraction = filler.fraction && error.obstacle() != PackingObstacle::size;
@@ -141,11 +187,15 @@ std::string message_on(const Stage& stage, const PackingRequest& request, const 
                        display(diameters ? diameters->largest : std::ranges::max(request.diameters), "m"), coating,
                        gaps_in_words(stage), display(stage.side, "m"), advice);
   }
-  const bool has_gap = request.minimum_gap > 0.0;
+  const bool has_gap = std::ranges::any_of(stage.fillers, [](const Filler& filler) { return filler.gap > 0.0; });
   const auto gap = has_gap ? fmt::format("a gap of {}", gaps_in_words(stage)) : "no gap between them";
-  const auto how = fmt::format("{}they would fill {:.1f} % of {}", shells_in_words(stage, has_gap),
-                               100.0 * inflated_fraction<dim>(request),
-                               request.walls == Walls::hard ? "the room between the walls" : "the box");
+  const auto alone = has_gap && stage.fillers.size() > 1
+                         ? fmt::format(", {:.1f} % without the gaps",
+                                       100.0 * inflated_fraction<dim>(with_share_of_gaps(stage, request, 0.0)))
+                         : "";
+  const auto how = fmt::format(
+      "{}they would fill {:.1f} % of {}{}", shells_in_words(stage, has_gap), 100.0 * inflated_fraction<dim>(request),
+      request.walls == Walls::hard ? "the room between the walls" : "the box", has_coatings(stage) ? "" : alone);
   const double attainable = 100.0 * error.attainable_fraction();
   const bool jams = error.obstacle() == PackingObstacle::jam;
   return fmt::format("{} with {} {}: {}, and {} {:.1f} %; {}", particles_of(stage, request), gap,

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "breccia/microstructure/packing.hpp"
 #include "breccia/study/study.hpp"
@@ -13,6 +14,9 @@ struct PackingAdvice {
   std::optional<double> gap;       ///< largest gap for the requested particles [m]
   std::optional<int> cells;        ///< fewest cells per side, if the gap depends on the grid
   std::optional<double> fraction;  ///< largest fraction for the requested gap, if the stage has a fraction [-]
+  /// The largest gaps of several fillers, in their order and in proportion to those requested [m]; empty for one
+  /// filler, and where gaps are not the cause.
+  std::vector<double> gaps = {};
 };
 
 /// Advice on a packing request that failed; numbers are rounded to two digits, to the safe side.

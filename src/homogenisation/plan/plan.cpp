@@ -23,6 +23,7 @@
 #include "homogenisation/plan/film_costs.hpp"
 #include "homogenisation/plan/grid_error.hpp"
 #include "homogenisation/plan/measured_costs.hpp"
+#include "homogenisation/plan/plan_remarks.hpp"
 #include "homogenisation/plan/test_plans.hpp"
 #include "homogenisation/stage_warnings.hpp"
 #include "study/identity.hpp"
@@ -46,6 +47,8 @@ std::string identity_of_box(const Stage& stage) {
 /// Plans studies one after the other, and packs equal boxes once.
 class Planner {
  public:
+  explicit Planner(const ProgressObserver& follow) : follow_(follow) {}
+
   StudyPlan plan(const Study& study) {
     StudyPlan plan;
     for (const auto& stage : study.stages) plan.stages.push_back(plan_of_stage(study, stage));
@@ -98,6 +101,7 @@ class Planner {
       }
     }
     plan.grid = plan_of_grid(study, stage, packed);
+    plan.remarks = remarks_on_tests(as_computed, stage);
     return plan;
   }
 
@@ -115,9 +119,11 @@ class Planner {
   const StageMicrostructure& box_of(const Stage& stage) {
     const auto identity = identity_of_box(stage);
     const auto known = boxes_.find(identity);
-    return known != boxes_.end() ? known->second : boxes_.emplace(identity, make_microstructure(stage)).first->second;
+    return known != boxes_.end() ? known->second
+                                 : boxes_.emplace(identity, make_microstructure(stage, follow_)).first->second;
   }
 
+  const ProgressObserver& follow_;
   std::map<std::string, StageMicrostructure> boxes_;
 };
 
@@ -242,13 +248,13 @@ const SweepPlan::Part& SweepPlan::largest() const {
   return *std::ranges::max_element(parts, {}, [](const Part& part) { return part.plan.bytes(); });
 }
 
-StudyPlan plan_of(const Study& study) {
+StudyPlan plan_of(const Study& study, const ProgressObserver& follow) {
   require_sound(study);
-  return Planner().plan(study);
+  return Planner(follow).plan(study);
 }
 
-SweepPlan plan_of(const Sweep& sweep) {
-  Planner planner;
+SweepPlan plan_of(const Sweep& sweep, const ProgressObserver& follow) {
+  Planner planner(follow);
   SweepPlan plan;
   for (auto& part : parts_of(sweep, all_tasks(sweep))) planner.add(sweep, std::move(part), plan);
   std::ranges::sort(plan.parts, {}, [](const SweepPlan::Part& part) { return part.tasks.front(); });

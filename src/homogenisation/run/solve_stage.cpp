@@ -91,6 +91,7 @@ class StageSolution {
   }
 
   void add_all_loads(std::vector<TestResult> tests) {
+    if (auto warning = warning_of_basis(study_.tests, stage_, tests)) done_.warnings.push_back(*std::move(warning));
     for (auto& test : tests) add_of_load(std::move(test));
     sink_.happened(AllLoadsFinished{stage_, result_});
   }
@@ -106,7 +107,7 @@ class StageSolution {
 
   void add(TestResult test) {
     done_.tests.push_back(std::move(test));
-    std::ranges::copy(warnings_of(stage_, done_.tests.back()), std::back_inserter(done_.warnings));
+    std::ranges::copy(warnings_of(study_.tests, stage_, done_.tests.back()), std::back_inserter(done_.warnings));
     sink_.happened(TestFinished{stage_, result_});
   }
 

@@ -1,5 +1,6 @@
 #include "homogenisation/run/stage_tests.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 #include <variant>
@@ -9,6 +10,7 @@
 #include "breccia/viscoelasticity/fit.hpp"
 
 #include "checkpoint/checkpoint.hpp"
+#include "homogenisation/dynamic_warnings.hpp"
 #include "homogenisation/run/field_times_state.hpp"
 #include "homogenisation/run/named_errors.hpp"
 #include "homogenisation/run/test_requests.hpp"
@@ -130,7 +132,7 @@ TestResult run_dynamic(const StageGrid& grid, const Material& matrix, Boundary b
   return result;
 }
 
-std::vector<std::string> warnings_of(const Stage& stage, const TestResult& test) {
+std::vector<std::string> warnings_of(const Tests& tests, const Stage& stage, const TestResult& test) {
   constexpr double tolerance = 0.03;
   std::vector<std::string> warnings;
   const auto* dynamic = std::get_if<DynamicRecord>(&test.record);
@@ -142,7 +144,31 @@ std::vector<std::string> warnings_of(const Stage& stage, const TestResult& test)
         "or another ramp may reduce the difference",
         stage.name, name_of(test.id.load), name_of(test.id.boundary), 100.0 * mismatch, window.begin, window.end));
   }
+  for (const auto& warning : warnings_on_domains(tests, test.id.boundary, dynamic->domains)) {
+    warnings.push_back(
+        fmt::format("{} {}, {}: {}", stage.name, name_of(test.id.load), bound_of(test.id.boundary), warning));
+  }
   return warnings;
+}
+
+std::optional<std::string> warning_of_basis(const Tests& tests, const Stage& stage,
+                                            const std::vector<TestResult>& of_loads) {
+  const auto [tolerance, most_snapshots] = sampling_of(tests);
+  double error = 0.0;
+  for (const auto& test : of_loads) {
+    const auto* record = std::get_if<QuasistaticRecord>(&test.record);
+    if (record == nullptr || !record->reduced) return std::nullopt;
+    if (static_cast<int>(record->reduced->snapshots.size()) < most_snapshots) return std::nullopt;
+    error = std::max(error, test.error_estimate);
+  }
+  if (error <= tolerance) return std::nullopt;
+  return fmt::format(
+      "{} {}, {}: the error of the reduced basis is {:.1g} % after {} snapshots, where tests.quasistatic.tolerance "
+      "asks "
+      "for {:.1g} %; it is part of the printed error; tests.quasistatic.range = \"times\" takes fewer moduli, and "
+      "tests.solver = \"stepping\" has no basis",
+      stage.name, bound_of(of_loads.front().id.boundary), words_of(of_loads.front().id.grid), 100.0 * error,
+      most_snapshots, 100.0 * tolerance);
 }
 
 }  // namespace breccia

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,11 @@ TestResult run_dynamic(const StageGrid& grid, const Material& matrix, Boundary b
 PronySeries fitted(const Curve& curve);
 
 /// Reasons to doubt the result of a test.
-std::vector<std::string> warnings_of(const Stage& stage, const TestResult& test);
+std::vector<std::string> warnings_of(const Tests& tests, const Stage& stage, const TestResult& test);
+
+/// A warning where the reduced bases of the tests of all loads have as many snapshots as are allowed and are less
+/// accurate than they should be.
+std::optional<std::string> warning_of_basis(const Tests& tests, const Stage& stage,
+                                            const std::vector<TestResult>& of_loads);
 
 }  // namespace breccia

@@ -58,12 +58,22 @@ std::vector<std::vector<Material>> variants_of(const Tests& tests, const std::ve
   return variants;
 }
 
+}  // namespace
+
+SamplingOptions sampling_of(const Tests& tests) {
+  auto options = tests.quasistatic.sampling;
+  // With every further modulus the basis takes up to three times as many snapshots.
+  options.most_snapshots *= 1 + 2 * varied_moduli(tests.varied);
+  return options;
+}
+
+namespace {
+
 QuasistaticTest test_without_fields(const Study& study, const Stage& stage, const Material& matrix,
                                     QuasistaticComposite composite, Boundary boundary, int threads) {
   auto options = study.tests.quasistatic;
   options.linear.threads = threads;
-  // With every further modulus the basis takes up to three times as many snapshots.
-  options.sampling.most_snapshots *= 1 + 2 * varied_moduli(study.tests.varied);
+  options.sampling = sampling_of(study.tests);
   const auto materials = materials_of(stage, matrix);
   const auto varying = varying_phases(study.tests, stage);
   return {.composite = std::move(composite),

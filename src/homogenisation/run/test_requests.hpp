@@ -24,6 +24,9 @@ QuasistaticTest make_quasistatic_test(const Study& study, const Stage& stage, co
 QuasistaticTest make_film_test(const Study& study, const Stage& stage, const Material& matrix, const Grains<2>& grains,
                                Boundary boundary, int threads);
 
+/// The criteria by which the sampling of the reduced bases of a study ends.
+SamplingOptions sampling_of(const Tests& tests);
+
 /// An estimate of the matrix of a stage before anything is computed; exact if the matrix is a material. It serves to
 /// plan runs; no result depends on it.
 Material expected_matrix(const Study& study, const Stage& stage);

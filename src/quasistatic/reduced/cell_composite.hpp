@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "breccia/discretisation/point_fields.hpp"
@@ -75,6 +77,8 @@ class CellSolver {
   void save_preconditioner(StateWriter& state, const std::string& group) const;
   void restore_preconditioner(const StateReader& state, const std::string& group);
 
+  /// Calls a function in every iteration (ElasticSolver::watch).
+  void watch(std::function<void()> in_iteration) { solver_->watch(std::move(in_iteration)); }
   [[nodiscard]] const LinearEffort& effort() const noexcept { return solver_->effort(); }
   void count_from(const LinearEffort& earlier) { solver_->count_from(earlier); }
 

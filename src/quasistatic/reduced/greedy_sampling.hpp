@@ -20,8 +20,10 @@
 #include "quasistatic/reduced/reduced_basis.hpp"
 #include "quasistatic/reduced/residual_rounding.hpp"
 #include "quasistatic/reduced/sampling.hpp"
+#include "quasistatic/reduced/sampling_progress.hpp"
 #include "quasistatic/reduced/target_curve.hpp"
 #include "quasistatic/reduced/training_path.hpp"
+#include "quasistatic/solvers/linear_effort_state.hpp"
 
 namespace breccia::quasistatic {
 
@@ -60,13 +62,24 @@ class GreedySampling {
   /// Measures the error of each reduced response at these moduli, and adds the snapshot.
   template <CompositeSolver<Vector> Solver>
   void add_selected_snapshot(Solver& solver, const std::vector<Moduli>& at, double tolerance) {
-    error_ = 0.0;
     add_snapshot(solver, at, [&](std::size_t load, const Vector& solution) {
       const double error = measure_error(load, solution, at, tolerance);
-      error_ = std::max(error_, error);
+      error_ = load == 0 ? error : std::max(error_, error);
       return error;
     });
   }
+
+  /// The number of loads whose bases have the next snapshot already; not zero where a run was ended between them.
+  [[nodiscard]] std::size_t loads_done() const {
+    const auto has_next = [this](const auto& of_load) { return of_load.size() > static_cast<std::size_t>(snapshots_); };
+    return static_cast<std::size_t>(std::ranges::count_if(measured_, has_next));
+  }
+  /// The moduli of the next snapshot, which the bases of loads_done() loads have already.
+  [[nodiscard]] const std::vector<Moduli>& next_moduli() const {
+    return bases_.front().response().snapshots.back().moduli;
+  }
+  /// The effort up to the last solution that is part of a basis.
+  [[nodiscard]] const LinearEffort& effort() const noexcept { return effort_; }
 
   /// The moduli of the training set with the largest error estimate of all loads. Estimates are scaled by the ratios of
   /// error to residual measured so far. An estimate that rounding alone may have caused, or with a residual as small as
@@ -108,6 +121,7 @@ class GreedySampling {
     state.write("/sampling/error", error_);
     state.write("/sampling/has_met_tolerance", std::int64_t{has_met_tolerance_ ? 1 : 0});
     state.write("/sampling/scales", scales_);
+    breccia::save(state, "/effort", effort_);
     for (std::size_t l = 0; l < bases_.size(); ++l) {
       const auto group = fmt::format("/sampling/load/{}", l);
       state.write(group + "/measured", measured_[l]);
@@ -120,6 +134,7 @@ class GreedySampling {
     error_ = state.number("/sampling/error");
     has_met_tolerance_ = state.integer("/sampling/has_met_tolerance") != 0;
     scales_ = state.numbers("/sampling/scales", bases_.size());
+    effort_ = read_effort(state, "/effort");
     for (std::size_t l = 0; l < bases_.size(); ++l) {
       const auto group = fmt::format("/sampling/load/{}", l);
       measured_[l] = state.numbers(group + "/measured");
@@ -147,14 +162,21 @@ class GreedySampling {
     return bases_.front().response().parameters(varying);
   }
 
-  /// Solves for each load, and adds the solution after error_at(load, solution) has returned the error to record.
+  /// Solves for each load that is not done, and adds the solution after error_at(load, solution) has returned the error
+  /// to record. An exception of the solver leaves the bases as they are after the last solution.
   template <class Solver, class ErrorAt>
   void add_snapshot(Solver& solver, const std::vector<Moduli>& at, const ErrorAt& error_at) {
+    const auto first = loads_done();
+    effort_ = solver.effort();
     solver.prepare(parameters(at));
-    for (std::size_t l = 0; l < bases_.size(); ++l) {
+    // The run that was ended has counted the preparation for these moduli.
+    if (first > 0) solver.count_from(effort_);
+    for (std::size_t l = first; l < bases_.size(); ++l) {
       auto solution = solver.solve(bases_[l].load(), bases_[l].approximation(at));
-      measured_[l].push_back(error_at(l, solution));
+      const double error = error_at(l, solution);
       bases_[l].add(std::move(solution), at);
+      measured_[l].push_back(error);
+      effort_ = solver.effort();
     }
     ++snapshots_;
   }
@@ -186,6 +208,7 @@ class GreedySampling {
   std::vector<ReducedBasis<Composite>> bases_;  ///< bases by load
   std::vector<double> scales_;                  ///< largest ratio of error to residual found so far, by load
   std::vector<std::vector<double>> measured_;   ///< errors of the snapshots, by load
+  LinearEffort effort_;
   int snapshots_ = 0;
   double error_ = 1.0;
   bool has_met_tolerance_ = false;
@@ -198,12 +221,8 @@ class GreedySampling {
 /// each of its phases.
 void require_complete(std::span<const Load> loads, const TrainingPath& training_set);
 
-/// Throws NumericalError when the allowed number of snapshots has not met the tolerance.
-void require_more_snapshots(int snapshots, double error, const SamplingOptions& options);
-
-/// Progress of the greedy selection: the share of the orders of magnitude by which the error is to fall. `error` is the
-/// relative error at the last snapshot before it was added, 1 before one was measured [-].
-Progress progress_of(int snapshots, double error, const SamplingOptions& options);
+/// Throws NumericalError for an error, where no more snapshots are allowed, that leaves no useful modulus.
+void require_useful(double error, const SamplingOptions& options);
 
 /// Whether bases that meet the tolerance at Laplace variables have changed the target little by their last vectors, or
 /// would not gain from further ones, because the remaining error of a load at Laplace variables is far below the
@@ -223,23 +242,28 @@ template <AffineComposite Composite>
   return true;
 }
 
-/// Adds snapshots of the training set until the tolerance is met, and then, where the set has a target and as long as
-/// more snapshots are allowed, until it is accurate in time. With a checkpoint, the state is saved between solutions
-/// when that is due: save_others(state) adds the data that the caller needs to continue.
-template <AffineComposite Composite, CompositeSolver<typename Composite::Vector> Solver, class SaveOthers>
+/// Adds snapshots of the training set until the tolerance is met, and then, where the set has a target, until it is
+/// accurate in time, as long as more snapshots are allowed. Where rounding keeps the tolerance from being met, the
+/// bases are as accurate as they can be, and their estimates tell how accurate. With a checkpoint, the state is saved
+/// between snapshots when that is due, and within a solution, as it was before it, when the run shall end.
+template <AffineComposite Composite, CompositeSolver<typename Composite::Vector> Solver>
 void sample(GreedySampling<Composite>& sampling, Solver& solver, const TrainingPath& training_set,
-            const SamplingOptions& options, const ProgressObserver& observer, Checkpoint* checkpoint,
-            const SaveOthers& save_others) {
+            const SamplingOptions& options, const ProgressObserver& observer, Checkpoint* checkpoint) {
+  SamplingProgress progress(options, sampling.bases().size());
+  const auto save = [&] { checkpoint->save([&](StateWriter& state) { sampling.save(state); }); };
   const auto save_if_due = [&] {
-    if (checkpoint == nullptr || !checkpoint->is_due()) return;
-    checkpoint->save([&](StateWriter& state) {
-      save_others(state);
-      sampling.save(state);
-    });
+    if (checkpoint != nullptr && checkpoint->is_due()) save();
   };
   const auto report = [&] {
-    if (observer) observer(progress_of(sampling.snapshots(), sampling.error(), options));
+    if (observer) observer(progress.after(sampling.snapshots(), sampling.error()));
   };
+  // Factors take too few iterations to look between them.
+  if constexpr (requires { solver.watch(std::function<void()>()); }) {
+    solver.watch([&] {
+      if (checkpoint != nullptr && checkpoint->is_to_end()) save();
+      if (observer) observer(progress.within_solution(sampling.snapshots(), sampling.loads_done()));
+    });
+  }
   const auto initial = initial_snapshots(training_set);
   for (auto i = static_cast<std::size_t>(sampling.snapshots()); i < initial.size(); ++i) {
     save_if_due();
@@ -250,6 +274,11 @@ void sample(GreedySampling<Composite>& sampling, Solver& solver, const TrainingP
       throw NumericalError("reduced basis: the first solution vanishes; a modulus may be beyond what numbers can hold");
     }
   }
+  if (sampling.loads_done() > 0) {
+    const auto moduli = sampling.next_moduli();
+    sampling.add_selected_snapshot(solver, moduli, options.tolerance);
+    report();
+  }
   while (training_set.points.size() > 1) {
     const auto choice = sampling.greedy_choice(training_set.points);
     const double error = std::max(sampling.error(), choice.estimate);
@@ -257,8 +286,10 @@ void sample(GreedySampling<Composite>& sampling, Solver& solver, const TrainingP
       sampling.tolerance_is_met();
       if (is_accurate_in_time(sampling, training_set, choice, options.tolerance)) break;
     }
-    if (sampling.has_met_tolerance() && sampling.snapshots() >= options.most_snapshots) break;
-    require_more_snapshots(sampling.snapshots(), error, options);
+    if (sampling.snapshots() >= options.most_snapshots) {
+      if (!sampling.has_met_tolerance()) require_useful(error, options);
+      break;
+    }
     save_if_due();
     sampling.add_selected_snapshot(solver, choice.moduli, options.tolerance);
     report();

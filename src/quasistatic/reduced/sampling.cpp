@@ -7,7 +7,6 @@
 #include "quasistatic/operator/displacement_state.hpp"
 #include "quasistatic/reduced/cell_composite.hpp"
 #include "quasistatic/reduced/greedy_sampling.hpp"
-#include "quasistatic/solvers/linear_effort_state.hpp"
 
 namespace breccia {
 namespace {
@@ -40,10 +39,9 @@ SampledResponses<dim> sample_responses(const QuasistaticProblem<dim>& problem, s
   CellSolver<dim> solver(sampled->composite, problem.linear);
   if (const auto* earlier = checkpoint != nullptr ? checkpoint->earlier() : nullptr) {
     sampled->sampling.restore(*earlier);
-    solver.count_from(read_effort(*earlier, "/effort"));
+    solver.count_from(sampled->sampling.effort());
   }
-  quasistatic::sample(sampled->sampling, solver, training_set, options, observer, checkpoint,
-                      [&](StateWriter& state) { save(state, "/effort", solver.effort()); });
+  quasistatic::sample(sampled->sampling, solver, training_set, options, observer, checkpoint);
   return {.responses = sampled->sampling.responses(),
           .effort = solver.effort(),
           .fields = [sampled, problem](std::size_t load, std::span<const Material> of_phases, double time) {

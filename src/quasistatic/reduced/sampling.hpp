@@ -33,11 +33,12 @@ struct SampledResponses {
 /// Builds a reduced response for each load from snapshots: elastic solutions for moduli [Pa] taken from a training set.
 /// The initial snapshots are its middle and both ends; then a greedy selection adds a snapshot where the error estimate
 /// is largest and measures the error there, until the tolerance is met and, with a target curve, the curve in time no
-/// longer changes. The materials of the phases that vary are not used; all others must be elastic. With a checkpoint,
-/// the state is saved between solutions when that is due, and an earlier state is resumed, with results that are
-/// bitwise identical to those of one run. Throws InputError when there are no loads, a point has no material, the
-/// training set is empty, has a point without the moduli of each of its phases or names a phase twice or one without
-/// material, or another material relaxes; NumericalError when a system cannot be solved or the tolerance cannot be met.
+/// longer changes, or as many snapshots are taken as are allowed: the estimates of the responses then tell the error
+/// that is left. The materials of the phases that vary are not used; all others must be elastic. With a checkpoint, the
+/// state is saved between solutions when that is due, and an earlier state is resumed, with results that are bitwise
+/// identical to those of one run. Throws InputError when there are no loads, a point has no material, the training set
+/// is empty, has a point without the moduli of each of its phases or names a phase twice or one without material, or
+/// another material relaxes; NumericalError when a system cannot be solved or the error that is left is above a tenth.
 /// Instantiated for 2 and 3 dimensions.
 template <int dim>
 SampledResponses<dim> sample_responses(const QuasistaticProblem<dim>& problem, std::span<const Load> loads,

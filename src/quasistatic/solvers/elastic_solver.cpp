@@ -60,7 +60,6 @@ void ElasticSolver<dim>::count_iterations(int iterations) {
 
 template <int dim>
 Displacement ElasticSolver<dim>::solve(Forces forces, Displacement displacement, std::optional<double> least_energy) {
-  ++effort_.solves;
   least_energy_ = least_energy;
   elastic_operator_->condense(moduli_, forces);
   check(VecNorm(forces.fluctuation(), NORM_2, &load_), "reading the load");
@@ -76,6 +75,7 @@ Displacement ElasticSolver<dim>::solve(Forces forces, Displacement displacement,
         relative, effort_.most_iterations, accuracy_wanted(),
         effort_.is_direct ? "" : " for an iterative solver, a direct one may serve"));
   }
+  ++effort_.solves;
   effort_.largest_residual = std::max(effort_.largest_residual, relative);
   elastic_operator_->recover_phase_strains(moduli_, forces, displacement);
   return displacement;

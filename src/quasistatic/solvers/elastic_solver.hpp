@@ -1,9 +1,11 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "breccia/quasistatic/quasistatic_problem.hpp"
@@ -35,6 +37,10 @@ class ElasticSolver {
   /// not converge.
   [[nodiscard]] Displacement solve(Forces forces, Displacement guess, std::optional<double> least_energy = {});
 
+  /// Calls a function in every iteration of the solutions that follow; an exception that it throws, on all processes,
+  /// ends the solution.
+  void watch(std::function<void()> in_iteration) { in_iteration_ = std::move(in_iteration); }
+
   [[nodiscard]] const LinearEffort& effort() const noexcept { return effort_; }
   /// Continues the counts of the effort of an earlier run.
   void count_from(const LinearEffort& earlier) { effort_ = earlier; }
@@ -63,6 +69,10 @@ class ElasticSolver {
   /// Whether a residual is as small as the rounding errors of the forces for displacements of up to `largest`.
   [[nodiscard]] bool is_rounding(double residual, double largest) const noexcept;
   [[nodiscard]] std::optional<double> least_energy() const noexcept { return least_energy_; }
+  /// To be called by each process in every iteration.
+  void look_in_iteration() const {
+    if (in_iteration_) in_iteration_();
+  }
   void count_factorisation() { ++effort_.factorisations; }
   void count_iterations(int iterations);
 
@@ -77,6 +87,7 @@ class ElasticSolver {
   double tolerance_;
   std::vector<Moduli> moduli_;
   LinearEffort effort_;
+  std::function<void()> in_iteration_;
   double prescribed_;  ///< size of the prescribed displacements: 1, of a unit strain, or 0 under a traction boundary
   double rounding_ = 0.0;               ///< norm of the rounding errors of the forces for displacements of order one
   double load_ = 0.0;                   ///< norm of the forces of the present solve

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <exception>
+#include <utility>
 
 #include "quasistatic/solvers/direct/breakdown.hpp"
 #include "quasistatic/solvers/direct/solver_options.hpp"
@@ -103,7 +105,7 @@ void AssembledSolver<dim>::restore_preconditioner(const StateReader& state, cons
 template <int dim>
 PetscErrorCode AssembledSolver<dim>::is_converged(KSP solver, PetscInt /*iteration*/, PetscReal residual,
                                                   KSPConvergedReason* reason, void* self) {
-  const auto& that = *static_cast<const AssembledSolver*>(self);
+  auto& that = *static_cast<AssembledSolver*>(self);
   *reason = KSP_CONVERGED_ITERATING;
   if (!std::isfinite(residual)) {
     *reason = KSP_DIVERGED_NANORINF;
@@ -116,6 +118,14 @@ PetscErrorCode AssembledSolver<dim>::is_converged(KSP solver, PetscInt /*iterati
     PetscCall(VecNorm(displacement, NORM_INFINITY, &largest));
     if (that.is_small(residual, largest)) *reason = KSP_CONVERGED_ATOL;
   }
+  if (*reason != KSP_CONVERGED_ITERATING) return 0;
+  // No exception may pass through PETSc.
+  try {
+    that.look_in_iteration();
+  } catch (...) {
+    that.ended_by_ = std::current_exception();
+    *reason = KSP_DIVERGED_ITS;
+  }
   return 0;
 }
 
@@ -124,6 +134,7 @@ bool AssembledSolver<dim>::try_to_solve(Vec on_nodes, Displacement& displacement
   constexpr const char* what = "solving for the displacements";
   check(KSPSetTolerances(solver_.get(), PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, most_iterations), what);
   check(KSPSolve(solver_.get(), on_nodes, displacement.fluctuation()), what);
+  if (ended_by_) std::rethrow_exception(std::exchange(ended_by_, nullptr));
   int iterations = 0;
   check(KSPGetIterationNumber(solver_.get(), &iterations), what);
   this->count_iterations(iterations);

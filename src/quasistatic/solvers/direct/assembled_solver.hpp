@@ -1,5 +1,6 @@
 #pragma once
 
+#include <exception>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,7 @@ class AssembledSolver final : public ElasticSolver<dim> {
   LinearSolver solver_;
   std::vector<Moduli> prepared_moduli_;  ///< moduli for which the preconditioner was made
   int fresh_iterations_ = 0;             ///< iterations with a preconditioner of the present moduli; 0 before any
+  std::exception_ptr ended_by_;          ///< exception of an iteration that has ended the solution
   bool is_fresh_ = false;                ///< whether the preconditioner was made for the present moduli
 };
 

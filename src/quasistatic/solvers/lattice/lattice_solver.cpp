@@ -69,6 +69,7 @@ LatticeSolver::Pass LatticeSolver::iterate(State& state, int most_iterations) {
   // A residual that is small compared with the load may still belong to a large error of the displacement of a soft
   // matrix, so that only the energy, or rounding, ends the iteration.
   for (; !is_rounding(norm, state.largest); ++iterations) {
+    look_in_iteration();
     preconditioner_->apply(reference_, residual, work);
     const double now = sums_.product(residual, work);
     if (is_accurate(now, energy)) break;

@@ -112,6 +112,7 @@ std::pair<int, bool> SaddlePointSolver::iterate(const NodalField& right, NodalFi
   const double first = gamma;
   double eta = gamma, s = 0.0, s_before = 0.0, c = 1.0, c_before = 1.0;
   for (int iteration = 1; iteration <= most_iterations; ++iteration) {
+    look_in_iteration();
     sums_.scale(z, 1.0 / gamma);
     saddle_.multiply(z, next);
     const double delta = sums_.product(z, next);

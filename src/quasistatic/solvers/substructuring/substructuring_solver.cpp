@@ -194,6 +194,7 @@ double SubstructuringSolver::correct(const Displacement& residual, double larges
   double before = 1.0, norm = std::sqrt(product(r, r));
   int iterations = 0;
   for (; !is_small(norm, largest) && iterations < many; ++iterations) {
+    look_in_iteration();
     preconditioner_->apply(r, z);
     const double now = product(r, z);
     combine(now / before, p, 1.0, z);
