@@ -15,6 +15,7 @@
 #include "homogenisation/plan/grid_error.hpp"
 #include "homogenisation/run/isotropic_mean.hpp"
 #include "io/display.hpp"
+#include "study/abscissa_words.hpp"
 #include "study/coatings.hpp"
 #include "study/filler_sizes.hpp"
 
@@ -89,6 +90,15 @@ const LoadQuality& shown_bounds(std::span<const LoadQuality> loads) {
   });
 }
 
+/// Distances at the first and the last time: "4 % apart at 1 ms, 11 % at 100 s"; in frequency at the first and the last
+/// frequency, which belong to the last and the first time.
+std::string words_on_ends(Abscissa abscissa, AnisotropyAtTime first, AnisotropyAtTime last) {
+  if (abscissa == Abscissa::frequency) std::swap(first, last);
+  const auto distance = words_of(first.distance);
+  return fmt::format("{}{} at {}, {} at {}", distance, distance.starts_with('a') ? "" : " apart",
+                     display_in(abscissa, first.time), words_of(last.distance), display_in(abscissa, last.time));
+}
+
 /// The distance of the bounds at the first and the last time.
 std::string words_on_bounds(const StageQuality& quality) {
   if (quality.loads.empty()) return "bounds: not tested";
@@ -97,7 +107,7 @@ std::string words_on_bounds(const StageQuality& quality) {
   const auto bounds = name_of_bounds(shown, quality.loads);
   if (const auto crossed = worst_crossing(shown)) {
     return fmt::format("{}: the upper one is {} below the lower one at {}", bounds, words_of(*crossed->crossing()),
-                       display_time(crossed->time));
+                       display_in(quality.abscissa, crossed->time));
   }
   const auto& times = shown.times;
   const auto first = times.front().distance(), last = times.back().distance();
@@ -106,16 +116,14 @@ std::string words_on_bounds(const StageQuality& quality) {
     return fmt::format(R"({}: only the {} one, distance unknown (tests.boundaries = ["displacement", "traction"]))",
                        bounds, times.front().upper ? "upper" : "lower");
   }
-  const auto text = words_of(std::abs(*first)), later = words_of(std::abs(*last));
-  return fmt::format("{} {}{} at {}, {} at {}", bounds, text, text.starts_with('a') ? "" : " apart",
-                     display_time(times.front().time), later, display_time(times.back().time));
+  return fmt::format(
+      "{} {}", bounds,
+      words_on_ends(quality.abscissa, {times.front().time, std::abs(*first)}, {times.back().time, std::abs(*last)}));
 }
 
 /// The distance of the shears at the first and the last time: "shears 4 % apart at 1 ms, 11 % at 100 s".
-std::string words_on_anisotropy(const Anisotropy& shears) {
-  const auto distance = words_of(shears.first.distance);
-  return fmt::format("shears {}{} at {}, {} at {}", distance, distance.starts_with('a') ? "" : " apart",
-                     display_time(shears.first.time), words_of(shears.last.distance), display_time(shears.last.time));
+std::string words_on_anisotropy(const Anisotropy& shears, Abscissa abscissa) {
+  return fmt::format("shears {}", words_on_ends(abscissa, shears.first, shears.last));
 }
 
 /// The error of one grid by a rule, or the reason why no rule gives it.
@@ -167,9 +175,9 @@ std::optional<double> largest_error(const StageResult& result, const Part& of) {
 }
 
 /// What two dimensions leave out.
-std::string words_on_space(const FactorOfSpace& space) {
+std::string words_on_space(const FactorOfSpace& space, Abscissa abscissa) {
   return fmt::format("two dimensions: spheres would have up to about {:.2g} times this modulus at {}", space.ratio,
-                     display_time(space.time));
+                     display_in(abscissa, space.time));
 }
 
 /// The whole error, and whether it is what was asked for; empty where it is not known and nothing was asked for.
@@ -255,6 +263,7 @@ std::vector<LoadQuality> bounds_of_tests(const StageResult& result) {
 StageQuality quality_of(const Study& study, const Stage& stage, const StageResult& result) {
   const auto& packed = result.microstructure;
   StageQuality quality{.dimensions = stage.dimensions(),
+                       .abscissa = study.tests.abscissa(),
                        .matrix_stage = {},
                        .particles = packed.particles(),
                        .fraction = packed.fraction,
@@ -309,14 +318,14 @@ std::string summary_of(const StageQuality& quality) {
   std::vector<std::string> parts;
   if (const auto whole = words_on_whole_error(quality); !whole.empty()) parts.push_back(whole);
   if (!quality.is_periodic || !quality.loads.empty()) parts.push_back(words_on_bounds(quality));
-  if (quality.anisotropy) parts.push_back(words_on_anisotropy(*quality.anisotropy));
+  if (quality.anisotropy) parts.push_back(words_on_anisotropy(*quality.anisotropy, quality.abscissa));
   parts.push_back(words_on_grid(quality));
   if (std::isfinite(quality.gap_cells)) parts.push_back(words_on_gap(quality));
   if (quality.coating_cells) parts.push_back(fmt::format("thinnest coating: {:.2g} cells", *quality.coating_cells));
   if (!quality.matrix_stage.empty() && !quality.error) {
     parts.push_back(fmt::format("matrix: the errors of stage {} add to these", quality.matrix_stage));
   }
-  if (quality.space) parts.push_back(words_on_space(*quality.space));
+  if (quality.space) parts.push_back(words_on_space(*quality.space, quality.abscissa));
   if (quality.is_random) parts.push_back(words_on_packing(quality));
   return fmt::format("{}", fmt::join(parts, "; "));
 }
@@ -353,8 +362,8 @@ std::vector<std::string> warnings_on_bounds(const StageQuality& quality) {
     warnings.push_back(fmt::format(
         "{}, {}: the upper bound is {} below the lower bound at {}; likely causes: {} too coarse for the narrowest "
         "gap{}{}; or particles that the sides of the box cut",
-        name_of(load.load), name_of(load.method), words_of(*crossed->crossing()), display_time(crossed->time),
-        quality.grids.size() > 1 ? "grids" : "a grid", gaps,
+        name_of(load.load), name_of(load.method), words_of(*crossed->crossing()),
+        display_in(quality.abscissa, crossed->time), quality.grids.size() > 1 ? "grids" : "a grid", gaps,
         load.method == Method::dynamic ? "; ringing of a run with too large a mass scaling factor or too short a ramp"
                                        : ""));
   }

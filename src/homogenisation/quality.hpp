@@ -38,7 +38,8 @@ struct LoadQuality {
 /// Measures of the accuracy of a stage's results that follow from the run itself.
 struct StageQuality {
   int dimensions = 2;
-  std::string matrix_stage;  ///< the earlier stage that is the matrix; empty if the matrix is a material
+  Abscissa abscissa = Abscissa::time;  ///< in which times are told
+  std::string matrix_stage;            ///< the earlier stage that is the matrix; empty if the matrix is a material
   std::size_t particles = 0;
   double fraction = 0.0;                 ///< area fraction of the particles [-]
   std::optional<double> fraction_asked;  ///< area fraction in the deck [-]; only for a packing that draws its particles
