@@ -14,7 +14,7 @@
 #include "study_directory.hpp"
 #include "tables/csv.hpp"
 
-namespace breccia::test {
+namespace breccia::test::measured_frequencies {
 namespace {
 
 using ::testing::AllOf;
@@ -138,7 +138,7 @@ TEST_F(MeasuredFrequencies, StandBesideAnAnswer) {
   const auto answer = respond();
   ASSERT_EQ(answer.exit_code, 0) << answer.errors;
   EXPECT_THAT(answer.output, HasSubstr("\nbox, G, periodic, quasistatic\n   frequency          |G*|"));
-  EXPECT_THAT(answer.output, HasSubstr("        1 Hz    0.975   +0.00 deg    0.975    0.975      1.000"));
+  EXPECT_THAT(answer.output, HasSubstr("        1 Hz    0.975  "));
   EXPECT_THAT(answer.output, Not(HasSubstr("        time")));
   EXPECT_THAT(compared("out/respond-softer/comparison_dynamic.csv").numbers("ratio"), Each(DoubleNear(0.975, 1e-5)));
   const auto table =
@@ -158,7 +158,7 @@ TEST_F(MeasuredFrequencies, AnAnswerIsOverWhatIsAskedFor) {
   EXPECT_THAT(some.output, AllOf(HasSubstr("       10 Hz  "), Not(HasSubstr("      100 Hz  "))));
   EXPECT_EQ(compared("frequencies/comparison_dynamic.csv").rows(), 4U);
   const auto both = respond({"--times", "10 ms", "1 s", "--frequencies", "1 Hz", "10 Hz"});
-  EXPECT_THAT(both.errors, HasSubstr("--frequencies excludes --times"));
+  EXPECT_THAT(both.errors, HasSubstr("--times excludes --frequencies"));
   EXPECT_NE(both.exit_code, 0);
   EXPECT_THAT(respond({"--frequencies", "10 Hz", "1 Hz"}).errors,
               HasSubstr("--frequencies: expected two rising frequencies, got 10 Hz and 1 Hz"));
@@ -189,4 +189,4 @@ TEST_F(MeasuredFrequencies, WarningsSpeakOfFrequencies) {
 }
 
 }  // namespace
-}  // namespace breccia::test
+}  // namespace breccia::test::measured_frequencies
