@@ -28,6 +28,8 @@ from ._exports import Isochrone, export, isochrone
 from ._fits import master_curve, read_measured, read_sweeps
 from ._materials import Material
 from ._native import (
+    ComplexEngineeringModuli,
+    ComplexModuli,
     CreepCompliance,
     CreepFit,
     EngineeringModuli,
@@ -54,7 +56,7 @@ from ._stored import read_results, read_sweep_results
 from ._study import Measurement, Study, Tests, read_study, read_sweep
 
 __all__ = [
-    "Coating", "CreepCompliance", "CreepFit", "EngineeringModuli", "Error", "FileError", "Filler", "Image",
+    "Coating", "ComplexEngineeringModuli", "ComplexModuli", "CreepCompliance", "CreepFit", "EngineeringModuli", "Error", "FileError", "Filler", "Image",
     "InputError", "Interrupted", "Isochrone", "MasterCurve", "Material", "Measurement", "Microstructure",
     "NumericalError", "Packing", "Plan", "PronySeries", "RelaxationFit", "Result", "Solid", "Stage", "StagePlan",
     "StageResult", "Study", "TestPlan", "TestResult", "Tests", "WilliamsLandelFerry",
@@ -72,6 +74,7 @@ for _name in __all__:
 setattr(Result, "_repr_html_", _html.result_html)
 setattr(StageResult, "_repr_html_", _html.stage_html)
 setattr(TestResult, "_repr_html_", _html.test_html)
+setattr(ComplexModuli, "_repr_html_", _html.complex_html)
 setattr(EngineeringModuli, "_repr_html_", _html.engineering_html)
 setattr(PronySeries, "_repr_html_", _html.series_html)
 setattr(RelaxationFit, "_repr_html_", _html.relaxation_fit_html)

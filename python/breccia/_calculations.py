@@ -67,12 +67,13 @@ def run(study: Study, directory: PathLike, *, resume: bool = False, overwrite: b
 
 def respond(result: _native.Result, binder: AnyMaterial | None = None, *,
             materials: Mapping[str, AnyMaterial] | None = None, temperature: Quantity | None = None,
-            times: Sequence[Quantity] | None = None) -> _native.Result:
+            times: Sequence[Quantity] | None = None,
+            frequencies: Sequence[Quantity] | None = None) -> _native.Result:
     """The curves of the same boxes with other materials or at another temperature, in milliseconds.
 
     binder: a new matrix: a Material, a PronySeries for its shear modulus alone, or a TOML file; materials: others by
     the names of those that they replace; temperature: [K] or "40 degC", by the temperature_shift of the study or of the
-    new binder; times: first and last time [s]. Elastic materials vary only where the study asked for it:
+    new binder; times: first and last time [s]; frequencies: in their place, the first and the last frequency [Hz]. Elastic materials vary only where the study asked for it:
     Tests(quasistatic={"vary": {"glass": {"shear": [3e9, 300e9]}}}). The answer can be asked again. Raises InputError
     where the result does not cover the materials; the message has the times that it covers.
     """
@@ -88,7 +89,8 @@ def respond(result: _native.Result, binder: AnyMaterial | None = None, *,
     kelvin = None if temperature is None else si("temperature", temperature, "temperature")
     covered = None if times is None else window("times", times, "time")
     solids = [(name, _solid(result, name, material)) for name, material in replaced.items()]
-    return _native.respond(result, solids, kelvin, covered)
+    cycles = None if frequencies is None else window("frequencies", frequencies, "frequency")
+    return _native.respond(result, solids, kelvin, covered, cycles)
 
 
 def checked(study: Any) -> _native.CheckedStudy:

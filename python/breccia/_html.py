@@ -57,6 +57,42 @@ def _table(tests: list[_native.TestResult]) -> str:
     return f"<table><tr><th></th>{head}</tr>{''.join(rows)}</table>"
 
 
+def _row_text(values: list[str], tag: str = "td") -> str:
+    return "<tr>" + "".join(f'<{tag} style="text-align:right">{value}</{tag}>' for value in values) + "</tr>"
+
+
+def _frequency_table(moduli: _native.ComplexModuli) -> str:
+    """|G*| with its error, phase, G', G'' and tan delta at whole decades of hertz, or at the ends where there are none."""
+    first, last = np.log10(moduli.frequency[0]), np.log10(moduli.frequency[-1])
+    whole = np.arange(math.ceil(first - 1e-9), math.floor(last + 1e-9) + 1)
+    shown = 10.0 ** whole[:: max(1, math.ceil(len(whole) / 9))] if len(whole) > 1 else moduli.frequency[[0, -1]]
+    rows = []
+    for frequency in shown:
+        modulus = moduli.at(2 * math.pi * frequency)
+        error = moduli.error[np.argmin(np.abs(np.log(moduli.frequency / frequency)))]
+        rows.append(_row_text([_three_digits(frequency, "Hz"), _three_digits(abs(modulus), "Pa") + _error(error),
+                               f"{math.degrees(np.angle(modulus)):.3g}\u00b0", _three_digits(modulus.real, "Pa"),
+                               _three_digits(modulus.imag, "Pa"), f"{modulus.imag / modulus.real:.3g}"]))
+    head = _row_text(["frequency", "|G*|", "phase", "G\u2032", "G\u2033", "tan \u03b4"], "th")
+    return f"<table>{head}{''.join(rows)}</table>"
+
+
+def _in_frequency(stage: _native.StageResult, tests: list[_native.TestResult]) -> str:
+    """The complex moduli of a study whose deck gives frequencies, with what was measured."""
+    curves, tables = [], []
+    for number, test in enumerate(tests):
+        moduli, label = test.in_frequency, _label(test, tests)
+        curves += [Curve(f"G\u2032, {label}", moduli.frequency, moduli.storage, 2 * number),
+                   Curve(f"G\u2033, {label}", moduli.frequency, moduli.loss, 2 * number + 1)]
+        tables.append((f"<div>{html.escape(label)}</div>" if len(tests) > 1 else "") + _frequency_table(moduli))
+    for comparison in stage.comparisons[:1]:
+        hertz, measured = comparison["angular_frequency"] / (2 * math.pi), comparison["complex_measured"]
+        if len(hertz) > 0:
+            curves += [Curve(f"G\u2032, {comparison['measurement']}", hertz, measured.real, 0, marks=True),
+                       Curve(f"G\u2033, {comparison['measurement']}", hertz, measured.imag, 1, marks=True)]
+    return plot(curves, abscissa="Frequency / Hz") + "".join(tables)
+
+
 def _plot_of(stage: _native.StageResult, tests: list[_native.TestResult]) -> str:
     curves = [Curve(_label(test, tests), test.time, test.modulus, number) for number, test in enumerate(tests)]
     bounds = {test.boundary: test for test in tests}
@@ -88,7 +124,10 @@ def stage_html(stage: _native.StageResult) -> str:
     if loads:
         load = next((one for one in ("isotropic", "shear") if one in loads), loads[0])
         tests = _preferred(stage, load)
-        parts.append(f"<div>Relaxation modulus, {html.escape(load)}</div>" + _plot_of(stage, tests) + _table(tests))
+        is_in_frequency = all(test.in_frequency.is_of_deck for test in tests)
+        name = "Complex" if is_in_frequency else "Relaxation"
+        drawn = _in_frequency(stage, tests) if is_in_frequency else _plot_of(stage, tests) + _table(tests)
+        parts.append(f"<div>{name} modulus, {html.escape(load)}</div>{drawn}")
     elif stage.microstructure is not None:
         parts.append(microstructure_html(stage.microstructure))
     if stage.accuracy:
@@ -124,6 +163,16 @@ def test_html(test: _native.TestResult) -> str:
     """A test for a notebook."""
     return f"<div>{html.escape(repr(test))}</div>" + plot([Curve(_label(test, [test]), test.time, test.modulus)]) + _table(
         [test])
+
+
+def complex_html(moduli: _native.ComplexModuli) -> str:
+    """A complex modulus for a notebook: G' and G'' over the frequency in Hz, and its table."""
+    heading = f"<div>{html.escape(repr(moduli))}</div>"
+    if len(moduli) == 0:
+        return heading
+    return heading + plot([Curve("G\u2032", moduli.frequency, moduli.storage, 0),
+                           Curve("G\u2033", moduli.frequency, moduli.loss, 1)],
+                          abscissa="Frequency / Hz") + _frequency_table(moduli)
 
 
 def relaxation_fit_html(fit: _native.RelaxationFit) -> str:

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -111,6 +112,13 @@ std::optional<TimeWindow> window_of(const std::optional<std::pair<double, double
   throw InputError(fmt::format("times: expected two rising times, got {} s and {} s", begin, end));
 }
 
+std::optional<TimeWindow> window_of_frequencies(const std::pair<double, double>& frequencies) {
+  const auto [begin, end] = frequencies;
+  if (0.0 < begin && begin < end)
+    return TimeWindow{1.0 / (2.0 * std::numbers::pi * end), 1.0 / (2.0 * std::numbers::pi * begin)};
+  throw InputError(fmt::format("frequencies: expected two rising frequencies, got {} Hz and {} Hz", begin, end));
+}
+
 /// The new materials of a caller, by the names of those that they replace.
 std::vector<NewMaterial> new_materials(const std::vector<std::pair<std::string, ShiftedMaterial>>& replaced) {
   std::vector<NewMaterial> materials;
@@ -122,15 +130,21 @@ std::vector<NewMaterial> new_materials(const std::vector<std::pair<std::string, 
 std::shared_ptr<Solution> respond_with(const Solution& solution,
                                        const std::vector<std::pair<std::string, ShiftedMaterial>>& replaced,
                                        std::optional<double> temperature,
-                                       const std::optional<std::pair<double, double>>& times) {
+                                       const std::optional<std::pair<double, double>>& times,
+                                       const std::optional<std::pair<double, double>>& frequencies) {
   if (solution.responses.empty()) {
     throw InputError(
         "this result has no reduced responses, which the quasi-static method with the reduced solver leaves");
   }
   if (replaced.empty() == !temperature) throw InputError("expected other materials, or a temperature");
-  const auto window = window_of(times).value_or(solution.content.times);
+  if (times && frequencies) throw InputError("respond: expected times or frequencies, got both");
+  const auto window =
+      (frequencies ? window_of_frequencies(*frequencies) : window_of(times)).value_or(solution.content.times);
+  const bool by_frequency = frequencies || (!times && solution.content.by_frequency);
   return calculate([&] {
-    const auto base = Responder(solution.responses, solution.content.materials).within(window);
+    const auto base = Responder(solution.responses, solution.content.materials)
+                          .within(window)
+                          .over(by_frequency ? Abscissa::frequency : Abscissa::time);
     const auto responder = temperature ? base.at(*temperature) : base.with(new_materials(replaced));
     auto found = std::make_shared<Solution>();
     for (auto& stage : responder.respond()) {
@@ -138,6 +152,7 @@ std::shared_ptr<Solution> respond_with(const Solution& solution,
     }
     found->content = solution.content;
     found->content.times = window;
+    found->content.by_frequency = by_frequency;
     found->content.materials = responder.materials();
     found->responses = responder.stages();
     return found;
@@ -154,7 +169,7 @@ void bind_calculations(py::module_& module) {
   module.def("run", &run_in_directory, py::arg("study"), py::arg("directory"), py::arg("resume"), py::arg("overwrite"),
              py::arg("time_limit"), py::arg("threads"), py::arg("ignore_memory"), py::arg("show"));
   module.def("respond", &respond_with, py::arg("result"), py::arg("materials"), py::arg("temperature"),
-             py::arg("times"));
+             py::arg("times"), py::arg("frequencies"));
   module.def("stop_parallel", &parallel::stop);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <complex>
+#include <numbers>
 #include <set>
 #include <vector>
 
@@ -14,6 +15,9 @@
 #include "breccia/error.hpp"
 #include "breccia/viscoelasticity/prony_series.hpp"
 
+#include "arguments.hpp"
+#include "io/display.hpp"
+#include "materials.hpp"
 #include "views.hpp"
 #include "words.hpp"
 
@@ -71,7 +75,8 @@ std::vector<Sample> samples_from(const py::handle& rows) {
 py::tuple state_of(const EngineeringCurves& curves) {
   const auto& test = curves.test;
   return py::make_tuple(name_of(test.load), name_of(test.boundary), name_of(test.method), name_of(test.grid),
-                        rows_of(curves.in_time), rows_of(curves.in_frequency));
+                        rows_of(curves.in_time), rows_of(curves.in_frequency), python::state_of(curves.shear),
+                        python::state_of(curves.bulk));
 }
 
 EngineeringCurves curves_from(const py::tuple& state) {
@@ -81,7 +86,9 @@ EngineeringCurves curves_from(const py::tuple& state) {
            value_of<Boundary>("boundary", state[1].cast<std::string>()),
            value_of<Method>("method", state[2].cast<std::string>()), *grid},
           samples_from<EngineeringSample, double>(state[4]),
-          samples_from<ComplexEngineeringSample, std::complex<double>>(state[5])};
+          samples_from<ComplexEngineeringSample, std::complex<double>>(state[5]),
+          series_from(state[6].cast<py::tuple>()),
+          series_from(state[7].cast<py::tuple>())};
 }
 
 }  // namespace
@@ -97,7 +104,12 @@ EngineeringCurves engineering_of(const StageFindings& stage, const std::optional
     for (const auto& one : all) choices.push_back(fmt::format("boundary=\"{}\"", name_of(one.test.boundary)));
     throw InputError(fmt::format("stage {}: expected {}", stage.name, fmt::join(choices, " or ")));
   }
-  return std::move(all.front());
+  auto curves = std::move(all.front());
+  // A study whose deck gives frequencies is answered at these.
+  const auto test = std::ranges::find(stage.tests, curves.test, &TestResult::id);
+  if (!test->in_frequency.empty()) curves.in_frequency.clear();
+  for (const auto& sample : test->in_frequency) curves.in_frequency.push_back(curves.at(sample.angular_frequency));
+  return curves;
 }
 
 void bind_engineering(py::module_& module) {
@@ -106,10 +118,21 @@ void bind_engineering(py::module_& module) {
   using Complex = ComplexEngineeringSample;
   const auto in_time = &Curves::in_time;
   const auto in_frequency = &Curves::in_frequency;
+  py::class_<Complex>(module, "ComplexEngineeringModuli", "The complex moduli of a stage at one frequency.")
+      .def_readonly("angular_frequency", &Complex::angular_frequency, "[rad/s]")
+      .def_readonly("shear", &Complex::shear, "G' + i G'' [Pa].")
+      .def_readonly("bulk", &Complex::bulk, "K' + i K'' [Pa].")
+      .def_readonly("young", &Complex::young, "E' + i E'' [Pa].")
+      .def_readonly("poisson", &Complex::poisson, "nu' + i nu'' [-].")
+      .def("__repr__", [](const Complex& self) {
+        return fmt::format("<breccia.ComplexEngineeringModuli at {}: E' {}, E'' {}, G' {}, G'' {}>",
+                           display(self.angular_frequency / (2.0 * std::numbers::pi), "Hz"),
+                           display(self.young.real(), "Pa"), display(self.young.imag(), "Pa"),
+                           display(self.shear.real(), "Pa"), display(self.shear.imag(), "Pa"));
+      });
   py::class_<Curves>(module, "EngineeringModuli",
                      "Shear, bulk and Young's modulus and Poisson's ratio of a stage, over time and over angular "
-                     "frequency: the numbers of engineering.csv and, but where a deck gives frequencies, of "
-                     "engineering_dynamic.csv. Arrays are views.")
+                     "frequency: the numbers of engineering.csv and engineering_dynamic.csv. Arrays are views.")
       .def_property_readonly(
           "load", [](const Curves& self) { return name_of(self.test.load); }, "That of the shear modulus.")
       .def_property_readonly("boundary", [](const Curves& self) { return name_of(self.test.boundary); })
@@ -119,8 +142,30 @@ void bind_engineering(py::module_& module) {
       .def_property_readonly("bulk", column(in_time, &Timed::bulk), "Bulk modulus K(t) [Pa].")
       .def_property_readonly("young", column(in_time, &Timed::young), "Young's modulus E(t) [Pa].")
       .def_property_readonly("poisson", column(in_time, &Timed::poisson), "Poisson's ratio nu(t) [-].")
-      .def_property_readonly("angular_frequency", column(in_frequency, &Complex::angular_frequency),
-                             "Angular frequencies of the complex moduli, one over the times [rad/s], rising.")
+      .def_property_readonly(
+          "angular_frequency", column(in_frequency, &Complex::angular_frequency),
+          "Angular frequencies of the complex moduli [rad/s], rising: those of the deck, or one over the "
+          "times.")
+      .def_property_readonly(
+          "frequency",
+          [](const Curves& self) {
+            std::vector<double> hertz;
+            for (const auto& sample : self.in_frequency) {
+              hertz.push_back(sample.angular_frequency / (2.0 * std::numbers::pi));
+            }
+            return array_of(hertz);
+          },
+          "The same in Hz.")
+      .def(
+          "at",
+          [](const Curves& self, const py::object& frequency) {
+            const double omega = angular_frequency_of("angular_frequency", frequency);
+            require({"angular_frequency", "rad/s", Range::positive()}, omega);
+            return self.at(omega);
+          },
+          py::arg("angular_frequency"),
+          "The complex moduli at one frequency, ComplexEngineeringModuli: text such as \"1 Hz\" or \"10 rad/s\", or an "
+          "angular frequency [rad/s].")
       .def_property_readonly("complex_shear", column(in_frequency, &Complex::shear), "G' + i G'' [Pa].")
       .def_property_readonly("complex_bulk", column(in_frequency, &Complex::bulk), "K' + i K'' [Pa].")
       .def_property_readonly("complex_young", column(in_frequency, &Complex::young), "E' + i E'' [Pa].")

@@ -1,6 +1,7 @@
 #include <pybind11/pybind11.h>
 
 #include "calculations.hpp"
+#include "complex_moduli.hpp"
 #include "engineering.hpp"
 #include "errors.hpp"
 #include "exports.hpp"
@@ -25,6 +26,7 @@ PYBIND11_MODULE(_native, module) {
   python::bind_master_curves(module);
   python::bind_measured(module);
   python::bind_studies(module);
+  python::bind_complex_moduli(module);
   python::bind_engineering(module);
   python::bind_results(module);
   python::bind_calculations(module);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -11,11 +12,13 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <pybind11/complex.h>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
 #include "breccia/error.hpp"
 
+#include "complex_moduli.hpp"
 #include "engineering.hpp"
 #include "io/display.hpp"
 #include "io/nearest_name.hpp"
@@ -120,6 +123,8 @@ void bind_test(py::module_& module) {
                              "Parts of the error by their causes, an array each as `error`: grid, sample (a box that "
                              "holds few particles), "
                              "solver, and matrix (of an earlier stage).")
+      .def_property_readonly("in_frequency", &complex_moduli_of,
+                             "The complex modulus over frequency, with its error: ComplexModuli.")
       .def_property_readonly(
           "seconds", [](const TestResult& test) { return test.seconds; },
           "Wall time, of all loads together [s]; None of an extrapolation.")
@@ -152,6 +157,23 @@ auto of_test(const Answer& answer) {
   };
 }
 
+/// The complex moduli of a comparison: computed and measured ones at angular frequencies.
+void add_in_frequency(const Comparison& comparison, py::dict& one) {
+  std::vector<double> frequencies;
+  std::vector<std::complex<double>> moduli, measured;
+  for (const auto& sample : comparison.in_frequency) {
+    frequencies.push_back(sample.angular_frequency);
+    moduli.emplace_back(sample.storage, sample.loss);
+    measured.emplace_back(sample.measured_storage, sample.measured_loss);
+  }
+  const auto complex_array = [](const std::vector<std::complex<double>>& values) {
+    return py::array_t<std::complex<double>>(static_cast<py::ssize_t>(values.size()), values.data());
+  };
+  one["angular_frequency"] = array_of(frequencies);
+  one["complex_modulus"] = complex_array(moduli);
+  one["complex_measured"] = complex_array(measured);
+}
+
 py::list comparisons_of(const SolvedStage& stage) {
   py::list comparisons;
   for (const auto& comparison : stage.result.comparisons) {
@@ -168,6 +190,7 @@ py::list comparisons_of(const SolvedStage& stage) {
     one["time"] = array_of(times);
     one["modulus"] = array_of(moduli);
     one["measured"] = array_of(measured);
+    add_in_frequency(comparison, one);
     comparisons.append(one);
   }
   return comparisons;
@@ -228,8 +251,11 @@ void bind_stage(py::module_& module) {
             return tests;
           },
           "All tests.")
-      .def_property_readonly("comparisons", &comparisons_of,
-                             "Comparisons with the measurements of the study, a dictionary each.")
+      .def_property_readonly(
+          "comparisons", &comparisons_of,
+          "Comparisons with the measurements of the study, a dictionary each: measurement, boundary, "
+          "method; time [s], modulus and measured [Pa]; angular_frequency [rad/s], complex_modulus "
+          "and complex_measured [Pa].")
       .def_property_readonly("solids", &solids_of,
                              "The stage as a solid, for each boundary condition, where it serves as a matrix.")
       .def_property_readonly(

@@ -13,6 +13,7 @@
 #include "breccia/error.hpp"
 
 #include "fields_state.hpp"
+#include "homogenisation/run/comparison.hpp"
 #include "results/response_file.hpp"
 #include "results/result_bytes.hpp"
 
@@ -22,7 +23,7 @@ namespace {
 namespace py = pybind11;
 namespace fs = std::filesystem;
 
-constexpr int format = 6;
+constexpr int format = 7;
 
 /// A directory that exists as long as this object.
 class ScratchDirectory {
@@ -136,9 +137,11 @@ std::shared_ptr<Solution> solution_from(const py::dict& state) {
     solution->responses.push_back(responses_from(bytes_in(parts[0])));
     solution->responses.back().fillers = parts[1].cast<std::vector<std::string>>();
     solution->responses.back().warnings = parts[2].cast<std::vector<std::string>>();
+    solution->responses.back().abscissa = solution->content.by_frequency ? Abscissa::frequency : Abscissa::time;
     for (const auto& stage : solution->stages) {
       if (stage.result.name != solution->responses.back().stage) continue;
       solution->responses.back().rules = rules_of_responses(stage.result.accuracy.rules);
+      solution->responses.back().measurements = measurements_of(stage.result.name, stage.result.comparisons);
     }
   }
   return solution;

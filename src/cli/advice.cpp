@@ -14,6 +14,7 @@
 #include "io/display.hpp"
 #include "results/stored_composite.hpp"
 #include "results/study_document.hpp"
+#include "study/abscissa_words.hpp"
 #include "tables/unknown_columns.hpp"
 
 namespace breccia::cli {
@@ -46,6 +47,10 @@ std::string advice_on(const Error& error, const CLI::App& command) {
   const auto* const not_covered = dynamic_cast<const NotCovered*>(&error);
   if (not_covered != nullptr && not_covered->times() && has(command, "--times")) {
     const auto& times = *not_covered->times();
+    if (not_covered->abscissa() == Abscissa::frequency) {
+      const auto [begin, end] = hertz_within(times);
+      return fmt::format(R"(: --frequencies "{}" "{}")", display(begin, "Hz"), display(end, "Hz"));
+    }
     return fmt::format(R"(: --times "{}" "{}")", display(times.begin, "s", 3), display(times.end, "s", 3));
   }
   return {};

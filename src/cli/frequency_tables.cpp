@@ -1,7 +1,6 @@
 #include "cli/frequency_tables.hpp"
 
 #include <cmath>
-#include <complex>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -9,6 +8,7 @@
 #include "breccia/results/frequency_rows.hpp"
 
 #include "cli/shown_tests.hpp"
+#include "homogenisation/complex_moduli.hpp"
 #include "io/display.hpp"
 #include "results/engineering_curves.hpp"
 
@@ -24,11 +24,13 @@ std::string head_of_table(const std::string& title, const std::string& symbol, b
 }
 
 /// A row; `error` is the column of the error, or empty.
-std::string row_of(double angular_frequency, std::complex<double> modulus, const std::string& error) {
+std::string row_of(const ComplexSample& sample, const std::string& error) {
   constexpr double per_cycle = 2.0 * std::numbers::pi, degrees = 180.0 / std::numbers::pi;
-  return fmt::format("{:>12}  {:>12}{}  {:>9}  {:>12}  {:>12}  {:>9.3g}", display(angular_frequency / per_cycle, "Hz"),
-                     display(std::abs(modulus), "Pa"), error, fmt::format("{:.3g} deg", degrees * std::arg(modulus)),
-                     display(modulus.real(), "Pa"), display(modulus.imag(), "Pa"), modulus.imag() / modulus.real());
+  const auto& [omega, storage, loss, share] = sample;
+  return fmt::format("{:>12}  {:>12}{}  {:>9}  {:>12}  {:>12}  {:>9.3g}", display(omega / per_cycle, "Hz"),
+                     display(std::hypot(storage, loss), "Pa"), error,
+                     fmt::format("{:.3g} deg", degrees * std::atan2(loss, storage)), display(storage, "Pa"),
+                     display(loss, "Pa"), loss / storage);
 }
 
 std::string table_of(const StageResult& stage, const TestResult& test) {
@@ -37,9 +39,8 @@ std::string table_of(const StageResult& stage, const TestResult& test) {
   auto text =
       head_of_table(fmt::format("{}, {}, {}, {}", stage.name, name, name_of(test.id.boundary), name_of(test.id.method)),
                     test.id.load.is_bulk() ? "M" : "G", has_errors);
-  for (const double frequency : decades_of_hertz.of(test.modulus)) {
-    const auto error = has_errors ? fmt::format("  {:>8}", error_at(test, 1.0 / frequency)) : "";
-    text += row_of(frequency, test.series.complex_modulus(frequency), error) + '\n';
+  for (const auto& sample : complex_moduli(test, decades_of_hertz.of(test.modulus))) {
+    text += row_of(sample, has_errors ? fmt::format("  {:>8}", error_text(sample.error)) : "") + '\n';
   }
   return text;
 }
@@ -51,7 +52,8 @@ std::string table_of(const StageResult& stage, const EngineeringCurves& curves) 
                             "E", false);
   text.insert(text.size() - 1, fmt::format("  {:>8}", "nu"));
   for (const auto& sample : curves.in_frequency) {
-    text += row_of(sample.angular_frequency, sample.young, "") + fmt::format("  {:>8.4f}\n", sample.poisson.real());
+    text += row_of({sample.angular_frequency, sample.young.real(), sample.young.imag()}, "") +
+            fmt::format("  {:>8.4f}\n", sample.poisson.real());
   }
   return text;
 }

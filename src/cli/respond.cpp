@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -17,9 +18,11 @@
 #include "cli/advice.hpp"
 #include "cli/asked_temperature.hpp"
 #include "cli/command.hpp"
+#include "cli/comparison_tables.hpp"
 #include "cli/tables.hpp"
 #include "deck/material_file.hpp"
 #include "results/response_curves.hpp"
+#include "study/abscissa_words.hpp"
 
 namespace breccia::cli {
 namespace {
@@ -31,7 +34,7 @@ struct RespondArguments {
   std::vector<std::string> materials;     ///< new materials, FILE (of the matrix) or NAME=FILE
   std::vector<std::string> temperatures;  ///< new temperatures of the matrix of the study
   std::string stage;                      ///< name of the stage; empty: all stages with responses
-  std::vector<std::string> times;
+  std::vector<std::string> times, frequencies;
   fs::path out;
   bool overwrite = false;
   bool quiet = false;
@@ -46,14 +49,26 @@ struct RespondedStudy {
   std::vector<StageResult> stages = {};
 };
 
-std::optional<TimeWindow> window_of(const std::vector<std::string>& times) {
-  if (times.empty()) return {};
-  const auto time = [](const std::string& text) {
-    return option_quantity("--times", text, Dimension::time, Range::positive());
+/// Two rising values of an option.
+std::array<double, 2> rising(const std::string& option, const std::vector<std::string>& texts, Dimension dimension) {
+  const auto value = [&](const std::string& text) {
+    return option_quantity(option, text, dimension, Range::positive());
   };
-  const TimeWindow window = {time(times[0]), time(times[1])};
-  if (window.begin < window.end) return window;
-  throw InputError(fmt::format("--times: expected two rising times, got {} and {}", times[0], times[1]));
+  const std::array ends = {value(texts[0]), value(texts[1])};
+  if (ends[0] < ends[1]) return ends;
+  throw InputError(fmt::format("{}: expected two rising {}, got {} and {}", option,
+                               dimension == Dimension::time ? "times" : "frequencies", texts[0], texts[1]));
+}
+
+/// The responder with the abscissa and the ends that are asked for; by default those of the study.
+Responder within_asked(Responder responder, const RespondArguments& arguments) {
+  if (!arguments.times.empty()) {
+    const auto [begin, end] = rising("--times", arguments.times, Dimension::time);
+    return responder.within({begin, end}).over(Abscissa::time);
+  }
+  if (arguments.frequencies.empty()) return responder;
+  const auto [begin, end] = rising("--frequencies", arguments.frequencies, Dimension::frequency);
+  return responder.within({hertz_of(end), hertz_of(begin)}).over(Abscissa::frequency);
 }
 
 /// Runs an action. If it throws InputError, keeps the message, with the options of the command that help.
@@ -90,10 +105,6 @@ std::vector<AskedTemperature> read_temperatures(const std::vector<std::string>& 
 RespondedStudy responded(const Responder& responder, std::string name, std::string materials, fs::path out) {
   return {std::move(name), std::move(materials), std::move(out), responder.stages().front().deck_hash,
           responder.respond()};
-}
-
-Responder within(Responder responder, const std::optional<TimeWindow>& window) {
-  return window ? responder.within(*window) : std::move(responder);
 }
 
 /// The responder of one stage and the stages that it builds on; of all stages for an empty name.
@@ -186,19 +197,21 @@ void print_warnings(const RespondedStudy& study, std::set<std::string>& printed)
   }
 }
 
-void print(const RespondedStudy& study, const TimeWindow& times) {
+void print(const RespondedStudy& study, const TimeWindow& times, Abscissa abscissa) {
   double error = 0.0;
-  std::string accuracies;
+  std::string tables, accuracies;
   for (const auto& stage : study.stages) {
+    tables += tables_of(stage, times, abscissa);
     accuracies += fmt::format("{}: {}\n", stage.name, stage.accuracy.summary);
     for (const auto& test : stage.tests) {
       if (!std::isnan(test.error_estimate)) error = std::max(error, test.error_estimate);
     }
   }
   fmt::print(
-      "{}\n{}with {}; error of the reduced responses (at the Laplace variables of these times) about {:.1g} %\n"
+      "{}{}\n{}with {}; error of the reduced responses (at the Laplace variables of these times) about {:.1g} %\n"
       "Curves are in {}\n",
-      tables_of(study.stages, times), accuracies, study.materials, 100.0 * error, study.out.string());
+      tables, comparison_tables_of(study.stages, abscissa), accuracies, study.materials, 100.0 * error,
+      study.out.string());
 }
 
 /// First and last time of the curves of several stages.
@@ -214,23 +227,25 @@ void run_respond(const RespondArguments& arguments, const CLI::App& command) {
         "respond: expected other materials, either --material FILE.toml or --temperature \"40 degC\" (each may be "
         "repeated; --material NAME=FILE.toml replaces another material than the matrix)");
   }
-  const auto window = window_of(arguments.times);
   std::vector<AskedMaterial> asked;
   for (const auto& text : arguments.materials) asked.push_back(read_asked_material(text));
-  const auto responder = within(read_responder(arguments.results), window);
+  const auto responder = within_asked(read_responder(arguments.results), arguments);
+  const auto& asked_of_all = responder.stages().front();
+  FrequencyRows rows;
+  if (asked_of_all.abscissa == Abscissa::frequency) rows.hertz_per_decade = asked_of_all.points_per_decade;
   const auto studies = has_material ? std::vector{respond_with_materials(arguments, responder, asked, command)}
                                     : respond_at_temperatures(arguments, responder, command);
   std::vector<fs::path> inputs;
   inputs.reserve(asked.size());
   for (const auto& [name, file] : asked) inputs.push_back(file);
   for (const auto& [name, materials, out, study, stages] : studies) {
-    write_response_curves({out, name, study, inputs, arguments.overwrite}, stages);
+    write_response_curves({out, name, study, inputs, rows, arguments.overwrite}, stages);
   }
   if (arguments.quiet) return;
   std::set<std::string> printed;
   for (const auto& study : studies) {
     print_warnings(study, printed);
-    print(study, times_of(study.stages));
+    print(study, times_of(study.stages), asked_of_all.abscissa);
   }
 }
 
@@ -259,11 +274,18 @@ void add_respond(CLI::App& application) {
                    "compute this stage alone, if its matrix is given by --material; otherwise also the stages that it "
                    "builds on (default: all stages)")
       ->type_name("NAME");
+  auto* times = command
+                    ->add_option("--times", arguments->times,
+                                 R"(first and last time, such as "1 us" "1 s" (default: those of the run))")
+                    ->expected(2)
+                    ->type_name("BEGIN END");
   command
-      ->add_option("--times", arguments->times,
-                   R"(first and last time, such as "1 us" "1 s" (default: those of the run))")
+      ->add_option("--frequencies", arguments->frequencies,
+                   R"(first and last frequency, such as "0.1 Hz" "100 Hz", of |G*|, phase, G', G'' and tan delta )"
+                   "(default: those of the run, if its deck has frequencies)")
       ->expected(2)
-      ->type_name("BEGIN END");
+      ->type_name("BEGIN END")
+      ->excludes(times);
   command
       ->add_option("--out", arguments->out, "directory for the curves (default: DIR/respond-<material or temperature>)")
       ->type_name("DIR");

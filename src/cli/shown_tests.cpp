@@ -1,11 +1,11 @@
 #include "cli/shown_tests.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string_view>
 
 #include <fmt/format.h>
 
+#include "homogenisation/complex_moduli.hpp"
 #include "homogenisation/run/isotropic_mean.hpp"
 #include "virtual_test/bulk_test.hpp"
 
@@ -34,9 +34,10 @@ bool has_known_error(const TestResult& test) {
 }
 
 std::string error_at(const TestResult& test, double time) {
-  const auto nearest = std::ranges::min_element(
-      test.modulus, {}, [time](const Sample& sample) { return std::abs(std::log(sample.time / time)); });
-  const auto error = test.errors.at(static_cast<std::size_t>(nearest - test.modulus.begin())).whole();
+  return error_text(whole_error_at(test, time));
+}
+
+std::string error_text(const std::optional<double>& error) {
   return error ? fmt::format("{:.2g} %", 100.0 * *error) : "unknown";
 }
 

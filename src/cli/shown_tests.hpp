@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,5 +20,8 @@ bool has_known_error(const TestResult& test);
 
 /// The whole error of a test at its time nearest to the given one [s]: "3.4 %".
 std::string error_at(const TestResult& test, double time);
+
+/// An error in words: "3.4 %", "unknown".
+std::string error_text(const std::optional<double>& error);
 
 }  // namespace breccia::cli

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <variant>
 
 #include <fmt/format.h>
 
+#include "cli/comparison_tables.hpp"
 #include "cli/filler_summary.hpp"
 #include "cli/frequency_tables.hpp"
 #include "cli/shown_tests.hpp"
@@ -44,42 +44,6 @@ std::string table_of(const StageResult& stage, const TimeWindow& times) {
   return text + "\n";
 }
 
-/// A table of the ratios of all computed moduli to one measurement, at whole decades.
-std::string table_of(const std::string& measurement, const StageResult& stage) {
-  std::vector<const Comparison*> compared;
-  TimeWindow times = {std::numeric_limits<double>::infinity(), 0.0};
-  for (const auto& comparison : stage.comparisons) {
-    if (comparison.measurement != measurement) continue;
-    compared.push_back(&comparison);
-    times.begin = std::min(times.begin, comparison.samples.front().time);
-    times.end = std::max(times.end, comparison.samples.back().time);
-  }
-  auto text = fmt::format("\n{} over what was measured, {}\n{:>12}", stage.name, measurement, "");
-  for (const auto* comparison : compared) text += fmt::format("  {:>12}", name_of(comparison->test.boundary));
-  text += fmt::format("\n{:>12}", "time");
-  for (const auto* comparison : compared) text += fmt::format("  {:>12}", name_of(comparison->test.method));
-  text += fmt::format("  {:>12}", "measured");
-  for (const double t : logarithmic_times(times, 1)) {
-    text += fmt::format("\n{:>12}", display_time(t));
-    double measured = 0.0;
-    for (const auto* comparison : compared) {
-      const auto at = std::ranges::find_if(
-          comparison->samples, [t](const ComparedSample& sample) { return std::abs(sample.time / t - 1.0) < 1e-6; });
-      const bool is_known = at != comparison->samples.end();
-      if (is_known) measured = at->measured;
-      text += fmt::format("  {:>12}", is_known ? fmt::format("{:.3f}", at->ratio()) : "");
-    }
-    if (measured > 0.0) text += fmt::format("  {:>12}", display(measured, "Pa"));
-  }
-  for (const auto* comparison : compared) {
-    const auto &best = comparison->best(), &worst = comparison->worst();
-    text += fmt::format("\n  {}, {}: nearest {:.3f} at {}, furthest {:.3f} at {}", name_of(comparison->test.boundary),
-                        name_of(comparison->test.method), best.ratio(), display_time(best.time), worst.ratio(),
-                        display_time(worst.time));
-  }
-  return text + "\n";
-}
-
 /// Whether another stage builds upon a stage.
 bool is_matrix(const Study& study, const std::string& stage) {
   return std::ranges::any_of(study.stages, [&stage](const Stage& other) {
@@ -108,10 +72,8 @@ std::string line_on_quality(const Study& study, const Stage& stage, const StageR
 
 }  // namespace
 
-std::string tables_of(const std::vector<StageResult>& stages, const TimeWindow& times) {
-  std::string text;
-  for (const auto& stage : stages) text += table_of(stage, times);
-  return text;
+std::string tables_of(const StageResult& stage, const TimeWindow& times, Abscissa abscissa) {
+  return abscissa == Abscissa::frequency ? frequency_table_of(stage) : table_of(stage, times);
 }
 
 std::string closing_tables(const Study& study, const StudyResult& result, Detail detail) {
@@ -119,16 +81,11 @@ std::string closing_tables(const Study& study, const StudyResult& result, Detail
   std::string text, qualities;
   for (const auto i : shown_stages(study, result, detail)) {
     const auto& stage = result.stages[i];
-    text += study.tests.by_frequency ? frequency_table_of(stage) : table_of(stage, times);
+    text += tables_of(stage, times, study.tests.abscissa());
     qualities += line_on_quality(study, study.stages[i], stage);
   }
   if (!qualities.empty()) text += "\n" + qualities;
-  for (const auto& measurement : study.measurements) {
-    const auto stage = std::ranges::find(result.stages, measurement.stage, &StageResult::name);
-    const bool is_compared = std::ranges::any_of(
-        stage->comparisons, [&](const Comparison& one) { return one.measurement == measurement.label; });
-    if (is_compared) text += table_of(measurement.label, *stage);
-  }
+  text += comparison_tables_of(result.stages, study.tests.abscissa());
   std::vector<std::vector<FillerStatistics>> fillers;
   for (const auto& stage : result.stages) fillers.push_back(stage.microstructure.fillers);
   auto remarks = filler_summary(study, fillers);

@@ -1,16 +1,17 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "breccia/campaign/run.hpp"
+#include "breccia/study/tests.hpp"
 
 #include "cli/detail.hpp"
 
 namespace breccia::cli {
 
-/// A table for each stage with its curves at whole decades within a window of times [s].
-std::string tables_of(const std::vector<StageResult>& stages, const TimeWindow& times);
+/// A table of the curves of a stage at whole decades within a window of times [s], or tables of its complex moduli at
+/// whole decades of hertz.
+std::string tables_of(const StageResult& stage, const TimeWindow& times, Abscissa abscissa);
 
 /// The result of a study in a few lines: each curve at whole decades, its error, and comparisons with measurements; in
 /// brief those of the stages that no other stage builds upon.

@@ -22,6 +22,13 @@
 namespace breccia {
 namespace {
 
+std::vector<MeasuredModulus> measured_moduli(const std::vector<double>& frequencies, const std::vector<double>& storage,
+                                             const std::vector<double>& loss) {
+  std::vector<MeasuredModulus> moduli;
+  for (std::size_t i = 0; i < frequencies.size(); ++i) moduli.push_back({frequencies[i], storage[i], loss[i]});
+  return moduli;
+}
+
 struct FitModulus {
   std::optional<double> reference_temperature;
 
@@ -38,11 +45,15 @@ struct FitModulus {
     if (data.sweeps.size() > 1) {
       auto curve = master_curve(data.sweeps, temperature_among(data.sweeps));
       auto law = shift_law_of(curve);
-      return {std::move(curve.fit.series), times_of(curve.frequencies), std::move(law)};
+      return {std::move(curve.fit.series), times_of(curve.frequencies), std::move(law),
+              measured_moduli(curve.frequencies, curve.storage, curve.loss)};
     }
     refuse_temperature();
     const auto& sweep = data.sweeps.front();
-    return {fit_dynamic(sweep.frequencies, sweep.storage, sweep.loss).series, times_of(sweep.frequencies)};
+    return {fit_dynamic(sweep.frequencies, sweep.storage, sweep.loss).series,
+            times_of(sweep.frequencies),
+            {},
+            measured_moduli(sweep.frequencies, sweep.storage, sweep.loss)};
   }
   FittedModulus operator()(const PronySeries& series) const {
     refuse_temperature();

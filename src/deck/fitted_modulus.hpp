@@ -3,7 +3,9 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "breccia/study/measurement.hpp"
 #include "breccia/tables/modulus_kind.hpp"
 #include "breccia/viscoelasticity/prony_series.hpp"
 #include "breccia/viscoelasticity/reduction.hpp"
@@ -16,8 +18,9 @@ struct FittedModulus {
   PronySeries series;  ///< [Pa]
   /// Times of the data [s], for dynamic moduli 1 / omega; nothing for a Prony series.
   std::optional<TimeWindow> measured_times;
-  std::optional<ShiftLaw> shift_law = {};  ///< law of a master curve (shift_law_of)
-  bool names_kind = false;                 ///< whether a column of the file is named after the wanted kind
+  std::optional<ShiftLaw> shift_law = {};     ///< law of a master curve (shift_law_of)
+  std::vector<MeasuredModulus> dynamic = {};  ///< the dynamic moduli, by rising (reduced) frequency; empty for others
+  bool names_kind = false;                    ///< whether a column of the file is named after the wanted kind
 };
 
 /// The sentence on a modulus whose file does not say of which kind it is: "data.csv does not say which modulus it has:

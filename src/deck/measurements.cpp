@@ -62,6 +62,7 @@ void read_fitted(const Section& shear, const std::filesystem::path& path, Measur
     auto fitted = fitted_modulus(path, ModulusKind::shear, temperature);
     measurement.shear = std::move(fitted.series);
     measurement.times = fitted.measured_times;
+    measurement.dynamic = std::move(fitted.dynamic);
     if (!fitted.names_kind) shear.remark("measured", words_on_taken_kind(path, ModulusKind::shear));
   });
 }

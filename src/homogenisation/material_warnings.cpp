@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "io/display.hpp"
-#include "io/units.hpp"
+#include "study/abscissa_words.hpp"
 #include "study/chain.hpp"
 #include "viscoelasticity/poisson_ratio.hpp"
 
@@ -29,10 +29,11 @@ bool has_material(const Stage& stage, const std::string& name) {
 
 }  // namespace
 
-std::optional<std::string> warning_of_poisson_ratio(const Material& material, const TimeWindow& times) {
+std::optional<std::string> warning_of_poisson_ratio(const Material& material, const TimeWindow& times,
+                                                    Abscissa abscissa) {
   for (const double time : {times.begin, times.end}) {
     const double bulk = material.bulk.at(time), shear = material.shear.at(time);
-    const auto when = fmt::format("at {}, below zero", readable(time, Dimension::time));
+    const auto when = fmt::format("at {}, below zero", readable_in(abscissa, time));
     if (poisson_ratio(bulk, shear) < 0.0) return poisson_warning(material, bulk, shear, when);
   }
   // Poisson's ratio of a soft binder approaches one half as it relaxes, so only the unrelaxed value is doubtful.
@@ -42,7 +43,7 @@ std::optional<std::string> warning_of_poisson_ratio(const Material& material, co
   return std::nullopt;
 }
 
-std::vector<std::string> warnings_of_unknown_times(const Material& matrix, const TimeWindow& times) {
+std::vector<std::string> warnings_of_unknown_times(const Material& matrix, const TimeWindow& times, Abscissa abscissa) {
   const auto& terms = matrix.shear.terms();
   if (terms.empty()) return {};
   // A term affects the modulus for about a decade on either side of its time.
@@ -50,18 +51,22 @@ std::vector<std::string> warnings_of_unknown_times(const Material& matrix, const
   const double slowest = terms.front().relaxation_time, fastest = terms.back().relaxation_time;
   // A single term is taken for a deliberate model; several terms come from data of limited range.
   const bool is_of_data = terms.size() > 1;
+  const bool is_in_time = abscissa == Abscissa::time;
   std::vector<std::string> warnings;
   if (is_of_data && times.begin < fastest / decade) {
-    warnings.push_back(
-        fmt::format("times begin at {}, more than a decade before the fastest relaxation time of its matrix, {}, {}; "
-                    "until then the computed modulus is constant, unlike that of a real material",
-                    readable(times.begin, Dimension::time), matrix.name, readable(fastest, Dimension::time)));
+    warnings.push_back(fmt::format(
+        "{} {}, more than a decade {} the fastest relaxation time of its matrix, {}, {}; {} the computed modulus is "
+        "constant, unlike that of a real material",
+        is_in_time ? "times begin at" : "frequencies end at", readable_in(abscissa, times.begin),
+        is_in_time ? "before" : "above that of", matrix.name, readable_in(abscissa, fastest),
+        is_in_time ? "until then" : "above it"));
   }
   const bool flows = matrix.shear.equilibrium() == 0.0;
   if ((is_of_data || flows) && times.end > slowest * decade) {
     warnings.push_back(fmt::format(
-        "times end at {}, more than a decade after the slowest relaxation time of its matrix, {}, {}; {}",
-        readable(times.end, Dimension::time), matrix.name, readable(slowest, Dimension::time),
+        "{} {}, more than a decade {} the slowest relaxation time of its matrix, {}, {}; {}",
+        is_in_time ? "times end at" : "frequencies begin at", readable_in(abscissa, times.end),
+        is_in_time ? "after" : "below that of", matrix.name, readable_in(abscissa, slowest),
         flows
             ? "it has no equilibrium modulus and has flowed away there, so that the computed moduli mean nothing"
             : "there it has its equilibrium modulus, which is right for a rubber, and wrong where only the data end"));
@@ -69,7 +74,8 @@ std::vector<std::string> warnings_of_unknown_times(const Material& matrix, const
   return warnings;
 }
 
-std::optional<std::string> warning_of_soft_filler(const Material& filler, const Material& binder, double time) {
+std::optional<std::string> warning_of_soft_filler(const Material& filler, const Material& binder, double time,
+                                                  Abscissa abscissa) {
   const auto softer = [&](const char* name, const PronySeries& of_filler,
                           const PronySeries& of_binder) -> std::optional<std::string> {
     const double its_modulus = of_filler.at(time), modulus = of_binder.at(time);
@@ -77,7 +83,7 @@ std::optional<std::string> warning_of_soft_filler(const Material& filler, const 
     return fmt::format(
         "the filler, {}, is softer than the binder, {}: {} modulus {} against {} at {}; are the units "
         "right?",
-        filler.name, binder.name, name, pressure(its_modulus), pressure(modulus), readable(time, Dimension::time));
+        filler.name, binder.name, name, pressure(its_modulus), pressure(modulus), readable_in(abscissa, time));
   };
   if (auto warning = softer("shear", filler.shear, binder.shear)) return warning;
   return softer("bulk", filler.bulk, binder.bulk);
@@ -92,7 +98,8 @@ std::vector<std::string> warnings_on_materials(const Study& study, const Stage& 
                             return has_material(one, material.name);
                           });
     if (is_known) continue;
-    if (auto warning = warning_of_poisson_ratio(material, times)) warnings.push_back(*std::move(warning));
+    if (auto warning = warning_of_poisson_ratio(material, times, study.tests.abscissa()))
+      warnings.push_back(*std::move(warning));
   }
   return warnings;
 }
@@ -100,7 +107,8 @@ std::vector<std::string> warnings_on_materials(const Study& study, const Stage& 
 std::vector<std::string> warnings_of_soft_fillers(const Study& study, const Stage& stage) {
   std::vector<std::string> warnings;
   for (const auto& filler : stage.fillers) {
-    auto warning = warning_of_soft_filler(filler.material, binder_of(study, stage), study.tests.first_time);
+    auto warning = warning_of_soft_filler(filler.material, binder_of(study, stage), study.tests.first_time,
+                                          study.tests.abscissa());
     if (warning && std::ranges::find(warnings, *warning) == warnings.end()) warnings.push_back(*std::move(warning));
   }
   return warnings;

@@ -16,6 +16,7 @@
 #include "homogenisation/plan/grid_error.hpp"
 #include "homogenisation/run/isotropic_mean.hpp"
 #include "io/display.hpp"
+#include "study/abscissa_words.hpp"
 #include "study/coatings.hpp"
 #include "study/filler_sizes.hpp"
 
@@ -93,6 +94,15 @@ const LoadQuality& shown_bounds(std::span<const LoadQuality> loads) {
   });
 }
 
+/// Distances at the first and the last time: "4 % apart at 1 ms, 11 % at 100 s"; in frequency at the first and the last
+/// frequency, which belong to the last and the first time.
+std::string words_on_ends(Abscissa abscissa, AnisotropyAtTime first, AnisotropyAtTime last) {
+  if (abscissa == Abscissa::frequency) std::swap(first, last);
+  const auto distance = words_of(first.distance);
+  return fmt::format("{}{} at {}, {} at {}", distance, distance.starts_with('a') ? "" : " apart",
+                     display_in(abscissa, first.time), words_of(last.distance), display_in(abscissa, last.time));
+}
+
 /// The distance of the moduli under displacement and traction at the first and the last time.
 std::string words_on_bounds(const StageQuality& quality) {
   constexpr auto not_tested = "displacement and traction: not tested";
@@ -102,7 +112,7 @@ std::string words_on_bounds(const StageQuality& quality) {
   const auto both = name_of_both(quality, shown);
   if (const auto crossed = worst_crossing(shown)) {
     return fmt::format("{}: the modulus under displacement is {} below that under traction at {}", both,
-                       words_of(*crossed->crossing()), display_time(crossed->time));
+                       words_of(*crossed->crossing()), display_in(quality.abscissa, crossed->time));
   }
   const auto& times = shown.times;
   const auto first = times.front().distance(), last = times.back().distance();
@@ -112,16 +122,14 @@ std::string words_on_bounds(const StageQuality& quality) {
     return fmt::format(R"({}: only {}, distance unknown (tests.boundaries = ["displacement", "traction"]))", both,
                        name_of(times.front().upper ? Boundary::displacement : Boundary::traction));
   }
-  const auto text = words_of(std::abs(*first)), later = words_of(std::abs(*last));
-  return fmt::format("{} {}{} at {}, {} at {}", both, text, text.starts_with('a') ? "" : " apart",
-                     display_time(times.front().time), later, display_time(times.back().time));
+  return fmt::format(
+      "{} {}", both,
+      words_on_ends(quality.abscissa, {times.front().time, std::abs(*first)}, {times.back().time, std::abs(*last)}));
 }
 
 /// The distance of the shears at the first and the last time: "shears 4 % apart at 1 ms, 11 % at 100 s".
-std::string words_on_anisotropy(const Anisotropy& shears) {
-  const auto distance = words_of(shears.first.distance);
-  return fmt::format("shears {}{} at {}, {} at {}", distance, distance.starts_with('a') ? "" : " apart",
-                     display_time(shears.first.time), words_of(shears.last.distance), display_time(shears.last.time));
+std::string words_on_anisotropy(const Anisotropy& shears, Abscissa abscissa) {
+  return fmt::format("shears {}", words_on_ends(abscissa, shears.first, shears.last));
 }
 
 /// The error of one grid by a rule, or the reason why no rule gives it.
@@ -173,9 +181,9 @@ std::optional<double> largest_error(const StageResult& result, const Part& of) {
 }
 
 /// What two dimensions leave out.
-std::string words_on_space(const FactorOfSpace& space) {
+std::string words_on_space(const FactorOfSpace& space, Abscissa abscissa) {
   return fmt::format("two dimensions: spheres would have up to about {:.2g} times this modulus at {}", space.ratio,
-                     display_time(space.time));
+                     display_in(abscissa, space.time));
 }
 
 /// The whole error, and whether it is what was asked for; empty where it is not known and nothing was asked for.
@@ -261,6 +269,7 @@ std::vector<LoadQuality> bounds_of_tests(const StageResult& result) {
 StageQuality quality_of(const Study& study, const Stage& stage, const StageResult& result) {
   const auto& packed = result.microstructure;
   StageQuality quality{.dimensions = stage.dimensions(),
+                       .abscissa = study.tests.abscissa(),
                        .matrix_stage = {},
                        .particles = packed.particles(),
                        .fraction = packed.fraction,
@@ -316,14 +325,14 @@ std::string summary_of(const StageQuality& quality) {
   std::vector<std::string> parts;
   if (const auto whole = words_on_whole_error(quality); !whole.empty()) parts.push_back(whole);
   if (!quality.is_periodic || !quality.loads.empty()) parts.push_back(words_on_bounds(quality));
-  if (quality.anisotropy) parts.push_back(words_on_anisotropy(*quality.anisotropy));
+  if (quality.anisotropy) parts.push_back(words_on_anisotropy(*quality.anisotropy, quality.abscissa));
   parts.push_back(words_on_grid(quality));
   if (std::isfinite(quality.gap_cells)) parts.push_back(words_on_gap(quality));
   if (quality.coating_cells) parts.push_back(fmt::format("thinnest coating: {:.2g} cells", *quality.coating_cells));
   if (!quality.matrix_stage.empty() && !quality.error) {
     parts.push_back(fmt::format("matrix: the errors of stage {} add to these", quality.matrix_stage));
   }
-  if (quality.space) parts.push_back(words_on_space(*quality.space));
+  if (quality.space) parts.push_back(words_on_space(*quality.space, quality.abscissa));
   if (quality.is_random) parts.push_back(words_on_packing(quality));
   return fmt::format("{}", fmt::join(parts, "; "));
 }
@@ -359,10 +368,9 @@ std::vector<std::string> warnings_on_bounds(const StageQuality& quality) {
     }
     warnings.push_back(fmt::format(
         "{}, {}: the modulus under displacement is {} below that under traction at {}; likely causes: {} too coarse "
-        "for "
-        "the narrowest gap{}{}; or particles that the sides of the box cut",
-        name_of(load.load), name_of(load.method), words_of(*crossed->crossing()), display_time(crossed->time),
-        quality.grids.size() > 1 ? "grids" : "a grid", gaps,
+        "for the narrowest gap{}{}; or particles that the sides of the box cut",
+        name_of(load.load), name_of(load.method), words_of(*crossed->crossing()),
+        display_in(quality.abscissa, crossed->time), quality.grids.size() > 1 ? "grids" : "a grid", gaps,
         load.method == Method::dynamic ? "; ringing of a run with too large a mass scaling factor or too short a ramp"
                                        : ""));
   }

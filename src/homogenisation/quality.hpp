@@ -24,7 +24,7 @@ struct BoundsAtTime {
 
   /// upper / lower - 1 [-]; nothing unless both were tested.
   [[nodiscard]] std::optional<double> distance() const;
-  /// 1 - upper / lower [-] where the upper bound is below the lower one by more than the half bands of both; nothing
+  /// 1 - upper / lower [-] where the upper modulus is below the lower one by more than the half bands of both; nothing
   /// otherwise. Bounds that cross each other are no bounds: one of the tests is wrong.
   [[nodiscard]] std::optional<double> crossing() const;
 };
@@ -39,7 +39,8 @@ struct LoadQuality {
 /// Measures of the accuracy of a stage's results that follow from the run itself.
 struct StageQuality {
   int dimensions = 2;
-  std::string matrix_stage;  ///< the earlier stage that is the matrix; empty if the matrix is a material
+  Abscissa abscissa = Abscissa::time;  ///< in which times are told
+  std::string matrix_stage;            ///< the earlier stage that is the matrix; empty if the matrix is a material
   std::size_t particles = 0;
   double fraction = 0.0;                 ///< area fraction of the particles [-]
   std::optional<double> fraction_asked;  ///< area fraction in the deck [-]; only for a packing that draws its particles
@@ -97,8 +98,8 @@ StageAccuracy accuracy_of(const StageQuality& quality);
 /// The accuracy of a stage that was answered from its reduced responses under these rules.
 StageAccuracy accuracy_of_answer(const StageResult& answer, const ErrorRules& rules);
 
-/// A warning, without the name of the stage, for each load and method whose upper bound is below the lower one beyond
-/// the error of the grids, with the likely causes.
+/// A warning, without the name of the stage, for each load and method whose modulus under displacement is below that
+/// under traction beyond the error of the grids, with the likely causes.
 std::vector<std::string> warnings_on_bounds(const StageQuality& quality);
 
 /// Warnings about too few particles, and about a fraction that differs from the one in the deck.

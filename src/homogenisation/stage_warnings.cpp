@@ -21,6 +21,7 @@
 #include "homogenisation/separation.hpp"
 #include "io/display.hpp"
 #include "io/units.hpp"
+#include "study/abscissa_words.hpp"
 #include "study/coatings.hpp"
 #include "study/test_rules.hpp"
 
@@ -148,7 +149,7 @@ struct NarrowestGap {
                      packed.wall_gap,
                      {1.0,
                       "a nearly incompressible matrix cannot be squeezed out between the wall and the particles, and "
-                      "the upper bound at long times comes out too high, with half a cell by a third"}};
+                      "the modulus under displacement at long times comes out too high, with half a cell by a third"}};
   }
 };
 
@@ -318,18 +319,18 @@ std::optional<std::string> warning_of_gap_on_grids(const Stage& stage) {
 std::vector<std::string> warnings_of_unknown_times(const Stage& stage, const Tests& tests) {
   const auto* matrix = std::get_if<Material>(&stage.matrix);
   if (matrix == nullptr) return {};
-  return warnings_of_unknown_times(*matrix, {tests.first_time, tests.last_time});
+  return warnings_of_unknown_times(*matrix, {tests.first_time, tests.last_time}, tests.abscissa());
 }
 
 /// A warning on a measurement that has no time in common with the tests; empty if it has one.
-std::optional<std::string> warning_of_other_times(const Measurement& measurement, const TimeWindow& tests) {
-  if (measurement.known_within(tests)) return std::nullopt;
+std::optional<std::string> warning_of_other_times(const Measurement& measurement, const Tests& tests) {
+  const TimeWindow times = {tests.first_time, tests.last_time};
+  if (measurement.known_within(times)) return std::nullopt;
   const auto known = measurement.known_within({0.0, std::numeric_limits<double>::infinity()});
-  const auto reason = known
-                          ? fmt::format("it is known from {} to {}, and tests.times go from {} to {}",
-                                        readable(known->begin, Dimension::time), readable(known->end, Dimension::time),
-                                        readable(tests.begin, Dimension::time), readable(tests.end, Dimension::time))
-                          : "none of its own times is within measurements.times";
+  const auto abscissa = tests.abscissa();
+  const auto reason = known ? fmt::format("it is known {}, and tests.{} go {}", window_in(abscissa, *known),
+                                          tests.by_frequency ? "frequencies" : "times", window_in(abscissa, times))
+                            : "none of its own times is within measurements.times";
   return fmt::format("the measurement \"{}\" is not compared: {}", measurement.label, reason);
 }
 
@@ -360,7 +361,7 @@ std::vector<std::string> warnings_on(const Study& study, const Stage& stage,
   if (auto warning = warning_of_ringing(study.tests)) of_stage.push_back(*std::move(warning));
   for (const auto& measurement : study.measurements) {
     if (measurement.stage != stage.name) continue;
-    const auto warning = warning_of_other_times(measurement, {study.tests.first_time, study.tests.last_time});
+    const auto warning = warning_of_other_times(measurement, study.tests);
     if (warning) of_stage.push_back(*warning);
   }
   std::ranges::move(warnings_on_packing(stage, microstructure), std::back_inserter(of_stage));

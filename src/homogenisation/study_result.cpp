@@ -10,9 +10,16 @@
 namespace breccia {
 namespace {
 
-double distance_from_one(const ComparedSample& sample) {
-  return std::abs(std::log(sample.ratio()));
+/// The sample whose ratio is nearest to one, in the direction `near`, or furthest from it, `far`; nullptr without
+/// samples.
+template <class Sample>
+const Sample* nearest(const std::vector<Sample>& samples, double direction) {
+  const auto found = std::ranges::min_element(
+      samples, {}, [direction](const Sample& sample) { return direction * std::abs(std::log(sample.ratio())); });
+  return found == samples.end() ? nullptr : &*found;
 }
+
+constexpr double near = 1.0, far = -1.0;
 
 }  // namespace
 
@@ -54,12 +61,28 @@ const TestResult& preferred_test(const std::vector<TestResult>& tests, TestLoad 
                                name_of(boundary), name_of(method)));
 }
 
-const ComparedSample& Comparison::best() const {
-  return *std::ranges::min_element(samples, {}, distance_from_one);
+double ComparedComplexSample::ratio() const {
+  return std::hypot(storage, loss) / std::hypot(measured_storage, measured_loss);
 }
 
-const ComparedSample& Comparison::worst() const {
-  return *std::ranges::max_element(samples, {}, distance_from_one);
+double ComparedComplexSample::phase_difference() const {
+  return std::atan2(loss, storage) - std::atan2(measured_loss, measured_storage);
+}
+
+const ComparedSample* Comparison::best() const {
+  return nearest(samples, near);
+}
+
+const ComparedSample* Comparison::worst() const {
+  return nearest(samples, far);
+}
+
+const ComparedComplexSample* Comparison::best_in_frequency() const {
+  return nearest(in_frequency, near);
+}
+
+const ComparedComplexSample* Comparison::worst_in_frequency() const {
+  return nearest(in_frequency, far);
 }
 
 }  // namespace breccia

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <string>
 #include <variant>
@@ -153,7 +154,7 @@ Json data_of(const fs::path& directory, const StudyDocument& study) {
   Json tables = Json::object(), pictures = Json::object(), fields = Json::object(), responses = Json::object(),
        histories = Json::object();
   auto names = curve_files();
-  names.emplace_back("comparison.csv");
+  std::ranges::copy(comparison_files(), std::back_inserter(names));
   std::erase(names, "dynamic.csv");  // the page computes dynamic moduli from the series
   for (const auto& name : names) {
     auto table = table_for_page(directory / name, text_columns_of_tests());

@@ -161,8 +161,10 @@ std::string boundary_in_words(Boundary boundary) {
 }
 
 StudyContent study_content(const Study& study, const StudyResult& result) {
-  StudyContent content{
-      .title = study.title, .times = {study.tests.first_time, study.tests.last_time}, .materials = study.materials};
+  StudyContent content{.title = study.title,
+                       .times = {study.tests.first_time, study.tests.last_time},
+                       .by_frequency = study.tests.by_frequency,
+                       .materials = study.materials};
   std::vector<std::vector<FillerStatistics>> packed;
   for (std::size_t i = 0; i < result.stages.size(); ++i) {
     const auto& stage = study.stages[i];

@@ -57,7 +57,8 @@ struct StageContent {
 /// The content of a study, apart from its moduli.
 struct StudyContent {
   std::string title;
-  TimeWindow times = {};  ///< [s]
+  TimeWindow times = {};      ///< [s]
+  bool by_frequency = false;  ///< whether the deck gives frequencies
   std::vector<StageContent> stages = {};
   std::vector<ShiftedMaterial> materials = {};
 };

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "homogenisation/complex_moduli.hpp"
 #include "results/best_tests.hpp"
 #include "results/test_columns.hpp"
 #include "tables/csv.hpp"
@@ -13,14 +14,12 @@ void write_dynamic_curves(const std::filesystem::path& file, const StudyResult& 
   std::vector<double> frequencies, storage, loss, loss_tangents;
   for (const auto& stage : result.stages) {
     for (const auto* test : best_tests(stage)) {
-      if (!(test->series.unrelaxed() > 0.0)) continue;
-      for (const double frequency : rows.of(test->modulus)) {
-        const auto modulus = test->series.complex_modulus(frequency);
+      for (const auto& sample : complex_moduli(*test, rows.of(test->modulus))) {
         tests.add(stage.name, test->id);
-        frequencies.push_back(frequency);
-        storage.push_back(modulus.real());
-        loss.push_back(modulus.imag());
-        loss_tangents.push_back(modulus.imag() / modulus.real());
+        frequencies.push_back(sample.angular_frequency);
+        storage.push_back(sample.storage);
+        loss.push_back(sample.loss);
+        loss_tangents.push_back(sample.loss / sample.storage);
       }
     }
   }

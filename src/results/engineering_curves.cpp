@@ -42,19 +42,22 @@ EngineeringCurves curves_of(const TestPair& pair, int dimensions, const Frequenc
   const auto& shear = pair.shear->series;
   const auto bulk = bulk_modulus_of(pair.bulk->series, shear, dimensions);
   const EngineeringModuli moduli(shear, bulk);
-  EngineeringCurves curves{pair.shear->id, {}, {}};
+  EngineeringCurves curves{pair.shear->id, {}, {}, shear, bulk};
   for (const auto& [time, modulus] : pair.shear->modulus) {
     curves.in_time.push_back(
         {time, shear.at(time), bulk.at(time), moduli.youngs_modulus(time), moduli.poisson_ratio(time)});
   }
-  for (const double frequency : rows.of(pair.shear->modulus)) {
-    curves.in_frequency.push_back({frequency, shear.complex_modulus(frequency), bulk.complex_modulus(frequency),
-                                   moduli.complex_youngs_modulus(frequency), moduli.complex_poisson_ratio(frequency)});
-  }
+  for (const double frequency : rows.of(pair.shear->modulus)) curves.in_frequency.push_back(curves.at(frequency));
   return curves;
 }
 
 }  // namespace
+
+ComplexEngineeringSample EngineeringCurves::at(double angular_frequency) const {
+  const EngineeringModuli moduli(shear, bulk);
+  return {angular_frequency, shear.complex_modulus(angular_frequency), bulk.complex_modulus(angular_frequency),
+          moduli.complex_youngs_modulus(angular_frequency), moduli.complex_poisson_ratio(angular_frequency)};
+}
 
 std::vector<EngineeringCurves> engineering_curves(const StageFindings& stage, const FrequencyRows& rows) {
   std::vector<EngineeringCurves> all;

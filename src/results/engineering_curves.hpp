@@ -6,6 +6,7 @@
 #include "breccia/homogenisation/study_result.hpp"
 #include "breccia/results/frequency_rows.hpp"
 #include "breccia/study/test_id.hpp"
+#include "breccia/viscoelasticity/prony_series.hpp"
 
 namespace breccia {
 
@@ -32,6 +33,10 @@ struct EngineeringCurves {
   TestId test;                                         ///< the test in shear
   std::vector<EngineeringSample> in_time;              ///< samples at the times of this test
   std::vector<ComplexEngineeringSample> in_frequency;  ///< samples at the requested frequencies, rising
+  PronySeries shear = {}, bulk = {};                   ///< G(t) and K(t) [Pa]
+
+  /// The complex moduli at an angular frequency [rad/s].
+  [[nodiscard]] ComplexEngineeringSample at(double angular_frequency) const;
 };
 
 /// The curves of each boundary condition under which a stage was tested in shear and in bulk by the same method on the

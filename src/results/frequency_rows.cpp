@@ -1,7 +1,8 @@
 #include "breccia/results/frequency_rows.hpp"
 
 #include <algorithm>
-#include <numbers>
+
+#include "homogenisation/complex_moduli.hpp"
 
 namespace breccia {
 
@@ -17,12 +18,7 @@ std::vector<double> FrequencyRows::of(const Curve& curve) const {
                    [](const Sample& sample) { return 1.0 / sample.time; });
     return frequencies;
   }
-  constexpr double per_cycle = 2.0 * std::numbers::pi;
-  const TimeWindow hertz = {1.0 / (per_cycle * curve.back().time), 1.0 / (per_cycle * curve.front().time)};
-  for (const double frequency : logarithmic_times(hertz, *hertz_per_decade)) {
-    frequencies.push_back(per_cycle * frequency);
-  }
-  return frequencies;
+  return frequencies_in_hertz(curve, *hertz_per_decade);
 }
 
 }  // namespace breccia

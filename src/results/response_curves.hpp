@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "breccia/homogenisation/study_result.hpp"
+#include "breccia/results/frequency_rows.hpp"
 
 namespace breccia {
 
@@ -14,10 +15,12 @@ struct ResponseDestination {
   std::string matrix;                         ///< description of the new matrix
   std::string study;                          ///< hash of the study with the reduced responses
   std::vector<std::filesystem::path> inputs;  ///< the files that the curves were computed from
+  FrequencyRows rows = {};                    ///< the frequencies of the dynamic moduli
   bool overwrite = false;  ///< whether curves with another matrix, study, stage or time window may be replaced
 };
 
-/// Writes `curves.csv`, `prony.csv`, `quality.csv`, `compliance.csv` (for creep tests) and `respond.json`, with the
+/// Writes `curves.csv`, `prony.csv`, `quality.csv`, `compliance.csv` (for creep tests), the tables of
+/// comparisons and `respond.json`, with the
 /// origin of the curves, to a directory, which is created if it is missing. Throws InputError if that would replace one
 /// of the inputs, results of a study, files that Breccia did not write, or, without `overwrite`, curves from other
 /// inputs. Throws FileError.

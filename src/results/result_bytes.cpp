@@ -42,15 +42,21 @@ inline constexpr auto fields<ModulusError> = std::tuple(field("grid", &ModulusEr
                                                         field("matrix", &ModulusError::matrix));
 
 template <>
+inline constexpr auto fields<ComplexSample> = std::tuple(field("angular_frequency", &ComplexSample::angular_frequency),
+                                                         field("storage", &ComplexSample::storage),
+                                                         field("loss", &ComplexSample::loss),
+                                                         field("error", &ComplexSample::error));
+
+template <>
 TestResult blank_value() {
   return {.id = blank_value<TestId>()};
 }
 template <>
-inline constexpr auto fields<TestResult> =
-    std::tuple(field("id", &TestResult::id), field("modulus", &TestResult::modulus),
-               field("compliance", &TestResult::compliance), field("series", &TestResult::series),
-               field("error_estimate", &TestResult::error_estimate), field("half_bands", &TestResult::half_bands),
-               field("errors", &TestResult::errors), field("seconds", &TestResult::seconds));
+inline constexpr auto fields<TestResult> = std::tuple(
+    field("id", &TestResult::id), field("modulus", &TestResult::modulus), field("compliance", &TestResult::compliance),
+    field("series", &TestResult::series), field("error_estimate", &TestResult::error_estimate),
+    field("half_bands", &TestResult::half_bands), field("errors", &TestResult::errors),
+    field("in_frequency", &TestResult::in_frequency), field("seconds", &TestResult::seconds));
 
 template <>
 inline constexpr auto fields<Material> = std::tuple(field("name", &Material::name),
@@ -74,13 +80,21 @@ inline constexpr auto fields<ComparedSample> = std::tuple(field("time", &Compare
                                                           field("measured", &ComparedSample::measured));
 
 template <>
+inline constexpr auto fields<ComparedComplexSample> =
+    std::tuple(field("angular_frequency", &ComparedComplexSample::angular_frequency),
+               field("storage", &ComparedComplexSample::storage), field("loss", &ComparedComplexSample::loss),
+               field("measured_storage", &ComparedComplexSample::measured_storage),
+               field("measured_loss", &ComparedComplexSample::measured_loss));
+
+template <>
 Comparison blank_value() {
   return {{}, blank_value<TestId>(), {}};
 }
 template <>
 inline constexpr auto fields<Comparison> = std::tuple(field("measurement", &Comparison::measurement),
                                                       field("test", &Comparison::test),
-                                                      field("samples", &Comparison::samples));
+                                                      field("samples", &Comparison::samples),
+                                                      field("in_frequency", &Comparison::in_frequency));
 
 template <>
 inline constexpr auto fields<ErrorRules> = std::tuple(field("one_grid", &ErrorRules::one_grid),
@@ -113,6 +127,7 @@ inline constexpr auto fields<StageContent> = std::tuple(field("name", &StageCont
 template <>
 inline constexpr auto fields<StudyContent> = std::tuple(field("title", &StudyContent::title),
                                                         field("times", &StudyContent::times),
+                                                        field("by_frequency", &StudyContent::by_frequency),
                                                         field("stages", &StudyContent::stages),
                                                         field("materials", &StudyContent::materials));
 

@@ -32,7 +32,10 @@ std::vector<ShiftedMaterial> materials_of(const StudyDocument& document) {
 }
 
 StudyContent content_of(const StudyDocument& document) {
-  StudyContent content{.title = document.title, .times = document.times, .materials = materials_of(document)};
+  StudyContent content{.title = document.title,
+                       .times = document.times,
+                       .by_frequency = document.frequencies.has_value(),
+                       .materials = materials_of(document)};
   for (const auto& stage : document.stages) content.stages.push_back(content_of(stage));
   return content;
 }

@@ -7,7 +7,9 @@
 
 #include "breccia/error.hpp"
 
+#include "homogenisation/run/comparison.hpp"
 #include "results/response_file.hpp"
+#include "results/stored_comparisons.hpp"
 #include "results/stored_document.hpp"
 
 namespace breccia {
@@ -26,6 +28,7 @@ StageResponses read_stage(const fs::path& file, const std::string& name) {
 
 std::vector<StageResponses> read_stored_responses(const fs::path& directory, const StudyDocument& document) {
   std::vector<StageResponses> all;
+  auto comparisons = read_comparisons(directory);
   for (const auto& stage : document.stages) {
     const auto file = directory / stage.name / "response.h5";
     if (!fs::exists(file)) continue;
@@ -38,6 +41,8 @@ std::vector<StageResponses> read_stored_responses(const fs::path& directory, con
     for (const auto& filler : stage.fillers) responses.fillers.push_back(filler.material);
     responses.warnings = stage.warnings;
     responses.rules = rules_of_responses(rules_in(stage.quality));
+    responses.abscissa = document.frequencies ? Abscissa::frequency : Abscissa::time;
+    responses.measurements = measurements_of(stage.name, comparisons[stage.name]);
     if (const auto note = note_on_responses(file)) responses.warnings.push_back(*note);
     if (const auto note = note_on_completeness(directory, document)) responses.warnings.push_back(*note);
     all.push_back(std::move(responses));

@@ -10,12 +10,15 @@
 
 #include "breccia/error.hpp"
 
+#include "homogenisation/complex_moduli.hpp"
 #include "results/best_tests.hpp"
 #include "results/error_file.hpp"
+#include "results/stored_comparisons.hpp"
 #include "results/stored_composite.hpp"
 #include "results/stored_document.hpp"
 #include "results/stored_responses.hpp"
 #include "results/sweep_result.hpp"
+#include "results/test_columns.hpp"
 #include "tables/csv.hpp"
 
 namespace breccia {
@@ -36,17 +39,6 @@ TestResult& test_in(std::vector<StageFindings>& stages, const std::string& stage
     if (one.name == stage && found != one.tests.end()) return *found;
   }
   refuse(place, ": curves.csv has no such test");
-}
-
-/// The identity of the test to which a row of a table of samples belongs. The table of extrapolated curves has no
-/// column of grids.
-TestId id_of_row(const CsvTable& table, std::size_t row) {
-  const auto load = table.has("load") ? value_named<TestLoad>(table.text("load")[row]) : Load::shear;
-  const auto boundary = value_named<Boundary>(table.text("boundary")[row]);
-  const auto method = value_named<Method>(table.text("method")[row]);
-  const auto grid = table.has("cells") ? grid_named(table.text("cells")[row]) : TestGrid::extrapolated();
-  if (!load || !boundary || !method || !grid) refuse(table.location(row), "");
-  return {*load, *boundary, *method, *grid};
 }
 
 void add_curves(const fs::path& directory, std::vector<StageFindings>& stages) {
@@ -92,20 +84,23 @@ void add_errors(const fs::path& file, std::vector<StageFindings>& stages) {
   }
 }
 
-void add_comparisons(const fs::path& file, std::vector<StageFindings>& stages) {
+void add_comparisons(const fs::path& directory, std::vector<StageFindings>& stages) {
+  for (auto& [name, comparisons] : read_comparisons(directory)) {
+    const auto stage = std::ranges::find(stages, name, &StageFindings::name);
+    if (stage == stages.end()) refuse(directory.string(), ": a comparison of a stage that study.json has not");
+    stage->comparisons = std::move(comparisons);
+  }
+}
+
+/// The complex moduli of a study whose deck gives frequencies.
+void add_dynamic_curves(const fs::path& file, std::vector<StageFindings>& stages) {
   if (!fs::exists(file)) return;
-  const auto table = read_csv(file, {"measurement", "stage", "boundary", "method", "cells"});
+  const auto table = read_csv(file, {"stage", "load", "boundary", "method", "cells"});
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    const auto stage = std::ranges::find(stages, table.text("stage")[row], &StageFindings::name);
-    if (stage == stages.end()) refuse(table.location(row), ": a stage that study.json has not");
-    const auto id = id_of_row(table, row);
-    const auto& measurement = table.text("measurement")[row];
-    auto& all = stage->comparisons;
-    if (all.empty() || all.back().measurement != measurement || all.back().test != id) {
-      all.push_back({measurement, id, {}});
-    }
-    all.back().samples.push_back(
-        {table.numbers("time_s")[row], table.numbers("modulus_Pa")[row], table.numbers("measured_Pa")[row]});
+    auto& test = test_in(stages, table.text("stage")[row], id_of_row(table, row), table.location(row));
+    const double omega = table.numbers("angular_frequency_rad_per_s")[row];
+    test.in_frequency.push_back({omega, table.numbers("storage_modulus_Pa")[row], table.numbers("loss_modulus_Pa")[row],
+                                 whole_error_at(test, 1.0 / omega)});
   }
 }
 
@@ -175,7 +170,8 @@ StoredStudy read_stored_study(const fs::path& directory) {
   add_compliances(directory / "compliance.csv", stages);
   add_half_bands(directory / "extrapolation.csv", stages);
   add_errors(directory / "errors.csv", stages);
-  add_comparisons(directory / "comparison.csv", stages);
+  add_comparisons(directory, stages);
+  if (document.frequencies) add_dynamic_curves(directory / "dynamic.csv", stages);
   add_series(directory, stages);
   study.responses = read_stored_responses(directory, document);
   return study;

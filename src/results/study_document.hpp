@@ -212,18 +212,28 @@ template <>
 inline constexpr auto fields<RatioEntry> = std::tuple(field("time_s", &RatioEntry::time),
                                                       field("ratio", &RatioEntry::ratio));
 
+struct FrequencyRatioEntry {
+  double frequency = 0.0;  ///< [Hz]
+  double ratio = 0.0;
+};
+template <>
+inline constexpr auto fields<FrequencyRatioEntry> = std::tuple(field("frequency_Hz", &FrequencyRatioEntry::frequency),
+                                                               field("ratio", &FrequencyRatioEntry::ratio));
+
 struct ComparisonEntry {
   std::string measurement;
   Boundary boundary = {};
   Method method = {};
-  RatioEntry best = {}, worst = {};
+  std::optional<RatioEntry> best = {}, worst = {};
+  std::optional<FrequencyRatioEntry> best_in_frequency = {}, worst_in_frequency = {};
 };
 template <>
-inline constexpr auto fields<ComparisonEntry> = std::tuple(field("measurement", &ComparisonEntry::measurement),
-                                                           field("boundary", &ComparisonEntry::boundary),
-                                                           field("method", &ComparisonEntry::method),
-                                                           field("best", &ComparisonEntry::best),
-                                                           field("worst", &ComparisonEntry::worst));
+inline constexpr auto fields<ComparisonEntry> =
+    std::tuple(field("measurement", &ComparisonEntry::measurement), field("boundary", &ComparisonEntry::boundary),
+               field("method", &ComparisonEntry::method), field_if_any("best", &ComparisonEntry::best),
+               field_if_any("worst", &ComparisonEntry::worst),
+               field_if_any("best_in_frequency", &ComparisonEntry::best_in_frequency),
+               field_if_any("worst_in_frequency", &ComparisonEntry::worst_in_frequency));
 
 struct BoundsEntry {
   double time = 0.0;                             ///< [s]

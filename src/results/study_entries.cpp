@@ -128,6 +128,15 @@ std::vector<TestGrid> grids_of(const Tests& tests, const Stage& stage) {
   return grids;
 }
 
+std::optional<RatioEntry> entry_of(const ComparedSample* sample) {
+  return sample == nullptr ? std::nullopt : std::optional(RatioEntry{sample->time, sample->ratio()});
+}
+
+std::optional<FrequencyRatioEntry> entry_of(const ComparedComplexSample* sample) {
+  if (sample == nullptr) return std::nullopt;
+  return FrequencyRatioEntry{sample->angular_frequency / (2.0 * std::numbers::pi), sample->ratio()};
+}
+
 BoundsEntry entry_of(const BoundsAtTime& bounds) {
   return {bounds.time, bounds.upper, bounds.lower, bounds.distance(), bounds.grid_half_band};
 }
@@ -286,10 +295,10 @@ StageEntry entry_of(const Stage& stage, const StageResult& result, const Study& 
   for (const auto& [boundary, method, fit] : result.materials) {
     entry.materials.push_back({boundary, method, fit.fitted, fit.shear_error, fit.bulk_error, entry_of(fit.material)});
   }
-  const auto ratio = [](const ComparedSample& sample) { return RatioEntry{sample.time, sample.ratio()}; };
   for (const auto& comparison : result.comparisons) {
     entry.comparisons.push_back({comparison.measurement, comparison.test.boundary, comparison.test.method,
-                                 ratio(comparison.best()), ratio(comparison.worst())});
+                                 entry_of(comparison.best()), entry_of(comparison.worst()),
+                                 entry_of(comparison.best_in_frequency()), entry_of(comparison.worst_in_frequency())});
   }
   if (!record.answered_from.empty()) entry.answered_from = record.answered_from;
   return entry;

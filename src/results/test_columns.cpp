@@ -2,10 +2,21 @@
 
 #include <fmt/format.h>
 
+#include "breccia/error.hpp"
+
 namespace breccia {
 
 std::string text_if_known(const std::optional<double>& number) {
   return number ? fmt::format("{}", *number) : "";
+}
+
+TestId id_of_row(const CsvTable& table, std::size_t row) {
+  const auto load = table.has("load") ? value_named<TestLoad>(table.text("load")[row]) : Load::shear;
+  const auto boundary = value_named<Boundary>(table.text("boundary")[row]);
+  const auto method = value_named<Method>(table.text("method")[row]);
+  const auto grid = table.has("cells") ? grid_named(table.text("cells")[row]) : TestGrid::extrapolated();
+  if (load && boundary && method && grid) return {*load, *boundary, *method, *grid};
+  throw FileError(fmt::format("{}: not as `breccia run` writes it", table.location(row)));
 }
 
 void TestColumns::add(const std::string& stage, const TestId& test) {

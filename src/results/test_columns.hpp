@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,10 @@ namespace breccia {
 
 /// A number of a table with all its digits; empty where it is not known.
 std::string text_if_known(const std::optional<double>& number);
+
+/// The identity of the test to which a row of a table of samples belongs. The table of extrapolated curves has no
+/// column of grids, that of comparisons none of loads. Throws FileError where a word is not as `breccia run` writes it.
+TestId id_of_row(const CsvTable& table, std::size_t row);
 
 /// The columns of a table with the stage and the test of each row.
 struct TestColumns {

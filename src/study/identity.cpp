@@ -109,7 +109,7 @@ class Content {
     add_all(time, modulus);
   }
   void add(const Measurement& measurement) {
-    const auto& [label, stage, shear, times] = measurement;
+    const auto& [label, stage, shear, times, dynamic] = measurement;
     add_all(label, stage, shear, times);
   }
 

@@ -15,6 +15,26 @@ std::optional<TimeWindow> Measurement::known_within(const TimeWindow& window) co
   return known.begin <= known.end ? std::optional(known) : std::nullopt;
 }
 
+std::vector<MeasuredModulus> Measurement::complex_within(const TimeWindow& window,
+                                                         const std::vector<double>& angular_frequencies) const {
+  const auto known = known_within(window);
+  if (!known) return {};
+  auto moduli = dynamic;
+  const auto* series = std::get_if<PronySeries>(&shear);
+  if (moduli.empty() && series != nullptr && !series->is_elastic()) {
+    for (const double omega : angular_frequencies) {
+      const auto modulus = series->complex_modulus(omega);
+      moduli.push_back({omega, modulus.real(), modulus.imag()});
+    }
+  }
+  constexpr double rounding = 1e-9;
+  std::erase_if(moduli, [&](const MeasuredModulus& one) {
+    const double time = 1.0 / one.angular_frequency;
+    return time < known->begin * (1.0 - rounding) || time > known->end * (1.0 + rounding);
+  });
+  return moduli;
+}
+
 double Measurement::at(double time) const {
   if (const auto* series = std::get_if<PronySeries>(&shear)) return series->at(time);
   const auto& curve = std::get<Curve>(shear);

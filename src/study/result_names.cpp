@@ -12,9 +12,14 @@ std::vector<std::string> curve_files() {
           "extrapolation.csv", "engineering_dynamic.csv", "prony.csv",   "quality.csv"};
 }
 
+std::vector<std::string> comparison_files() {
+  return {"comparison.csv", "comparison_dynamic.csv"};
+}
+
 std::vector<std::string> files_of_a_study() {
   auto names = curve_files();
-  names.insert(names.end(), {"comparison.csv", "study.json", "report.html", "checksums.txt"});
+  std::ranges::copy(comparison_files(), std::back_inserter(names));
+  names.insert(names.end(), {"study.json", "report.html", "checksums.txt"});
   return names;
 }
 

@@ -8,6 +8,9 @@ namespace breccia {
 /// Names of the files with curves that a study or a response writes to its directory.
 std::vector<std::string> curve_files();
 
+/// Names of the files with comparisons with measurements that a study or a response writes to its directory.
+std::vector<std::string> comparison_files();
+
 /// Names of the files that a study writes to its directory, without those in the directories of its stages.
 std::vector<std::string> files_of_a_study();
 

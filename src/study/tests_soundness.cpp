@@ -75,7 +75,7 @@ void check_curve(const Curve& curve, const std::string& part, StudyMistakes& mis
 
 void check_measurement(const Measurement& measurement, const Study& study, StudyMistakes& mistakes) {
   const auto part = "measurement " + measurement.label;
-  const auto& [label, stage, shear, times] = measurement;
+  const auto& [label, stage, shear, times, dynamic] = measurement;
   mistakes.check_name(part, label);
   if (std::ranges::find(study.stages, stage, &Stage::name) == study.stages.end()) {
     mistakes.add(part, fmt::format("there is no stage \"{}\"", stage));

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -47,6 +48,11 @@ Conversion reciprocal_pressure(std::string_view unit) {
 /// The conversion of a frequency to an angular frequency. The unit determines whether it counts cycles or radians. An
 /// inverse time determines neither: it is accepted only if the name of the column is that of an angular frequency.
 Conversion frequency(std::string_view unit, bool counts_cycles) {
+  for (const auto& [prefix, size] : {std::pair{"mrad", 1e-3}, {"krad", 1e3}, {"Mrad", 1e6}}) {
+    if (!unit.starts_with(prefix)) continue;
+    const auto [factor, divisor, no_offset] = frequency(unit.substr(1), counts_cycles);
+    return by_factor(size * factor / divisor);
+  }
   for (const std::string_view angle : {"rad_per_", "rad/", "rad /"}) {
     if (unit.starts_with(angle)) return reciprocal(by_unit(unit.substr(angle.size()), Dimension::time));
   }

@@ -110,7 +110,7 @@ TEST(CoverageRefusal, IsOfEachBoundaryWithItsOwnMatrix) {
   } catch (const NotCovered& refusal) {
     EXPECT_THAT(refusal.what(), AllOf(HasSubstr("gel shows"), HasSubstr("\nstage A: from 1 ms to 1 Ms stiff shows")));
     EXPECT_FALSE(refusal.times());
-    EXPECT_STREQ(with_covered_times(refusal, refusal.times()).what(), refusal.what());
+    EXPECT_STREQ(with_covered_times(refusal, refusal.times(), Abscissa::time).what(), refusal.what());
   }
 }
 
@@ -123,21 +123,27 @@ TEST(CoverageRefusal, TellsTimesThatTheWholeAttemptCovers) {
     return 1;
   };
   EXPECT_EQ(test::message_of<InputError>([&] {
-              or_refuse_with_covered_times({1.0, 9.0}, attempt);
+              or_refuse_with_covered_times({1.0, 9.0}, Abscissa::time, attempt);
             }),
             "the first stage\ncovered from 3 s to 7 s");
   EXPECT_THAT(tried, ElementsAre(TimeWindow{1.0, 9.0}, TimeWindow{2.0, 8.0}, TimeWindow{3.0, 7.0}));
-  EXPECT_EQ(or_refuse_with_covered_times({4.0, 5.0}, attempt), 1);
+  EXPECT_EQ(or_refuse_with_covered_times({4.0, 5.0}, Abscissa::time, attempt), 1);
 }
 
 TEST(CoverageRefusal, TellsNoTimesWhereNoneAreLeft) {
   const auto refused = [](const TimeWindow&) -> int { throw NotCovered("no", std::nullopt); };
-  EXPECT_EQ(test::message_of<InputError>([&] { or_refuse_with_covered_times({1.0, 9.0}, refused); }), "no");
+  EXPECT_EQ(test::message_of<InputError>([&] {
+              or_refuse_with_covered_times({1.0, 9.0}, Abscissa::time, refused);
+            }),
+            "no");
   const auto fails = [](const TimeWindow& window) -> int {
     if (window.begin < 2.0) throw NotCovered("no", TimeWindow{2.0, 8.0});
     throw NumericalError("the fit is bad");
   };
-  EXPECT_EQ(test::message_of<InputError>([&] { or_refuse_with_covered_times({1.0, 9.0}, fails); }), "no");
+  EXPECT_EQ(test::message_of<InputError>([&] {
+              or_refuse_with_covered_times({1.0, 9.0}, Abscissa::time, fails);
+            }),
+            "no");
 }
 
 }  // namespace

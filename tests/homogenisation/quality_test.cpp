@@ -95,7 +95,8 @@ TEST(Quality, NamesTheLoadAndTheMethodOfTheBoundsAmongSeveral) {
   const auto crossed = result_of(
       {upper, lower, other(lowest, Load::bulk, Method::quasistatic), other(lower, Load::bulk, Method::quasistatic)});
   EXPECT_THAT(summary_of(quality_of(Study{}, random_stage(), crossed)),
-              StartsWith("displacement and traction under bulk: the modulus under displacement is 20 % below that under traction at 10 ms"));
+              StartsWith("displacement and traction under bulk: the modulus under displacement is 20 % below that "
+                         "under traction at 10 ms"));
 }
 
 TEST(Quality, SaysOfFilmsWhichKeyHalvesTheirMesh) {
@@ -139,6 +140,19 @@ TEST(Quality, TakesTheLimitOfSeveralGridsAndItsBand) {
   EXPECT_EQ(quality.loads.at(0).times.front().grid_half_band, 6.0);
   EXPECT_THAT(quality.grids, ElementsAre(50, 100));
   EXPECT_THAT(summary_of(quality), HasSubstr("grid: error up to 5 %;")) << "6 of 120, and 2 of 100";
+}
+
+// The first time belongs to the last frequency: 1 / (2 pi 1 s) is 159 mHz.
+TEST(Quality, SpeaksOfFrequenciesInAStudyOfThem) {
+  Study study;
+  study.tests.by_frequency = true;
+  const auto result = result_of(
+      {constant(Boundary::displacement, TestGrid(100), 120.0), constant(Boundary::traction, TestGrid(100), 100.0)});
+  const auto in_time = summary_of(quality_of(Study{}, random_stage(), result));
+  const auto in_frequency = summary_of(quality_of(study, random_stage(), result));
+  EXPECT_THAT(in_time, HasSubstr("bounds 20 % apart at "));
+  EXPECT_THAT(in_time, Not(HasSubstr("Hz")));
+  EXPECT_THAT(in_frequency, testing::ContainsRegex("bounds 20 % apart at [0-9.]+ m?Hz, 20 % at [0-9.]+ k?Hz"));
 }
 
 TEST(Quality, ReportsUnknownErrors) {

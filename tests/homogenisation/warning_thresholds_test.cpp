@@ -161,7 +161,9 @@ TEST(WarningThresholds, OfCellsThatCanBeAfforded) {
 // A term affects the modulus for about a decade on either side of its time.
 TEST(WarningThresholds, OfTimesBesideTheSpectrum) {
   auto material = matrix_resin;
-  const auto warnings = [&](double begin, double end) { return warnings_of_unknown_times(material, {begin, end}); };
+  const auto warnings = [&](double begin, double end) {
+    return warnings_of_unknown_times(material, {begin, end}, Abscissa::time);
+  };
   material.shear = PronySeries(0.0, {{1e-3, 1.0}, {1.0, 1.0}});
   EXPECT_THAT(warnings(1.001e-4, 9.99), IsEmpty());
   const auto before = HasSubstr("the computed modulus is constant"), after = HasSubstr("has flowed away there");

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "results/hand_made_results.hpp"
+#include "results/stored_comparisons.hpp"
 #include "tables/csv.hpp"
 #include "temporary_directory.hpp"
 
@@ -36,6 +37,30 @@ TEST(WriteComparisons, LeavesARowForEachTimeOfEachMeasurement) {
   EXPECT_THAT(table.numbers("modulus_Pa"), ElementsAre(3e6, 1e6, 1.0));
   EXPECT_THAT(table.numbers("measured_Pa"), ElementsAre(2e6, 4e6, 3.0));
   EXPECT_THAT(table.numbers("ratio"), ElementsAre(1.5, 0.25, 1.0 / 3.0));
+}
+
+// 3 + 4i over 6 + 8i Pa at 1 Hz, and 1 + i over 1 Pa at 1 rad/s.
+TEST(WriteComparisons, LeavesATableOfComplexModuli) {
+  const test::TemporaryDirectory directory;
+  auto stage = test::stage_with("A", {});
+  const TestId id{Load::shear, Boundary::periodic, Method::quasistatic, TestGrid(24)};
+  stage.comparisons = {{"rheometer", id, {}, {{1.0, 1.0, 1.0, 1.0, 1e-30}, {6.283185307179586, 3.0, 4.0, 6.0, 8.0}}}};
+  write_comparisons(directory.path(), {{stage}, {}});
+  EXPECT_FALSE(std::filesystem::exists(directory.path() / "comparison.csv"));
+  const auto table =
+      read_csv(directory.path() / "comparison_dynamic.csv", {"measurement", "stage", "boundary", "method", "cells"});
+  EXPECT_THAT(table.names(), ElementsAre("measurement", "stage", "boundary", "method", "cells", "frequency_Hz",
+                                         "angular_frequency_rad_per_s", "storage_modulus_Pa", "loss_modulus_Pa",
+                                         "measured_storage_modulus_Pa", "measured_loss_modulus_Pa", "ratio",
+                                         "storage_ratio", "loss_ratio", "phase_difference_deg"));
+  EXPECT_THAT(table.numbers("frequency_Hz")[1], testing::DoubleNear(1.0, 1e-15));
+  EXPECT_THAT(table.numbers("ratio")[1], testing::DoubleNear(0.5, 1e-15));
+  EXPECT_THAT(table.numbers("loss_ratio")[1], testing::DoubleNear(0.5, 1e-15));
+  EXPECT_THAT(table.numbers("phase_difference_deg"),
+              ElementsAre(testing::DoubleNear(45.0, 1e-12), testing::DoubleNear(0.0, 1e-12)));
+  const auto read = read_comparisons(directory.path()).at("A");
+  ASSERT_EQ(read.size(), 1U);
+  EXPECT_EQ(read[0].in_frequency[1].measured_loss, 8.0);
 }
 
 TEST(WriteComparisons, LeavesNoTableWithoutAMeasurement) {

@@ -56,7 +56,7 @@ TEST(ResultBytes, GiveTheSameBits) {
   EXPECT_FALSE(found.tests[1].seconds);
   EXPECT_EQ(found.materials.at(0).result.material, stage.materials[0].result.material);
   EXPECT_EQ(found.comparisons.at(0).measurement, stage.comparisons[0].measurement);
-  EXPECT_EQ(found.comparisons.at(0).best().ratio(), 2.0 / 3.0);
+  EXPECT_EQ(found.comparisons.at(0).best()->ratio(), 2.0 / 3.0);
   EXPECT_EQ(found.accuracy.summary, stage.accuracy.summary);
   EXPECT_FALSE(found.accuracy.grid_error);
   EXPECT_EQ(found.accuracy.rules.one_grid, 0.04);

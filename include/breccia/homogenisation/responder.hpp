@@ -29,9 +29,9 @@ class Responder {
   /// one is given twice, or stages build on each other in a circle.
   explicit Responder(std::vector<StageResponses> stages, std::vector<ShiftedMaterial> materials = {});
 
-  /// A responder whose varying materials are at another temperature [K]. An elastic matrix does not change; the results
-  /// then have a warning. Throws InputError where a material that relaxes has no shift law, or that law does not reach
-  /// the temperature.
+  /// A responder whose varying materials are at another temperature [K], at which nothing was measured. An elastic
+  /// matrix does not change; the results then have a warning. Throws InputError where a material that relaxes has no
+  /// shift law, or that law does not reach the temperature.
   [[nodiscard]] Responder at(double temperature) const;
   /// A responder with new materials in place of those that they name. Throws InputError, with one line for each
   /// mistake: a name that no varying material or phase has, a phase made up of several materials, a material that is
@@ -40,6 +40,8 @@ class Responder {
   [[nodiscard]] Responder with(const std::vector<NewMaterial>& materials) const;
   /// A responder with other first and last times of the curves [s].
   [[nodiscard]] Responder within(const TimeWindow& times) const;
+  /// A responder whose results are over time or over frequency, as those of the study are by default.
+  [[nodiscard]] Responder over(Abscissa abscissa) const;
   /// A responder with one stage and the stages that it builds on. Throws InputError if there is no such stage.
   [[nodiscard]] Responder chain_of(const std::string& stage) const;
   /// A responder with one stage, without the stages that it builds on; its matrix has to be given by with(). Throws

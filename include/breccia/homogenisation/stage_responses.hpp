@@ -36,6 +36,10 @@ struct StageResponses {
   SampledRange range = SampledRange::matrix;  ///< range of moduli over which the responses were sampled
   Mixing mixing = Mixing::series;  ///< mixing of the stage, which determines how results on several grids are combined
   TestLoad shear = Load::shear;    ///< load whose modulus is G of the stage as a material
+  /// The abscissa of the study, and the measurements of the stage. A response file has neither; they are read from the
+  /// other files of the results, the measurements as far as the study was compared with them.
+  Abscissa abscissa = Abscissa::time;
+  std::vector<Measurement> measurements = {};
   /// Names of the materials of the stage's fillers, the warnings about the stage in the study, and the rules for its
   /// errors. A response file holds none of them; they are read from `study.json`.
   std::vector<std::string> fillers = {}, warnings = {};

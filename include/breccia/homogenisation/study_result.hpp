@@ -61,6 +61,14 @@ struct ModulusError {
 /// The largest whole error of a list [-]; nothing where one is not known, and for an empty list.
 [[nodiscard]] std::optional<double> largest_whole(const std::vector<ModulusError>& errors);
 
+/// A complex modulus at an angular frequency, and its error.
+struct ComplexSample {
+  double angular_frequency = 0.0;    ///< [rad/s]
+  double storage = 0.0;              ///< [Pa]
+  double loss = 0.0;                 ///< [Pa]
+  std::optional<double> error = {};  ///< whole error of the relaxation modulus at the time 1/omega, over it [-]
+};
+
 /// The result of one virtual test of one stage under one load: its curves and their errors, and a record of the
 /// computation.
 struct TestResult {
@@ -75,6 +83,9 @@ struct TestResult {
   /// The error of the modulus at each time, once all tests of the stage are done; empty for a test that is not the
   /// preferred one of its load, boundary and method.
   std::vector<ModulusError> errors = {};
+  /// The complex modulus at the frequencies of a study whose deck gives frequencies, rising, once all tests of the
+  /// stage are done; else empty.
+  std::vector<ComplexSample> in_frequency = {};
   /// Wall time [s], of a quasi-static test that of all loads together; nothing for extrapolated curves.
   std::optional<double> seconds = {};
   TestFields fields = {};  ///< fields; without times where a sink has stored them
@@ -105,16 +116,34 @@ struct ComparedSample {
   [[nodiscard]] double ratio() const { return modulus / measured; }
 };
 
-/// Comparison of G(t) of a stage, under one boundary and by one method, with a measurement.
+/// A computed and a measured complex modulus at the same frequency.
+struct ComparedComplexSample {
+  double angular_frequency = 0.0;                      ///< [rad/s]
+  double storage = 0.0, loss = 0.0;                    ///< computed [Pa]
+  double measured_storage = 0.0, measured_loss = 0.0;  ///< [Pa]
+
+  /// The ratio of the absolute values |G*|.
+  [[nodiscard]] double ratio() const;
+  /// The computed phase minus the measured one [rad].
+  [[nodiscard]] double phase_difference() const;
+};
+
+/// Comparison of G of a stage, under one boundary and by one method, with a measurement. There is a sample in time or
+/// in frequency at least.
 struct Comparison {
   std::string measurement;              ///< label of the measurement
   TestId test;                          ///< the preferred test of its boundary and method
-  std::vector<ComparedSample> samples;  ///< samples at the times of the curve, at least one
+  std::vector<ComparedSample> samples;  ///< G(t) at the times of the curve
+  /// The complex modulus at rising frequencies: those that were measured or else, of a measured series, those of the
+  /// study.
+  std::vector<ComparedComplexSample> in_frequency = {};
 
-  /// The sample whose ratio is nearest to one.
-  [[nodiscard]] const ComparedSample& best() const;
-  /// The sample whose ratio is furthest from one.
-  [[nodiscard]] const ComparedSample& worst() const;
+  /// The samples whose ratios are nearest to one and furthest from one, of those in time or in frequency; nullptr where
+  /// there are none.
+  [[nodiscard]] const ComparedSample* best() const;
+  [[nodiscard]] const ComparedSample* worst() const;
+  [[nodiscard]] const ComparedComplexSample* best_in_frequency() const;
+  [[nodiscard]] const ComparedComplexSample* worst_in_frequency() const;
 };
 
 /// The kind of sample that a box is of its material, on which the scatter from box to box depends.

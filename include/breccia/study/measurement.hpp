@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "breccia/virtual_test/curve.hpp"
 #include "breccia/viscoelasticity/prony_series.hpp"
@@ -10,17 +11,31 @@
 
 namespace breccia {
 
+/// A measured complex shear modulus.
+struct MeasuredModulus {
+  double angular_frequency = 0.0;  ///< [rad/s]
+  double storage = 0.0;            ///< G' [Pa]
+  double loss = 0.0;               ///< G'' [Pa]
+};
+
 /// A measured shear relaxation modulus, to be compared with that of a stage.
 struct Measurement {
   std::string label;
   std::string stage;                       ///< name of the stage that models the measured material
   std::variant<PronySeries, Curve> shear;  ///< [Pa]
   std::optional<TimeWindow> times = {};    ///< times for which the measurement is valid [s]
+  /// The moduli at the measured frequencies, rising, where these were measured and `shear` is fitted to them.
+  std::vector<MeasuredModulus> dynamic = {};
 
   /// The part of a window of times [s] in which the measured modulus is known; nothing if there is none.
   [[nodiscard]] std::optional<TimeWindow> known_within(const TimeWindow& window) const;
   /// Measured modulus [Pa] at a time [s] in that part; interpolated between the points of a curve as a power of time.
   [[nodiscard]] double at(double time) const;
+  /// The complex moduli at the measured frequencies 1/t for times t in that part of a window. Where none were measured,
+  /// those of the series at the given angular frequencies [rad/s] in that part; nothing for a curve, and for an elastic
+  /// modulus, which has no loss.
+  [[nodiscard]] std::vector<MeasuredModulus> complex_within(const TimeWindow& window,
+                                                            const std::vector<double>& angular_frequencies) const;
 };
 
 }  // namespace breccia

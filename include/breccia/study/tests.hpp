@@ -34,6 +34,10 @@ enum class Model {
 template <>
 inline constexpr auto words<Model> = std::to_array<Word<Model>>({{"cells", Model::cells}, {"films", Model::films}});
 
+/// The variable over which a deck asks for its results, and of which messages speak. To an angular frequency omega
+/// belongs the time 1/omega.
+enum class Abscissa { time, frequency };
+
 /// Settings of the model of grains and films.
 struct FilmOptions {
   /// Length of the longest element along a face, over the square root of the area of the smaller of the two grains
@@ -65,6 +69,8 @@ struct Tests {
   QuasistaticOptions quasistatic = {};
   std::vector<VariedMaterial> varied = {};  ///< elastic materials over whose moduli the reduced solver samples, too
   DynamicOptions dynamic = {};
+
+  [[nodiscard]] Abscissa abscissa() const { return by_frequency ? Abscissa::frequency : Abscissa::time; }
 };
 
 }  // namespace breccia

@@ -11,12 +11,18 @@
 
 #include "io/display.hpp"
 #include "quasistatic/reduced/sampled_moduli.hpp"
+#include "study/abscissa_words.hpp"
 
 namespace breccia {
 namespace {
 
-std::string seconds(double time) {
-  return display(time, "s", 3);
+/// A window in seconds, "from 1 ms to 1 s", or in hertz.
+std::string window_of(Abscissa abscissa, const TimeWindow& times) {
+  if (abscissa == Abscissa::frequency) {
+    const auto [begin, end] = hertz_within(times);
+    return fmt::format("from {} to {}", display(begin, "Hz"), display(end, "Hz"));
+  }
+  return fmt::format("from {} to {}", display(times.begin, "s"), display(times.end, "s"));
 }
 
 std::string in_pascals(double modulus) {
@@ -59,12 +65,11 @@ std::string remedy_for(const StageResponses& stage) {
 
 /// A description of the modulus of a phase that is not covered: the shear modulus or, where that is covered, the bulk
 /// modulus.
-std::string describe(const PhaseCoverage& found, const Material& material, const TimeWindow& window) {
+std::string describe(const PhaseCoverage& found, const Material& material, const std::string& window) {
   const auto* name = found.is_shear_covered ? "bulk" : "shear";
   const auto of = found.is_shear_covered ? &Moduli::bulk : &Moduli::shear;
   const auto least = in_pascals(found.shown.least.*of), most = in_pascals(found.shown.most.*of);
-  return fmt::format("from {} to {} {} shows a {} modulus {}; the responses hold from {} to {}", seconds(window.begin),
-                     seconds(window.end), material.name, name,
+  return fmt::format("{} {} shows a {} modulus {}; the responses hold from {} to {}", window, material.name, name,
                      least == most ? "of " + least : fmt::format("from {} to {}", least, most),
                      in_pascals(found.sampled.least.*of), in_pascals(found.sampled.most.*of));
 }
@@ -110,7 +115,8 @@ void require_coverage(const StageResponses& stage, const MatrixUnder& matrix, co
     covered = common(covered, found.times);
     for (std::size_t i = 0; i < materials.size(); ++i) {
       if (found.phases[i].is_whole()) continue;
-      auto line = fmt::format("stage {}: {}", stage.stage, describe(found.phases[i], materials[i], window));
+      auto line = fmt::format("stage {}: {}", stage.stage,
+                              describe(found.phases[i], materials[i], window_of(stage.abscissa, window)));
       if (std::ranges::find(lines, line) == lines.end()) lines.push_back(std::move(line));
     }
   }
@@ -122,9 +128,9 @@ void require_coverage(const StageResponses& stage, const MatrixUnder& matrix, co
   throw NotCovered(fmt::format("{}\n{}", fmt::join(lines, "\n"), remedy_for(stage)), covered);
 }
 
-NotCovered with_covered_times(const NotCovered& refusal, const std::optional<TimeWindow>& times) {
+NotCovered with_covered_times(const NotCovered& refusal, const std::optional<TimeWindow>& times, Abscissa abscissa) {
   if (!times) return {refusal.what(), times};
-  return {fmt::format("{}\ncovered from {} to {}", refusal.what(), seconds(times->begin), seconds(times->end)), times};
+  return {fmt::format("{}\ncovered {}", refusal.what(), window_of(abscissa, *times)), times, abscissa};
 }
 
 }  // namespace breccia

@@ -23,13 +23,14 @@ std::vector<Material> materials_for(const StageResponses& stage, const ReducedRe
 /// Throws NotCovered if a reduced response of a stage does not cover a window of times [s] with its matrix.
 void require_coverage(const StageResponses& stage, const MatrixUnder& matrix, const TimeWindow& window);
 
-/// A refusal with the times that can be requested instead, if there are any.
-NotCovered with_covered_times(const NotCovered& refusal, const std::optional<TimeWindow>& times);
+/// A refusal with the times, or the frequencies, that can be requested instead, if there are any.
+NotCovered with_covered_times(const NotCovered& refusal, const std::optional<TimeWindow>& times, Abscissa abscissa);
 
 /// Returns the result of a function of a window of times. If the function throws NotCovered, searches for a narrower
 /// window in which it succeeds, and throws NotCovered with that window.
 template <class Attempt>
-auto or_refuse_with_covered_times(const TimeWindow& window, const Attempt& attempt) -> decltype(attempt(window)) {
+auto or_refuse_with_covered_times(const TimeWindow& window, Abscissa abscissa, const Attempt& attempt)
+    -> decltype(attempt(window)) {
   try {
     return attempt(window);
   } catch (const NotCovered& refusal) {
@@ -45,7 +46,7 @@ auto or_refuse_with_covered_times(const TimeWindow& window, const Attempt& attem
         left.reset();
       }
     }
-    throw with_covered_times(refusal, left);
+    throw with_covered_times(refusal, left, abscissa);
   }
 }
 

@@ -9,8 +9,10 @@
 
 #include "breccia/error.hpp"
 
+#include "homogenisation/complex_moduli.hpp"
 #include "homogenisation/modulus_errors.hpp"
 #include "homogenisation/respond/coverage_refusal.hpp"
+#include "homogenisation/run/comparison.hpp"
 #include "homogenisation/run/isotropic_mean.hpp"
 #include "homogenisation/run/stage_extrapolation.hpp"
 #include "homogenisation/stage_materials.hpp"
@@ -133,6 +135,8 @@ std::vector<StageResult> responded_stages(const std::vector<StageResponses>& sta
     };
     auto result = tested_stage(next, matrix, times);
     add_errors(result, next.rules, next.matrix, done);
+    if (next.abscissa == Abscissa::frequency) add_complex_moduli(result.tests, next.points_per_decade);
+    result.comparisons = compare(next.measurements, next.stage, next.shear, result.tests);
     if (serves_as_matrix(stages, next.stage)) result.materials = materials_of(next, matrix, times, result.tests);
     done.push_back(std::move(result));
   }

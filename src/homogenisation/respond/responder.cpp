@@ -99,10 +99,11 @@ std::vector<std::string> warnings_on_varying(const std::vector<StageResponses>& 
   std::vector<std::string> warnings;
   for (const auto* const material : varying_materials(stage)) {
     if (!has_moduli(*material)) continue;
-    if (auto warning = warning_of_poisson_ratio(*material, stage.times)) warnings.push_back(*std::move(warning));
+    if (auto warning = warning_of_poisson_ratio(*material, stage.times, stage.abscissa))
+      warnings.push_back(*std::move(warning));
   }
   if (const auto* const matrix = std::get_if<Material>(&stage.matrix)) {
-    for (const auto& warning : warnings_of_unknown_times(*matrix, stage.times)) {
+    for (const auto& warning : warnings_of_unknown_times(*matrix, stage.times, stage.abscissa)) {
       warnings.push_back(fmt::format("{}: {}", stage.stage, warning));
     }
   }
@@ -110,7 +111,7 @@ std::vector<std::string> warnings_on_varying(const std::vector<StageResponses>& 
     for (const auto& name : stage.fillers) {
       const auto* const filler = find_material(materials, name);
       if (filler == nullptr) continue;
-      const auto warning = warning_of_soft_filler(filler->material, *binder, stage.times.begin);
+      const auto warning = warning_of_soft_filler(filler->material, *binder, stage.times.begin, stage.abscissa);
       if (warning) add_once(warnings, fmt::format("{}: {}", stage.stage, *warning));
     }
   }
@@ -174,6 +175,8 @@ Responder Responder::at(double temperature) const {
     moved.replace(name, std::move(material), {own_name, fmt::format(" at {}", in_celsius(temperature))});
     if (is_unshifted) moved.unshifted_.insert(name);
   }
+  // The measurements are those at the temperature of the study.
+  for (auto& stage : moved.stages_) stage.measurements.clear();
   return moved;
 }
 
@@ -190,6 +193,12 @@ Responder Responder::with(const std::vector<NewMaterial>& materials) const {
 Responder Responder::within(const TimeWindow& times) const {
   auto changed = *this;
   for (auto& stage : changed.stages_) stage.times = times;
+  return changed;
+}
+
+Responder Responder::over(Abscissa abscissa) const {
+  auto changed = *this;
+  for (auto& stage : changed.stages_) stage.abscissa = abscissa;
   return changed;
 }
 
@@ -218,7 +227,7 @@ std::vector<StageResult> Responder::respond() const {
     if (matrix == nullptr || has_moduli(*matrix)) continue;
     throw InputError(fmt::format("no new material for \"{}\", which is the matrix of a stage", matrix->name));
   }
-  auto results = or_refuse_with_covered_times(stages.front().times,
+  auto results = or_refuse_with_covered_times(stages.front().times, stages.front().abscissa,
                                               [&](const TimeWindow& times) { return responded_stages(stages, times); });
   add_warnings(results);
   return results;
@@ -302,6 +311,7 @@ void Responder::add_warnings(std::vector<StageResult>& results) const {
       if (said.insert(warning).second) add_once(result.warnings, warning);
     }
     StageQuality quality;
+    quality.abscissa = of_study.abscissa;
     quality.loads = bounds_of_tests(result);
     for (const auto& warning : warnings_on_bounds(quality)) {
       result.warnings.push_back(fmt::format("{}: {}", result.name, warning));

@@ -41,10 +41,15 @@ StageResponses responses_of(const Study& study, const Stage& stage, const StageR
                               .range = tests.quasistatic.range,
                               .mixing = mixing_of(study, stage, result.microstructure),
                               .shear = shear_of_material(tests),
+                              .abscissa = tests.abscissa(),
+                              .measurements = {},
                               .fillers = {},
                               .warnings = result.warnings,
                               .rules = rules_of_responses(result.accuracy.rules),
                               .entries = {}};
+  for (const auto& measurement : study.measurements) {
+    if (measurement.stage == stage.name) responses.measurements.push_back(measurement);
+  }
   for (const auto& filler : stage.fillers) responses.fillers.push_back(filler.material.name);
   for (const auto& test : result.tests) {
     const auto* record = std::get_if<QuasistaticRecord>(&test.record);

@@ -1,13 +1,20 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "breccia/homogenisation/study_result.hpp"
-#include "breccia/study/study.hpp"
+#include "breccia/study/measurement.hpp"
 
 namespace breccia {
 
-/// Compares G(t) of a stage, for all boundaries and methods, with each of its measurements, over the times of both.
-std::vector<Comparison> compare(const Study& study, const Stage& stage, const std::vector<TestResult>& tests);
+/// The comparisons of a stage with those of the measurements that are of it: of its preferred tests under one load,
+/// that of its shear modulus. Complex moduli are compared for the preferred method.
+std::vector<Comparison> compare(const std::vector<Measurement>& measurements, const std::string& stage, TestLoad shear,
+                                const std::vector<TestResult>& tests);
+
+/// The measurements that a stage was compared with, as far as the comparisons tell them: curves through the measured
+/// moduli, of two samples at least, and the measured complex moduli.
+std::vector<Measurement> measurements_of(const std::string& stage, const std::vector<Comparison>& comparisons);
 
 }  // namespace breccia

@@ -6,12 +6,14 @@
 #include "breccia/homogenisation/plan.hpp"
 #include "breccia/study/soundness.hpp"
 
+#include "homogenisation/complex_moduli.hpp"
 #include "homogenisation/modulus_errors.hpp"
 #include "homogenisation/quality.hpp"
 #include "homogenisation/run/comparison.hpp"
 #include "homogenisation/run/solve_stage.hpp"
 #include "parallel/available_memory.hpp"
 #include "parallel/session.hpp"
+#include "study/chain.hpp"
 #include "study/identity.hpp"
 
 namespace breccia {
@@ -20,8 +22,9 @@ namespace {
 /// Adds a stage to the result: the stage as the sink knows it, or else as it is computed.
 void solve_stage(const Study& study, const Stage& stage, int threads, StudySink& sink, StudyResult& result) {
   if (auto known = sink.known_stage(stage)) {
-    known->comparisons = compare(study, stage, known->tests);
     add_errors(*known, error_rules_of(study, stage, known->microstructure), stage.matrix, result.stages);
+    if (study.tests.by_frequency) add_complex_moduli(known->tests, study.tests.points_per_decade);
+    known->comparisons = compare(study.measurements, stage.name, shear_of_material(study.tests), known->tests);
     known->accuracy = accuracy_of(quality_of(study, stage, *known));
     result.stages.push_back(std::move(*known));
     sink.happened(StageAdopted{stage, result});

@@ -11,6 +11,7 @@
 #include "breccia/homogenisation/stage_discretisation.hpp"
 
 #include "checkpoint/checkpoint.hpp"
+#include "homogenisation/complex_moduli.hpp"
 #include "homogenisation/modulus_errors.hpp"
 #include "homogenisation/narrow_gaps.hpp"
 #include "homogenisation/quality.hpp"
@@ -57,7 +58,8 @@ class StageSolution {
     }
     if (serves_as_matrix(study_.stages, stage_.name))
       done_.materials = materials_from(study_, stage_, result_.stages, done_);
-    done_.comparisons = compare(study_, stage_, done_.tests);
+    if (study_.tests.by_frequency) add_complex_moduli(done_.tests, study_.tests.points_per_decade);
+    done_.comparisons = compare(study_.measurements, stage_.name, shear_of_material(study_.tests), done_.tests);
     sink_.happened(StageFinished{stage_, result_});
   }
 

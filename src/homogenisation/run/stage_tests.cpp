@@ -146,7 +146,7 @@ std::vector<std::string> warnings_of(const Tests& tests, const Stage& stage, con
   }
   for (const auto& warning : warnings_on_domains(tests, test.id.boundary, dynamic->domains)) {
     warnings.push_back(
-        fmt::format("{} {}, {}: {}", stage.name, name_of(test.id.load), bound_of(test.id.boundary), warning));
+        fmt::format("{} {}, {}: {}", stage.name, name_of(test.id.load), name_of(test.id.boundary), warning));
   }
   return warnings;
 }
@@ -167,7 +167,7 @@ std::optional<std::string> warning_of_basis(const Tests& tests, const Stage& sta
       "asks "
       "for {:.1g} %; it is part of the printed error; tests.quasistatic.range = \"times\" takes fewer moduli, and "
       "tests.solver = \"stepping\" has no basis",
-      stage.name, bound_of(of_loads.front().id.boundary), words_of(of_loads.front().id.grid), 100.0 * error,
+      stage.name, name_of(of_loads.front().id.boundary), words_of(of_loads.front().id.grid), 100.0 * error,
       most_snapshots, 100.0 * tolerance);
 }
 

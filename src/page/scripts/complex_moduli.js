@@ -18,7 +18,9 @@ export function complexModuli(curves, result) {
     if (storage === undefined || loss === undefined) return [];
     const value = ({x, y}, frequency) => valueAt(x, y, perCycle * frequency);
     return [{boundary: modulus.boundary, x: storage.x.map((frequency) => frequency / perCycle),
-      at: (frequency) => complexOf(value(storage, frequency), value(loss, frequency)),
+      at: storage.modulusAt === undefined
+        ? (frequency) => complexOf(value(storage, frequency), value(loss, frequency))
+        : (frequency) => storage.modulusAt(perCycle * frequency),
       errorAt: (frequency) => (modulus.error === undefined ? NaN
         : valueAt(modulus.x, modulus.error.whole, 1 / (perCycle * frequency)))}];
   });
@@ -81,4 +83,48 @@ export function complexColumns(modulus, name) {
     ["tan δ", ({storage, loss}) => shortNumber(loss / storage, 3)]];
   return columns.map(([symbol, text], i) => [head(symbol), (frequency) =>
     text(modulus.at(frequency)) + (i === 0 ? errorText([modulus], frequency) : "")]);
+}
+
+/// The measured complex modulus of a stage beside computed ones: {name, x, moduli} with the frequencies x [Hz], from its
+/// curves; undefined where nothing was measured in frequency.
+export function measuredComplex(curves, stage) {
+  const of = (name) => curves.find(({role, quantity, part, stage: its}) => role === "measured" &&
+    quantity === "dynamic" && part === name && its === stage);
+  const [storage, loss] = [of("storage"), of("loss")];
+  if (storage === undefined) return undefined;
+  return {name: storage.label.replace("measured, ", "").replace(/, G′$/, ""),
+    x: storage.x.map((omega) => omega / perCycle), moduli: storage.y.map((value, i) => complexOf(value, loss.y[i]))};
+}
+
+/// The ratio of the absolute value of a computed complex modulus to the measured one, and the difference of their phases
+/// [degrees], at each measured frequency.
+function deviationsFrom(measured, {at}) {
+  return measured.x.map((frequency, i) => {
+    const {size, phase} = at(frequency);
+    return {ratio: size / measured.moduli[i].size, phase: phase - measured.moduli[i].phase};
+  });
+}
+
+/// A sentence on complex moduli beside a measured one.
+export function sentenceOnMeasuredComplex(moduli, measured) {
+  const found = moduli.flatMap((modulus) => deviationsFrom(measured, modulus));
+  const [from, to] = rangeOf(found.map(({ratio}) => ratio)).map((ratio) => shortNumber(ratio, 3));
+  const largest = Math.max(...found.map(({phase}) => Math.abs(phase)));
+  const [first, last] = [measured.x[0], measured.x.at(-1)].map((frequency) => display(frequency, "Hz", 2));
+  return `From ${first} to ${last} |G*| is ${from === to ? from : `${from} to ${to}`} times what was measured ` +
+    `(${measured.name}), and the phases are within ${shortNumber(Math.max(largest, 0.01), 2)}°.`;
+}
+
+/// The columns [head, text at a frequency] of a measured complex modulus in the table of computed ones, where it is
+/// known. Between measured frequencies the ratio is interpolated.
+export function measuredColumns(moduli, measured) {
+  const at = (values, frequency) => valueAt(measured.x, values, frequency);
+  const text = (value, shown) => (Number.isFinite(value) ? shown(value) : "–");
+  const ratios = moduli.map((modulus) => deviationsFrom(measured, modulus).map(({ratio}) => ratio));
+  return [["measured |G*|", (frequency) => text(moduli[0].at(frequency).size / at(ratios[0], frequency), (size) =>
+    display(size, "Pa"))],
+  ["measured phase", (frequency) => text(at(measured.moduli.map(({phase}) => phase), frequency), (phase) =>
+    `${shortNumber(phase, 3)}°`)],
+  ["|G*| over measured", (frequency) => text(at(ratios[0], frequency), () =>
+    [...new Set(ratios.map((values) => at(values, frequency).toFixed(3)))].join(" … "))]];
 }

@@ -3,6 +3,8 @@
 /// `error`, the shares {whole, grid, sample, solver, matrix} of y at each x, NaN where one is not known, and a `band`,
 /// half the width of which is given at each x: the whole error or, where that is not known, the one of the grid.
 
+import {complexCurves, measuredComplexCurves} from "./complex_curves.js";
+import {complexOf} from "./complex_moduli.js";
 import {readTable, study} from "./data.js";
 import {mainLoad, shearOf} from "./loads.js";
 import {gridName, methodNames} from "./names.js";
@@ -88,12 +90,18 @@ function addErrors(curves) {
 }
 
 function measuredCurves() {
-  const rows = readTable("comparison.csv");
-  return groupsOf(rows, ["measurement", "stage"]).map((group) => {
+  const groups = (table) => groupsOf(readTable(table), ["measurement", "stage"]);
+  const common = ([{measurement, stage}]) => ({role: "measured", stage, label: `measured, ${measurement}`});
+  const inTime = groups("comparison.csv").map((group) => {
     const measured = new Map(group.map((row) => [row.time_s, row.measured_Pa]));
-    return {role: "measured", quantity: "shear", stage: group[0].stage, label: `measured, ${group[0].measurement}`,
-      x: [...measured.keys()], y: [...measured.values()]};
+    return {...common(group), quantity: "shear", x: [...measured.keys()], y: [...measured.values()]};
   });
+  const inFrequency = groups("comparison_dynamic.csv").flatMap((group) => {
+    const measured = new Map(group.map((row) => [row.angular_frequency_rad_per_s,
+      {storage: row.measured_storage_modulus_Pa, loss: row.measured_loss_modulus_Pa}]));
+    return measuredComplexCurves(common(group), [...measured.keys()], [...measured.values()]);
+  });
+  return [...inTime, ...inFrequency];
 }
 
 /// The materials of the study that serve as matrices.
@@ -112,16 +120,10 @@ function matrixCurves() {
   });
 }
 
-/// G', G'' and tan delta of a Prony series, at the angular frequencies 1/t of the times of the study.
+/// The curves of the complex modulus of a Prony series, at the angular frequencies 1/t of the times of the study.
 function curvesInFrequency(series, common) {
-  const frequencies = logarithmic(1 / study.times_s[1], 1 / study.times_s[0], 20);
-  const storage = frequencies.map((w) => storageModulus(series, w));
-  const loss = frequencies.map((w) => lossModulus(series, w));
-  return [
-    {...common, quantity: "dynamic", part: "storage", label: `${common.label}, G′`, x: frequencies, y: storage},
-    {...common, quantity: "dynamic", part: "loss", label: `${common.label}, G″`, x: frequencies, y: loss},
-    {...common, quantity: "loss-factor", x: frequencies, y: loss.map((value, i) => value / storage[i])},
-  ];
+  return complexCurves(common, [1 / study.times_s[1], 1 / study.times_s[0]], (omega) =>
+    complexOf(storageModulus(series, omega), lossModulus(series, omega)));
 }
 
 function curvesOfProny() {

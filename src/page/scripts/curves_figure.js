@@ -1,6 +1,7 @@
 /// The figure with the curves of the study: at first the results, and the measurement.
 
 import {colourBetween, colourOf, isOfBestGrid, lineOf} from "./curve_style.js";
+import {inHertz} from "./complex_curves.js";
 import {quantityChoices, testChoices} from "./curve_choices.js";
 import {listFiles} from "./curve_files.js";
 import {study} from "./data.js";
@@ -33,17 +34,12 @@ function isBinderOfShown(curve, shown) {
   return [...shown.stages].some((stage) => binderOf(study, stage)?.name === curve.stage);
 }
 
-/// Curves over the frequency in Hz.
-function inHertz(curves) {
-  return curves.map((curve) => ({...curve, x: curve.x.map((omega) => omega / (2 * Math.PI))}));
-}
-
 /// The curves over the temperature at the time or frequency that the reader has chosen; curves without a temperature
 /// shift are left out.
 function onTemperatureAxis(curves, shown) {
   const at = shown.abscissa[shown.quantity.xUnit];
   return curves.flatMap((curve) => {
-    const law = curve.role === "measured" ? undefined : lawOf(study, curve.stage);
+    const law = lawOf(study, curve.stage);
     const moved = law === undefined ? undefined : overTemperature(curve, law, shown.quantity.xUnit, at);
     return moved === undefined || moved.x.length < 2 ? [] : [moved];
   });
@@ -59,7 +55,7 @@ function onChosenAxis(curves, quantity, shown) {
 /// The areas between the moduli under displacement and traction, as traces. Loss moduli, loss factors and ratios have
 /// none: they are not in order.
 function areasBetween(curves, quantity) {
-  const isOrdered = !["loss-factor", "young-loss-factor", "poisson"].includes(quantity.name);
+  const isOrdered = !["absolute", "phase", "loss-factor", "young-loss-factor", "poisson"].includes(quantity.name);
   const ordered = curves.filter((curve) => isOrdered && curve.role === "stage" && curve.part !== "loss");
   return groupsOf(ordered, ["stage", "load", "method", "cells", "part"]).flatMap((group) => {
     const [upper, lower] = ["displacement", "traction"].map((name) => group.find(({boundary}) => boundary === name));
@@ -109,7 +105,7 @@ export function curvesFigure(curves) {
     });
     const reference = curves.find((curve) => curve.label === shown.reference && curve.quantity === shown.quantity.name);
     if (reference === undefined) return onChosenAxis(seen, shown.quantity, shown);
-    const compared = seen.filter((curve) => curve.role !== "matrix");
+    const compared = seen.filter((curve) => curve.role !== "matrix" && curve.part === reference.part);
     return onChosenAxis(deviationsFrom(reference, compared), deviationOf(shown.quantity, reference.label), shown);
   };
 
@@ -143,9 +139,9 @@ export function curvesFigure(curves) {
 function noteOn(curves, quantity, shown) {
   const notes = [];
   if (areasBetween(curves, quantity).length > 0) notes.push("Filled: between displacement and traction.");
-  if (curves.some((curve) => curve.role === "measured")) notes.push("Points: measured.");
+  if (curves.some((curve) => curve.role === "measured")) notes.push(noteOnPoints(curves, shown));
   if (curves.some((curve) => curve.method === "dynamic")) notes.push("Dashed: dynamic method.");
-  if (curves.some((curve) => curve.part === "loss")) notes.push("Solid: storage modulus, dashed: loss modulus.");
+  if (curves.some(({role, part}) => role !== "measured" && part === "loss")) notes.push("Solid: storage modulus, dashed: loss modulus.");
   if (curves.some((curve) => curve.role === "matrix")) notes.push("Dotted: the binder without particles.");
   const withBand = curves.filter((curve) => curve.band !== undefined);
   if (withBand.length > 0) {
@@ -158,6 +154,12 @@ function noteOn(curves, quantity, shown) {
     notes.push("Computed in two dimensions (plane strain): particles are cross-sections of cylinders.");
   }
   return notes.join(" ");
+}
+
+function noteOnPoints(curves, shown) {
+  const isLoss = curves.some(({role, part}) => role === "measured" && part === "loss");
+  const symbols = isLoss ? "Points: measured, G″ as open circles" : "Points: measured";
+  return shown.axis === "temperature" ? `${symbols}, moved by the shift of the binder.` : `${symbols}.`;
 }
 
 function noteOnTemperatures(curves, shown) {

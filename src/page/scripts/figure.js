@@ -53,14 +53,15 @@ function abscissaAxis({x, xUnit}, values) {
     zeroline: false};
 }
 
-/// Relative deviations have a linear axis, all other quantities a logarithmic one.
+/// Relative deviations and angles have a linear axis, all other quantities a logarithmic one.
 function valueAxis(quantity, curves) {
-  const axis = quantity.unit === "%" ? linearAxis : logAxis;
+  const axis = ["%", "°"].includes(quantity.unit) ? linearAxis : logAxis;
   return axis(quantity.title, quantity.unit, curves.flatMap((curve) => curve.y));
 }
 
 /// A value of a quantity as text, with its unit.
 export function valueText(value, quantity) {
+  if (quantity.unit === "°") return `${shortNumber(value)}°`;
   return quantity.unit === "%" ? `${shortNumber(value)} %` : withUnit(value, quantity.unit);
 }
 
@@ -122,7 +123,8 @@ export function tracesOf(curve, quantity, line, mode = "lines") {
       fillcolor: line.color.replace("hsl", "hsla").replace(")", ", 0.18)")});
   }
   traces.push({...common, mode, y: curve.y, text: curve.y.map((y) => valueText(y, quantity)), hovertemplate: "%{text}",
-    line: {width: 2.2, ...line}, marker: {color: line.color, size: 6, maxdisplayed: 40}});
+    line: {width: 2.2, ...line},
+    marker: {color: line.color, size: 6, maxdisplayed: 40, symbol: curve.part === "loss" ? "circle-open" : "circle"}});
   return traces;
 }
 

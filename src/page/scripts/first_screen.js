@@ -1,6 +1,7 @@
 /// The first screen of a study: the results, the warnings, and the moduli at whole decades.
 
-import {complexColumns, complexModuli, complexOf, complexSentences, showsError} from "./complex_moduli.js";
+import {complexColumns, complexModuli, complexOf, complexSentences, measuredColumns, measuredComplex,
+  sentenceOnMeasuredComplex, showsError} from "./complex_moduli.js";
 import {resultSentences, hasFlowedAway, sentenceOnMeasurement} from "./result_sentences.js";
 import {bestGrid} from "./curves.js";
 import {data, study} from "./data.js";
@@ -45,6 +46,13 @@ function curvesOfResult(curves) {
 function measuredBeside(curves, stage) {
   const found = curves.find((curve) => curve.role === "measured" && curve.stage === stage);
   return found && {name: found.label.replace("measured, ", ""), x: found.x, y: found.y};
+}
+
+/// The sentences on complex moduli beside what was measured: in frequency or, where that is not known, in time.
+function sentencesBesideMeasured(curves, moduli, result, inTime) {
+  if (inTime === undefined) return [];
+  const measured = measuredComplex(curves, result[0].stage);
+  return measured === undefined ? sentenceOnMeasurement(result, inTime) : [sentenceOnMeasuredComplex(moduli, measured)];
 }
 
 function binderBeside(stage) {
@@ -141,7 +149,7 @@ export function showResult(curves) {
   const name = nameOfResult(stage), measured = isShear ? measuredBeside(curves, stage) : undefined;
   const sentences = moduli.length > 0
     ? [...complexSentences({stage: name, moduli, result, error, binder: complexBinder(stage)}),
-      ...(measured === undefined ? [] : sentenceOnMeasurement(result, measured))]
+      ...sentencesBesideMeasured(curves, moduli, result, measured)]
     : resultSentences({stage: name, symbol: symbolOf(load), curves: result, error,
       binder: isShear ? binderBeside(stage) : undefined, measured});
   const [first, ...others] = sentences;
@@ -198,8 +206,8 @@ export function showModuli(curves) {
   const [{stage, load}] = result;
   const moduli = study.frequencies_Hz === undefined ? [] : complexModuli(curves, result);
   if (moduli.length > 0) {
-    const note = moduli.some(showsError) ? noteOnErrors(result, stage) : onAnisotropy(qualityOf(stage));
-    return showTable(stage, complexTable(moduli), note);
+    const note = moduli.some(showsError) ? noteOnErrors(result, stage) : onAnisotropy(study, qualityOf(stage));
+    return showTable(stage, complexTable(moduli, load === "bulk" ? undefined : measuredComplex(curves, stage)), note);
   }
   const isShear = load !== "bulk";
   const binder = isShear ? binderBeside(stage) : undefined;
@@ -226,12 +234,13 @@ export function showModuli(curves) {
 }
 
 /// The columns and the frequencies [Hz] of the table of complex moduli.
-function complexTable(moduli) {
+function complexTable(moduli, measured) {
   const whole = timesOfTable(study.frequencies_Hz, 12);
   const frequencies = whole.length > 1 ? whole : study.frequencies_Hz;
   const named = (boundary) => (moduli.length > 1 ? boundary : "");
   return [[["frequency", (frequency) => display(frequency, "Hz")],
-    ...moduli.flatMap((modulus) => complexColumns(modulus, named(modulus.boundary)))], frequencies];
+    ...moduli.flatMap((modulus) => complexColumns(modulus, named(modulus.boundary))),
+    ...(measured === undefined ? [] : measuredColumns(moduli, measured))], frequencies];
 }
 
 /// Shows a table of columns [head, text of a row] with a note below.
@@ -265,6 +274,6 @@ function noteOnErrors(result, stage) {
         ? `Of one grid: its error is not known${ruleOf(stage) === undefined ? "" : ` (${ruleOf(stage)})`}.`
         : `Of one grid, whose error is up to about ${percent(expectedErrorOf(stage))} ${ruleOf(stage) ?? "by a rule"}.`;
   const quality = qualityOf(stage);
-  return [onAnisotropy(quality), grid, onMeasuringGrids(quality?.measuring_grids),
+  return [onAnisotropy(study, quality), grid, onMeasuringGrids(quality?.measuring_grids),
     result.some(hasWholeError) ? "" : "The scatter from one packing to another is not in it."].filter((sentence) => sentence !== "").join(" ");
 }

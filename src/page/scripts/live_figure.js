@@ -1,13 +1,15 @@
-/// The section that predicts G(t) with another temperature, another spectrum or other moduli of one material.
+/// The section that predicts G(t) and G* with another temperature, another spectrum or other moduli of one material.
 
-import {bestGrid, materialsInUse} from "./curves.js";
-import {colourOf} from "./curve_style.js";
+import {complexCurves, inHertz} from "./complex_curves.js";
+import {complexOf} from "./complex_moduli.js";
+import {materialsInUse} from "./curves.js";
+import {colourOf, isOfBestGrid, lineOf} from "./curve_style.js";
 import {data, study} from "./data.js";
-import {element} from "./elements.js";
+import {chooser, element} from "./elements.js";
 import {drawFigure, layoutOf, saveFigure, tracesOf} from "./figure.js";
 import {csvOf, fileName, save} from "./files.js";
 import {liveChoices, spectrumButtons} from "./material_choice.js";
-import {quantities} from "./names.js";
+import {axes, instantText, quantities} from "./names.js";
 import {display, percent} from "./numbers.js";
 import {own} from "./records.js";
 import {respond, sampledRange} from "./response.js";
@@ -21,22 +23,32 @@ export function liveFigure(curves) {
   if (stages.length === 0 || candidates.length === 0) return () => {};
   document.getElementById("live").hidden = false;
   const plot = document.getElementById("live-plot");
-  const quantity = quantities[0];
+  const offered = quantities.filter(({name}) => shownQuantities.includes(name));
+  let quantity = offered.find(({name}) => name === (study.frequencies_Hz === undefined ? "shear" : "dynamic"));
   const state = {material: candidates[0], spectrum: undefined, bulk: undefined, decades: 0};
   let results = [];
 
-  const curveOfRun = (result) => curves.find((curve) => curve.quantity === "shear" && curve.load === result.load &&
-    curve.stage === result.stage && curve.boundary === result.boundary && curve.method === "quasistatic" &&
-    curve.cells === bestGrid(curve.stage));
+  const curvesOfRun = (result, name) => curves.filter((curve) => curve.role === "stage" && curve.quantity === name &&
+    ["stage", "load", "boundary"].every((key) => curve[key] === result[key]) &&
+    (curve.method ?? "quasistatic") === "quasistatic" && isOfBestGrid(curve));
+  const curveOfRun = (result) => curvesOfRun(result, "shear")[0];
+  const measuredCurves = () => curves.filter((curve) => curve.role === "measured" && curve.quantity === quantity.name &&
+    results.some(({stage}) => stage === curve.stage));
+
+  /// The curves to draw and their quantity, over time or over the frequency in Hz.
+  const onAxis = (some) => (quantity.x === "time" ? some : inHertz(some));
+  const shownQuantity = () => (quantity.x === "time" ? quantity : {...quantity, ...axes.frequency});
+  const liveCurves = () => curvesOfResults(results).filter((curve) => curve.quantity === quantity.name);
 
   const draw = () => {
-    const liveCurves = curvesOfResults(results);
-    const curvesOfRun = results.map(curveOfRun).filter((curve) => curve !== undefined);
-    const traces = liveCurves.flatMap((curve) => tracesOf(curve, quantity, {color: colourOf(curve)}));
-    traces.push(...curvesOfRun.flatMap(({band, ...curve}) => tracesOf({...curve, label: `${curve.label}, of the run`},
-      quantity,
+    const shown = shownQuantity(), live = onAxis(liveCurves()), measured = onAxis(measuredCurves());
+    const ofRun = onAxis(results.flatMap((result) => curvesOfRun(result, quantity.name)));
+    const traces = live.flatMap((curve) => tracesOf(curve, shown, {color: colourOf(curve),
+      dash: curve.part === "loss" ? "dash" : "solid"}));
+    traces.push(...ofRun.flatMap(({band, ...curve}) => tracesOf({...curve, label: `${curve.label}, of the run`}, shown,
       {color: colourOf(curve), dash: "dot", width: 1.3}).map((trace) => ({...trace, showlegend: false}))));
-    return drawFigure(plot, traces, layoutOf(quantity, [...liveCurves, ...curvesOfRun]));
+    traces.push(...measured.flatMap((curve) => tracesOf(curve, shown, lineOf(curve), "markers")));
+    return drawFigure(plot, traces, layoutOf(shown, [...live, ...ofRun, ...measured]));
   };
 
   const compute = () => {
@@ -48,13 +60,18 @@ export function liveFigure(curves) {
 
   const name = () => `${study.title} live`;
   document.getElementById("live-buttons").append(
-    element("button", {onclick: () => save(fileName(name(), "csv"), csvOf(curvesOfResults(results), quantity),
+    element("button", {onclick: () => save(fileName(name(), "csv"), csvOf(onAxis(liveCurves()), shownQuantity()),
       "text/csv")}, "These curves as CSV"),
     element("button", {onclick: () => saveFigure(plot, name(), draw)}, "This figure as SVG"));
-  document.getElementById("live-choices").append(...liveChoices(candidates, state, compute));
+  const select = chooser("live-quantity", "quantity", offered.map((one) => [one, one.title]), (chosen) => {
+    quantity = chosen;
+    draw();
+  });
+  select.selectedIndex = offered.indexOf(quantity);
+  document.getElementById("live-choices").append(...liveChoices(candidates, state, compute), select);
   spectrumButtons(state, compute);
   compute();
-  showAgreement(results, curveOfRun);
+  showAgreement(results, curveOfRun, curves.filter(({role}) => role === "measured"));
   return draw;
 }
 
@@ -88,13 +105,22 @@ function changedMaterial({material, spectrum, bulk, decades}) {
   return {shear: shiftedSeries(spectrum ?? material.shear, factor), bulk: shiftedSeries(bulk ?? material.bulk, factor)};
 }
 
+/// The quantities that the figure can show.
+const shownQuantities = ["shear", "dynamic", "absolute", "phase", "loss-factor"];
+
+/// The predicted curves of all of these quantities.
 function curvesOfResults(results) {
   return results.flatMap((result) => {
     const [begin, end] = result.window;
     if (!(begin < end)) return [];
+    const common = {role: "stage", stage: result.stage, boundary: result.boundary, load: result.load,
+      label: `${result.stage}, ${result.boundary}`};
     const x = logarithmic(begin, end, 20);
-    return [{quantity: "shear", role: "stage", stage: result.stage, boundary: result.boundary, load: result.load,
-      label: `${result.stage}, ${result.boundary}`, x, y: x.map((t) => result.modulus(t))}];
+    return [{...common, quantity: "shear", x, y: x.map((t) => result.modulus(t))},
+      ...complexCurves(common, [1 / end, 1 / begin], (omega) => {
+        const {storage, loss} = result.complexModulus(omega);
+        return complexOf(storage, loss);
+      })];
   });
 }
 
@@ -105,12 +131,18 @@ function remedyForRefusals() {
     : "run a study with that material";
 }
 
+/// "from 1 ms to 1 s", or the frequencies that belong to these times.
+function windowText([begin, end]) {
+  const ends = study.frequencies_Hz === undefined ? [begin, end] : [end, begin];
+  return `from ${instantText(study, ends[0], 2)} to ${instantText(study, ends[1], 2)}`;
+}
+
 function showRefusals(results) {
   const list = document.getElementById("live-refusals");
   const isCut = ({window: [begin, end]}) => begin > study.times_s[0] || end < study.times_s[1];
   const texts = results.filter((result) => result.refusal !== undefined || isCut(result)).map((result) => {
     const [begin, end] = result.window;
-    const left = begin < end ? `shown from ${display(begin, "s", 2)} to ${display(end, "s", 2)} only` : "not shown";
+    const left = begin < end ? `shown ${windowText(result.window)} only` : "not shown";
     if (result.refusal === undefined) {
       return `${result.stage}, ${result.boundary}: ${left}, as far as ${result.matrix} is known.`;
     }
@@ -128,7 +160,7 @@ function showRefusals(results) {
 }
 
 /// Shows the largest relative difference between the prediction of the page for the matrices of the run and the run.
-function showAgreement(results, curveOfRun) {
+function showAgreement(results, curveOfRun, measured) {
   let worst = 0;
   for (const result of results) {
     const curve = curveOfRun(result);
@@ -139,6 +171,7 @@ function showAgreement(results, curveOfRun) {
   }
   const note = document.getElementById("live-note");
   note.dataset.agreement = worst;
-  note.textContent = `Dotted: the run itself. With its own materials the page gives the curves of the run within ` +
+  const isMeasured = results.some((result) => measured.some(({stage}) => stage === result.stage));
+  note.textContent = `${isMeasured ? "Points: measured. " : ""}Dotted: the run itself. With its own materials the page gives the curves of the run within ` +
     `${percent(worst)}.`;
 }

@@ -14,6 +14,8 @@ export const quantities = [
   {name: "poisson", title: "Poisson's ratio", x: "time", xUnit: "s", unit: ""},
   {name: "compliance", title: "Creep compliance", x: "time", xUnit: "s", unit: "1/Pa"},
   {name: "dynamic", title: "Storage and loss modulus G′, G″", x: "angular frequency", xUnit: "rad/s", unit: "Pa"},
+  {name: "absolute", title: "Absolute value |G*|", x: "angular frequency", xUnit: "rad/s", unit: "Pa"},
+  {name: "phase", title: "Phase of G*", x: "angular frequency", xUnit: "rad/s", unit: "°"},
   {name: "loss-factor", title: "Loss factor tan δ = G″/G′", x: "angular frequency", xUnit: "rad/s", unit: ""},
   {name: "young-dynamic", title: "Storage and loss modulus E′, E″", x: "angular frequency", xUnit: "rad/s", unit: "Pa"},
   {name: "young-loss-factor", title: "Loss factor tan δ = E″/E′", x: "angular frequency", xUnit: "rad/s", unit: ""},
@@ -51,6 +53,12 @@ export function textOnStage(stage) {
   }
   const kind = film === undefined ? "particles" : `grains, with films of ${display(film, "m")} between them,`;
   return `${particles} ${kind} of ${stage.filler} fill ${percentOfWhole(fraction)} of ${box} of ${stage.matrix}`;
+}
+
+/// A time of a study [s] as text or, where its deck gives frequencies, the frequency that belongs to it.
+export function instantText(study, time, digits) {
+  return study.frequencies_Hz === undefined ? display(time, "s", digits)
+    : display(1 / (2 * Math.PI * time), "Hz", digits);
 }
 
 /// "a", "a and b", "a, b and c".

@@ -1,12 +1,12 @@
 /// The reliability of the results of a stage in sentences, from the error estimates of the run.
 
-import {listed} from "./names.js";
+import {instantText, listed} from "./names.js";
 import {display, percent, shortNumber} from "./numbers.js";
 import {matrixStageOf} from "./stages.js";
 
 /// The sentences on a stage of a study (study.json).
 export function sentencesOnReliability(record, stage) {
-  return [onModel(stage), onBounds(stage), onAnisotropy(stage.quality), onGaps(stage), onGrids(stage), onPacking(stage),
+  return [onModel(stage), onBounds(record, stage), onAnisotropy(record, stage.quality), onGaps(stage), onGrids(stage), onPacking(stage),
     onSeparation(record, stage)].filter((sentence) => sentence !== "");
 }
 
@@ -25,14 +25,16 @@ function onModel(stage) {
       "matrix. Real particles are not endless cylinders; three dimensions are computed with dimensions = 3.";
 }
 
-function onBounds({tests, quality}) {
+function onBounds(record, {tests, quality}) {
   const boundaries = new Set(tests.map(({boundary}) => boundary));
   if (!(boundaries.has("displacement") && boundaries.has("traction"))) {
     return boundaries.has("periodic") ? "The boundary: periodic, the box repeats without end." : "";
   }
   const apart = (quality?.bounds ?? []).find(({load}) => load !== "bulk");
-  const distances = ["first", "last"].map((end) => apart?.[end])
-    .filter((end) => Number.isFinite(end?.relative_distance)).map((end) => `${distanceText(end.relative_distance)} at ${display(end.time_s, "s")}`);
+  const ends = record.frequencies_Hz === undefined ? ["first", "last"] : ["last", "first"];
+  const distances = ends.map((end) => apart?.[end])
+    .filter((end) => Number.isFinite(end?.relative_distance)).map((end) => `${distanceText(end.relative_distance)} at ` +
+      instantText(record, end.time_s));
   const here = distances.length > 0 ? ` Here they are apart by ${listed(distances)}.` : "";
   return "The boundary: under displacement the sides of the box move as given, under traction they are loaded as " +
     `given, with the apparent moduli KUBC and SUBC. ${onWindow(quality)}${here} A larger box brings them together.`;
@@ -79,11 +81,12 @@ function onOneGrid({expected_grid_error: error, grid_rule: rule, measuring_grids
 }
 
 /// A sentence on the shears whose mean is the modulus of a stage; empty where it is that of one shear.
-export function onAnisotropy(quality) {
+export function onAnisotropy(record, quality) {
   if (quality?.anisotropy === undefined) return "";
-  const at = ({time_s: time, relative_distance: distance}) => `${percent(distance)} at ${display(time, "s", 2)}`;
+  const at = ({time_s: time, relative_distance: distance}) => `${percent(distance)} at ${instantText(record, time, 2)}`;
   const {first, last} = quality.anisotropy;
-  return `The modulus is the mean of all shears of the box, which are apart by ${at(first)} and ${at(last)}.`;
+  const ends = record.frequencies_Hz === undefined ? [first, last] : [last, first];
+  return `The modulus is the mean of all shears of the box, which are apart by ${listed(ends.map(at))}.`;
 }
 
 /// A sentence on the grids that measure the error of one; empty where none do.

@@ -10,8 +10,8 @@ import {dot, solveSymmetric} from "./linear_algebra.js";
 import {shearOf, shearsOf} from "./loads.js";
 import {distinct, groupsOf, own} from "./records.js";
 import {logarithmic} from "./sampling.js";
-import {bulkModulus, carsonModulus, relaxationModulus, seriesOfCarsonModuli, seriesOfRelaxationModuli} from
-  "./viscoelasticity.js";
+import {bulkModulus, carsonModulus, lossModulus, relaxationModulus, seriesOfCarsonModuli, seriesOfRelaxationModuli,
+  storageModulus} from "./viscoelasticity.js";
 
 /// The stiffness parts and the snapshots of each phase that varies, the matrix first: [{shear, bulk, snapshots}].
 function phasesOf(response) {
@@ -133,8 +133,8 @@ function jointRefusal(responses, variables, phases, window) {
 /// responses: the stored responses of each stage by its name, as in the data of the page
 /// materials: {shear, bulk} of each material by its name, both Prony series
 ///
-/// Returns [{stage, load, boundary, matrix, window, refusal, modulus}]: `modulus` is G as a function of time, `window` the
-/// times at which it can be used, and `refusal`, as in timesInRange() or jointRefusal(), why these are not all times of
+/// Returns [{stage, load, boundary, matrix, window, refusal, modulus, complexModulus}]: `modulus` is G as a function of time, `window` the
+/// times at which it can be used, `complexModulus` G* {storage, loss} as a function of the angular frequency, and `refusal`, as in timesInRange() or jointRefusal(), why these are not all times of
 /// the study.
 export function respond(study, responses, materials) {
   const margin = 30;
@@ -173,7 +173,15 @@ function respondOfStage(responses, shears, {variables, window: known}, phases, d
   const composite = bulk.length === 0 ? undefined : stageAsMatrix(variables, window, dimensions,
     matrixModulus(variables, shear, modulus, window),
     matrixModulus(variables, bulk, modulusInTime(variables, bulk), window));
-  return {composite, result: {window, refusal: ofOne ?? ofAll, modulus}};
+  return {composite, result: {window, refusal: ofOne ?? ofAll, modulus,
+    complexModulus: modulusInFrequency(variables, shear)}};
+}
+
+/// The complex modulus {storage, loss} as a function of the angular frequency, likewise.
+function modulusInFrequency(variables, grids) {
+  const series = grids.map(({cells, moduli}) => ({cells, series: seriesOfCarsonModuli(variables, moduli)}));
+  const limit = (part, omega) => limitOfCells(series.map((one) => ({cells: one.cells, value: part(one.series, omega)})));
+  return (omega) => ({storage: limit(storageModulus, omega), loss: limit(lossModulus, omega)});
 }
 
 /// The modulus as a function of time, in the limit of vanishing cells. Each grid is taken back to time by itself,

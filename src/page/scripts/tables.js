@@ -1,9 +1,10 @@
 /// The tables of a run.
 
+import {complexOf} from "./complex_moduli.js";
 import {readTable, study} from "./data.js";
 import {element} from "./elements.js";
 import {listed, methodNames, nameOfTest, textOnStage} from "./names.js";
-import {display, duration, percent, percentOfWhole, withMicroSign} from "./numbers.js";
+import {display, duration, minus, percent, percentOfWhole, shortNumber, withMicroSign} from "./numbers.js";
 import {distinct, groupsOf} from "./records.js";
 import {decades, valueAt} from "./sampling.js";
 import {matrixStageOf, stagesOfInterest} from "./stages.js";
@@ -22,11 +23,13 @@ export function showStages() {
     const cells = hasFilms(stage) ? "computed as grains and films" : `${listed(stage.cells.map(String))} cells a side`;
     return `${stage.name}: ${textOnStage(stage)}${earlier ? ", the composite of the stage before" : ""}; ${cells}.`;
   });
-  const [begin, end] = study.times_s.map((time) => display(time, "s"));
+  const [begin, end] = study.frequencies_Hz?.map((frequency) => display(frequency, "Hz")) ??
+    study.times_s.map((time) => display(time, "s"));
   const tests = study.stages.flatMap((stage) => stage.tests);
   const boundaries = listed(distinct(tests, "boundary"));
   const methods = listed(distinct(tests, "method").map((method) => methodNames[method]));
-  const what = `The relaxation modulus from ${begin} to ${end}, computed from the constituents: ${boundaries} boundary, by the ` +
+  const modulus = study.frequencies_Hz === undefined ? "relaxation" : "complex";
+  const what = `The ${modulus} modulus from ${begin} to ${end}, computed from the constituents: ${boundaries} boundary, by the ` +
     `${methods} method.`;
   document.getElementById("stages").append(element("p", {}, tests.length > 0 ? what : "Packed, not tested."), sentences.length > 1
     ? element("ol", {}, ...sentences.map((text) => element("li", {}, text))) : element("p", {}, sentences.join("")));
@@ -34,10 +37,35 @@ export function showStages() {
   if (fillers.length > 0) document.getElementById("stages").append(element("p", {}, fillers.join(" ")));
 }
 
-/// Shows measured and computed moduli at whole decades, and where they agree best and worst.
+/// Shows measured and computed moduli, at whole decades of time or at the measured frequencies, and where they agree
+/// best and worst. What was not measured in frequency is compared in time.
 export function showComparison() {
-  const rows = readTable("comparison.csv");
-  document.getElementById("comparison").hidden = rows.length === 0;
+  const inTime = readTable("comparison.csv"), inFrequency = readTable("comparison_dynamic.csv");
+  document.getElementById("comparison").hidden = inTime.length + inFrequency.length === 0;
+  const isShownInFrequency = study.frequencies_Hz !== undefined;
+  const isInFrequency = ({measurement, stage}) => inFrequency.some((row) =>
+    row.measurement === measurement && row.stage === stage);
+  showComparisonInTime(inTime.filter((row) => !(isShownInFrequency && isInFrequency(row))));
+  showComparisonInFrequency(inFrequency);
+  const extremes = study.stages.flatMap((stage) => (stage.comparisons ?? []).map((one) => {
+    const [best, worst] = isShownInFrequency && one.best_in_frequency !== undefined
+      ? [one.best_in_frequency, one.worst_in_frequency] : [one.best, one.worst];
+    return [stage.name, one.measurement, one.boundary, methodNames[one.method], ratioText(best),
+      ratioText(worst)];
+  }));
+  if (extremes.length > 0) {
+    document.getElementById("comparison-tables").append(
+      element("h3", {}, "Where the ratio is nearest to one and where furthest"),
+      table(["stage", "measurement", "bound", "method", "best", "worst"], extremes));
+  }
+}
+
+/// "1.020 at 10 ms", "1.020 at 16 Hz".
+function ratioText({ratio, time_s: time, frequency_Hz: frequency}) {
+  return `${ratio.toFixed(3)} at ${time === undefined ? display(frequency, "Hz", 2) : display(time, "s", 2)}`;
+}
+
+function showComparisonInTime(rows) {
   const place = document.getElementById("comparison-tables");
   for (const group of groupsOf(rows, ["measurement", "stage"])) {
     const {measurement, stage} = group[0];
@@ -55,13 +83,31 @@ export function showComparison() {
     place.append(element("h3", {}, `${stage}: ${measurement}`),
       table(["time", "measured", ...names.flatMap((name) => [name, "ratio"])], body));
   }
-  const extremes = study.stages.flatMap((stage) => (stage.comparisons ?? []).map((one) => [stage.name, one.measurement,
-    one.boundary, methodNames[one.method],
-    `${one.best.ratio.toFixed(3)} at ${display(one.best.time_s, "s", 2)}`,
-    `${one.worst.ratio.toFixed(3)} at ${display(one.worst.time_s, "s", 2)}`]));
-  if (extremes.length > 0) {
-    place.append(element("h3", {}, "Where the ratio is nearest to one and where furthest"),
-      table(["stage", "measurement", "boundary", "method", "best", "worst"], extremes));
+}
+
+/// At most some twenty frequencies of each measurement, all of its boundaries side by side.
+function showComparisonInFrequency(rows) {
+  const most = 20;
+  const place = document.getElementById("comparison-tables");
+  for (const group of groupsOf(rows, ["measurement", "stage"])) {
+    const {measurement, stage} = group[0];
+    const tests = groupsOf(group, ["boundary", "method"]);
+    const step = Math.ceil(tests[0].length / most);
+    const named = (text, {boundary}) => (tests.length > 1 ? `${text}, ${boundary}` : text);
+    const body = tests[0].filter((_, i) => i % step === 0).map((row) => {
+      const measured = complexOf(row.measured_storage_modulus_Pa, row.measured_loss_modulus_Pa);
+      return [display(row.frequency_Hz, "Hz"), display(measured.size, "Pa"), `${shortNumber(measured.phase, 3)}°`,
+        ...tests.flatMap((test) => {
+          const here = test.find(({frequency_Hz: frequency}) => frequency === row.frequency_Hz);
+          if (here === undefined) return ["–", "–", "–", "–", "–"];
+          return [here.ratio, here.storage_ratio, here.loss_ratio, here.loss_ratio / here.storage_ratio]
+            .map((ratio) => ratio.toFixed(3)).toSpliced(1, 0, `${minus(here.phase_difference_deg.toFixed(2))}°`);
+        })];
+    });
+    place.append(element("h3", {}, `${stage}: ${measurement}, over frequency`),
+      table(["frequency", "measured |G*|", "measured phase", ...tests.flatMap(([test]) =>
+        ["|G*| ratio", "phase difference", "G′ ratio", "G″ ratio", "tan δ ratio"].map((text) => named(text, test)))],
+      body));
   }
 }
 

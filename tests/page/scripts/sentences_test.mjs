@@ -4,7 +4,10 @@ import assert from "node:assert/strict";
 import {test} from "node:test";
 
 import {resultSentences, threeTimes} from "../../../src/page/scripts/result_sentences.js";
-import {complexColumns, complexModuli, complexOf, complexSentences} from "../../../src/page/scripts/complex_moduli.js";
+import {complexCurves, measuredComplexCurves} from "../../../src/page/scripts/complex_curves.js";
+import {complexColumns, complexModuli, complexOf, complexSentences, measuredColumns, measuredComplex,
+  sentenceOnMeasuredComplex} from "../../../src/page/scripts/complex_moduli.js";
+import {deviationsFrom} from "../../../src/page/scripts/deviation.js";
 import {displayRange, percent, shortNumber, withMicroSign} from "../../../src/page/scripts/numbers.js";
 import {mainLoad, shearOf, shearsOf} from "../../../src/page/scripts/loads.js";
 import {binderOf, stagesOfInterest} from "../../../src/page/scripts/stages.js";
@@ -81,6 +84,30 @@ test("complex moduli, their phase and error at frequencies in hertz", () => {
   assert.ok(complexSentences({stage: "mix", moduli: both, result: crossed})[0].endsWith("(the modulus under displacement is below that under traction: use neither)."));
   assert.ok(complexSentences({stage: "mix", moduli: both, result: [...crossed].reverse().map((curve, i) => ({...curve,
     boundary: crossed[i].boundary}))})[0].endsWith("(traction to displacement boundary)."));
+});
+
+test("a complex modulus beside a measured one", () => {
+  const at = (omega) => complexOf(2e6 * (0.1 * omega) ** 2 / (1 + (0.1 * omega) ** 2), 2e6 * 0.1 * omega / (1 + (0.1 * omega) ** 2));
+  const curves = complexCurves({...relaxed, role: "stage", label: "mix"}, [0.1, 1000], at);
+  assert.deepEqual(curves.map(({quantity}) => quantity), ["dynamic", "dynamic", "absolute", "phase", "loss-factor"]);
+  const omegas = [2 * Math.PI, 10, 20 * Math.PI];
+  const measured = measuredComplexCurves({role: "measured", stage: "mix", label: "measured, DMA"}, omegas, omegas.map(at));
+  const beside = measuredComplex([...curves, ...measured], "mix");
+  assert.equal(beside.name, "DMA");
+  const [modulus] = complexModuli(curves, [relaxed]);
+  assert.equal(modulus.at(10 / (2 * Math.PI)).phase, 45, "the series itself, not between samples");
+  assert.equal(sentenceOnMeasuredComplex([modulus], beside),
+    "From 1 Hz to 10 Hz |G*| is 1 times what was measured (DMA), and the phases are within 0.01°.");
+  const columns = measuredColumns([modulus], beside);
+  assert.deepEqual(columns.map(([head]) => head), ["measured |G*|", "measured phase", "|G*| over measured"]);
+  assert.deepEqual(columns.map(([, text]) => text(10 / (2 * Math.PI))), ["1.41 MPa", "45°", "1.000"]);
+  assert.deepEqual(columns.map(([, text]) => text(100)), ["–", "–", "–"]);
+  for (const [i, reference] of measured.entries()) {
+    const [{x, y}] = deviationsFrom(reference, [curves[i]]);
+    assert.deepEqual(x, omegas);
+    assert.ok(y.every((deviation) => Math.abs(deviation) < 1e-9), `${reference.label}: ${y}`);
+  }
+  assert.equal(measuredComplex(curves, "mix"), undefined);
 });
 
 test("bounds that cross, and the error of the grid", () => {
@@ -186,6 +213,8 @@ test("the reliability of a stage, from the error estimates of the run", () => {
   const ofMean = {...stage, quality: {...stage.quality, anisotropy: {first: {time_s: 1e-3, relative_distance: 0.04},
     last: {time_s: 1, relative_distance: 0.3}}}};
   assert.ok(sentencesOnReliability(study, ofMean).join("\n").includes("which are apart by 4 % at 1 ms and 30 % at 1 s."));
+  assert.ok(sentencesOnReliability({...study, frequencies_Hz: [0.159, 159]}, ofMean).join("\n")
+    .includes("which are apart by 30 % at 160 mHz and 4 % at 160 Hz."));
   assert.ok(!text.includes("all shears"));
   const without = {...stage, quality: {...stage.quality, grid_rule: "no rule for ellipsoids"}};
   assert.ok(sentencesOnReliability(study, without).join("\n").includes("its error is not known (no rule for ellipsoids)"));

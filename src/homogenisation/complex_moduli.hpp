@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "breccia/homogenisation/study_result.hpp"
+#include "breccia/virtual_test/curve.hpp"
+
+namespace breccia {
+
+/// The angular frequencies [rad/s] at 10^(k/n) Hz for whole k, n a decade, and at the first and the last frequency 1/t
+/// of the times t of a curve; rising.
+std::vector<double> frequencies_in_hertz(const Curve& curve, int per_decade);
+
+/// The whole error of a test at its time nearest to the given one [s]; nothing where it is not known.
+std::optional<double> whole_error_at(const TestResult& test, double time);
+
+/// The complex modulus of the series of a test at angular frequencies [rad/s], with the errors; nothing where the test
+/// has no series, as one that was read from a directory beside a preferred one.
+std::vector<ComplexSample> complex_moduli(const TestResult& test, const std::vector<double>& angular_frequencies);
+
+/// Gives the tests of a stage, which have their errors already, their complex moduli at the frequencies of a study in
+/// hertz.
+void add_complex_moduli(std::vector<TestResult>& tests, int per_decade);
+
+}  // namespace breccia

@@ -1,0 +1,49 @@
+#include "results/stored_comparisons.hpp"
+
+#include <algorithm>
+
+#include "results/test_columns.hpp"
+#include "tables/csv.hpp"
+
+namespace breccia {
+namespace {
+
+namespace fs = std::filesystem;
+using Comparisons = std::map<std::string, std::vector<Comparison>>;
+
+/// The comparison to which a row of a table belongs; a new one where there is none.
+Comparison& comparison_of(Comparisons& comparisons, const CsvTable& table, std::size_t row) {
+  const auto& measurement = table.text("measurement")[row];
+  const auto id = id_of_row(table, row);
+  auto& all = comparisons[table.text("stage")[row]];
+  const auto known = std::ranges::find_if(
+      all, [&](const Comparison& one) { return one.measurement == measurement && one.test == id; });
+  return known != all.end() ? *known : all.emplace_back(Comparison{measurement, id, {}});
+}
+
+/// Calls a function with each row of a table, if it exists, and the comparison of the row.
+template <class Add>
+void for_each_row(const fs::path& file, Comparisons& comparisons, const Add& add) {
+  if (!fs::exists(file)) return;
+  const auto table = read_csv(file, {"measurement", "stage", "boundary", "method", "cells"});
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    add(comparison_of(comparisons, table, row), [&](const char* column) { return table.numbers(column)[row]; });
+  }
+}
+
+}  // namespace
+
+std::map<std::string, std::vector<Comparison>> read_comparisons(const fs::path& directory) {
+  Comparisons comparisons;
+  for_each_row(directory / "comparison.csv", comparisons, [](Comparison& comparison, const auto& number) {
+    comparison.samples.push_back({number("time_s"), number("modulus_Pa"), number("measured_Pa")});
+  });
+  for_each_row(directory / "comparison_dynamic.csv", comparisons, [](Comparison& comparison, const auto& number) {
+    comparison.in_frequency.push_back({number("angular_frequency_rad_per_s"), number("storage_modulus_Pa"),
+                                       number("loss_modulus_Pa"), number("measured_storage_modulus_Pa"),
+                                       number("measured_loss_modulus_Pa")});
+  });
+  return comparisons;
+}
+
+}  // namespace breccia
