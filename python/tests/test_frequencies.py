@@ -38,7 +38,8 @@ def test_complex_moduli_at_the_frequencies_of_the_deck(tmp_path):
     assert moduli.absolute == pytest.approx(abs(exact), rel=1e-6)
     assert moduli.phase == pytest.approx(np.degrees(np.angle(exact)), rel=1e-6)
     assert moduli.loss_tangent == pytest.approx(exact.imag / exact.real, rel=1e-6)
-    assert moduli.error == pytest.approx(test.error[::-1], nan_ok=True)
+    nearest = [np.argmin(abs(np.log(test.time * omega))) for omega in moduli.angular_frequency]
+    assert np.array_equal(moduli.error, test.error[nearest], equal_nan=True)
     assert moduli.at("1 Hz") == moduli.at("6.283185307179586 rad/s") == test.series.complex_modulus("1 Hz")
     assert moduli.at(2 * np.pi) == pytest.approx(moduli.at("1 Hz"), rel=1e-14), "a number is in rad/s"
     assert moduli.at(moduli.angular_frequency) == pytest.approx(moduli.storage + 1j * moduli.loss)

@@ -72,7 +72,7 @@ class MeasuredFrequencies : public ::testing::Test {
     study.write("softer.toml", softer);
   }
 
-  [[nodiscard]] Outcome run(const std::vector<std::string>& more = {}) const {
+  Outcome run(const std::vector<std::string>& more = {}) const {
     auto outcome = study.breccia("run", more);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
     return outcome;
