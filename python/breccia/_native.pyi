@@ -350,6 +350,13 @@ class StageResult:
         method: Optional[str] = None,
         grid: int | str | None = None,
     ) -> tuple[_Floats, _Floats]: ...
+    def fields(
+        self,
+        load: Optional[str] = None,
+        boundary: Optional[str] = None,
+        method: Optional[str] = None,
+        grid: int | str | None = None,
+    ) -> list[dict[str, Any]]: ...
     def engineering(self, boundary: Optional[str] = None) -> EngineeringModuli: ...
 
 class Result:

@@ -281,6 +281,19 @@ void bind_stage(py::module_& module) {
                                    view_of(test.compliance, &CreepSample::compliance, self));
            }),
            load, boundary, method, grid, of_compliance.c_str())
+      .def(
+          "fields",
+          [](const py::object& self, const std::optional<std::string>& of_load,
+             const std::optional<std::string>& of_boundary, const std::optional<std::string>& of_method,
+             const py::object& of_grid) {
+            const auto& stage = self.cast<const SolvedStage&>().result;
+            const auto& test = test_with_fields(stage, {of_load, of_boundary, of_method, grid_word(of_grid)});
+            return fields_of_test(py::cast(&test, py::return_value_policy::reference_internal, self));
+          },
+          load, boundary, method, grid,
+          "Fields at the field times, as `fields` of a test, of the test that has them: by default of the first load "
+          "and "
+          "on the finest grid. Means of loads, and all grids together, have none of their own.")
       .def("engineering", &engineering_of_stage, boundary,
            "Young's modulus and Poisson's ratio, EngineeringModuli, of a stage that was tested in shear and in bulk "
            "under "

@@ -41,9 +41,37 @@ TestLoad load_of(const TestWords& words, const StageFindings& stage) {
   return main_shear(loads).value_or(Load::shear);
 }
 
+bool has_fields(const TestResult& test) {
+  return std::visit([](const auto& fields) { return !fields.at_times.empty(); }, test.fields);
+}
+
 bool fits(const TestWords& words, const TestId& test) {
   return (!words.boundary || *words.boundary == name_of(test.boundary)) &&
          (!words.method || *words.method == name_of(test.method)) && (!words.grid || *words.grid == name_of(test.grid));
+}
+
+/// The preferred test of those that match the words and are accepted. Throws InputError where there is none, with the
+/// tests that exist, or where they have several boundaries.
+template <class Accepts>
+const TestResult& preferred_of(const StageFindings& stage, const TestWords& words, const Accepts& accepts) {
+  const TestResult* found = nullptr;
+  std::set<Boundary> boundaries;
+  for (const auto& test : stage.tests) {
+    if (!accepts(test) || !fits(words, test.id)) continue;
+    boundaries.insert(test.id.boundary);
+    if (found == nullptr || is_preferred(test.id, found->id)) found = &test;
+  }
+  if (found == nullptr) {
+    throw InputError(fmt::format("stage {}: no such test; it has {}", stage.name,
+                                 stage.tests.empty() ? "none" : tests_in_words(stage)));
+  }
+  if (boundaries.size() > 1) {
+    std::vector<std::string> names;
+    names.reserve(boundaries.size());
+    for (const auto boundary : boundaries) names.push_back(fmt::format("boundary=\"{}\"", name_of(boundary)));
+    throw InputError(fmt::format("stage {}: expected {}", stage.name, fmt::join(names, " or ")));
+  }
+  return *found;
 }
 
 }  // namespace
@@ -64,24 +92,22 @@ std::shared_ptr<Solution> solution_of(const Study& study, StudyResult result) {
 const TestResult& test_of(const StageFindings& stage, const TestWords& words) {
   require_known(words);
   const auto load = load_of(words, stage);
-  const TestResult* found = nullptr;
-  std::set<Boundary> boundaries;
-  for (const auto& test : stage.tests) {
-    if (test.id.load != load || !fits(words, test.id)) continue;
-    boundaries.insert(test.id.boundary);
-    if (found == nullptr || is_preferred(test.id, found->id)) found = &test;
+  return preferred_of(stage, words, [load](const TestResult& test) { return test.id.load == load; });
+}
+
+const TestResult& test_with_fields(const StageFindings& stage, const TestWords& words) {
+  require_known(words);
+  const auto is_asked = [asked = words.load ? std::optional(load_of(words, stage)) : std::nullopt](const auto& test) {
+    return has_fields(test) && (!asked || test.id.load == *asked);
+  };
+  const auto first = std::ranges::find_if(stage.tests, is_asked);
+  if (first == stage.tests.end()) {
+    throw InputError(fmt::format("stage {}: no fields{}; tests.fields = \"last\" keeps those at the last time",
+                                 stage.name, words.load ? " of load " + *words.load : ""));
   }
-  if (found == nullptr) {
-    throw InputError(fmt::format("stage {}: no such test; it has {}", stage.name,
-                                 stage.tests.empty() ? "none" : tests_in_words(stage)));
-  }
-  if (boundaries.size() > 1) {
-    std::vector<std::string> names;
-    names.reserve(boundaries.size());
-    for (const auto boundary : boundaries) names.push_back(fmt::format("boundary=\"{}\"", name_of(boundary)));
-    throw InputError(fmt::format("stage {}: expected {}", stage.name, fmt::join(names, " or ")));
-  }
-  return *found;
+  return preferred_of(stage, words, [load = first->id.load](const TestResult& test) {
+    return has_fields(test) && test.id.load == load;
+  });
 }
 
 }  // namespace breccia::python

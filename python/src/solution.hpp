@@ -41,4 +41,8 @@ struct TestWords {
 /// where no test matches, or tests under several boundaries do.
 const TestResult& test_of(const StageFindings& stage, const TestWords& words);
 
+/// As test_of(), of the tests that have fields: those of a grid under one load, not means of loads and of grids.
+/// Without a load the first that has them. Throws InputError where no test has fields.
+const TestResult& test_with_fields(const StageFindings& stage, const TestWords& words);
+
 }  // namespace breccia::python

@@ -101,6 +101,18 @@ def test_fields_hold_equilibrium(model):
     assert field["stress"][..., 3].mean() == pytest.approx(modulus, rel=1e-3)
 
 
+def test_fields_are_those_of_a_grid_and_a_load():
+    study = breccia.read_study(MODEL, {**OVERRIDES, "stages.0.cells": [12, 24], "tests.loads": "isotropic",
+                                       "tests.boundaries": ["displacement"], "tests.fields": "last"})
+    stage = breccia.solve(study)["model"]
+    assert stage.test().grid == "extrapolated" and stage.test().fields == []
+    assert stage.fields()[-1]["phase"].shape == (24, 24)
+    assert np.array_equal(stage.fields()[-1]["stress"], stage.test("shear", grid=24).fields[-1]["stress"])
+    assert stage.fields(grid=12)[-1]["phase"].shape == (12, 12)
+    with pytest.raises(breccia.InputError, match="no fields of load bulk; tests.fields"):
+        stage.fields("bulk")
+
+
 def test_fields_of_grains_and_films_have_the_work_of_the_load():
     study = breccia.read_study(FILMS, {"stages.0.box": "0.4 mm", "tests.times": ["1 us", "1 ms"],
                                        "tests.fields": "last", "tests.loads": ["shear"]})
