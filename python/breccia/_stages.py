@@ -66,7 +66,7 @@ class Filler(Table):
 class Packing(Table):
     """Where the particles of all fillers are.
 
-    method: "lubachevsky-stillinger", "random-sequential", "regular", "explicit", "laguerre"; the keys of each are those
+    method: "random", "lubachevsky-stillinger", "random-sequential", "regular", "explicit", "laguerre"; the keys of each are those
     of a deck, such as seed, walls (False in random packings, unless the boundaries of the tests cut particles), columns,
     rows, lattice, film. particles: of an explicit packing, a file or an array of n rows x, y, diameter [m], in a cube
     x, y, z, diameter.

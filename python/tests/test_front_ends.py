@@ -64,7 +64,7 @@ def of_space(deck):
 
 ONE = DISCS + TESTS
 COATED = 'gap = "0.1 mm", coating = { material = "foam", thickness = "0.1 mm" }'
-ELLIPSES = 'gap = "0.1 mm", shape = { ellipse = { aspect = 1.5 } }'
+ELLIPSES = 'gap = "0.1 mm", shape = { aspect = 1.5 }'
 GRAINS = """
 [[stages]]
 name = "composite"
@@ -93,11 +93,11 @@ STUDIES = {
     "shear and bulk": changed(ONE, ("[tests]", '[tests]\nloads = ["shear", "bulk"]')),
     "frequencies": changed(ONE, ('times = ["1 ms", "1 s"]', 'frequencies = ["1 Hz", "100 Hz"]')),
     "a measurement": changed(ONE + MEASURED),
-    "two fillers": changed(ONE, ("filler = {", "fillers = [{"), ('gap = "0.1 mm" }', 'gap = "0.1 mm" }, { material = "foam", '
+    "two fillers": changed(ONE, ("filler = {", "filler = [{"), ('gap = "0.1 mm" }', 'gap = "0.1 mm" }, { material = "foam", '
                            'fraction = 0.1, sizes = { diameter = "0.8 mm" }, gap = "0.1 mm" }]')),
     "a coating": changed(ONE, ('gap = "0.1 mm"', COATED), ("0.35", "0.25")),
     "a soft filler": changed(ONE, ('material = "glass"', 'material = "foam"')),
-    "ellipses": changed(ONE, ('gap = "0.1 mm"', ELLIPSES), ("lubachevsky-stillinger", "random-sequential")),
+    "ellipses": changed(ONE, ('gap = "0.1 mm"', ELLIPSES), ("lubachevsky-stillinger", "random")),
     "grains": changed(GRAINS + TESTS),
     "films": changed(GRAINS + TESTS, ("[tests]", '[tests]\nmodel = "films"')),
     "an image": changed(IMAGE + TESTS, ("[tests]", '[tests]\nboundaries = ["periodic"]')),

@@ -9,6 +9,7 @@
 
 #include "breccia/error.hpp"
 
+#include "deck/filler_sections.hpp"
 #include "deck/gap.hpp"
 #include "deck/materials.hpp"
 #include "deck/packing.hpp"
@@ -138,13 +139,6 @@ Filler read_filler(const Section& section, const Stage& stage, const std::vector
   visit_nested(ReadAmount{section, filler}, stage.packing);
   read_gap(section, stage, filler);
   return filler;
-}
-
-/// The tables of the fillers of a stage.
-std::vector<Section> filler_sections(const Section& stage) {
-  if (stage.kind("filler") == Kind::array) return stage.sections("filler");
-  const auto single = stage.optional_section("filler");
-  return single ? std::vector{*single} : std::vector<Section>();
 }
 
 /// Reports mistakes that concern all fillers of a stage together.

@@ -17,6 +17,7 @@
 #include "breccia/error.hpp"
 #include "breccia/tables/measured_table_reader.hpp"
 
+#include "deck/filler_sections.hpp"
 #include "deck/listed_particles.hpp"
 #include "io/file_mistakes.hpp"
 #include "study/limits.hpp"
@@ -268,16 +269,23 @@ LaguerrePacking<dim> read_laguerre(const Section& packing, double side) {
   return grains;
 }
 
-/// Whether a packing has the word "random" in place of one of the two methods.
-bool is_just_random(const Section& packing) {
-  return packing.kind("method") == Kind::text && packing.optional_text("method") == "random";
-}
-
 /// A packing method that does not exist, but that users may expect.
 bool asks_for_other_shapes(const Section& packing) {
   if (packing.kind("method") != Kind::text) return false;
   constexpr std::array<std::string_view, 2> methods = {"polygons", "ellipses"};
   return std::ranges::find(methods, packing.optional_text("method").value_or("")) != methods.end();
+}
+
+/// The word for the random packing that suits the shapes of a stage's fillers.
+constexpr std::string_view any_random = "random";
+
+/// Reads the method of a stage's packing.
+std::optional<PackingName> read_name(const Section& stage, const Section& packing) {
+  const bool has_shapes =
+      std::ranges::any_of(filler_sections(stage), [](const Section& one) { return one.has("shape"); });
+  std::vector<Choice<PackingName>> choices(words<PackingName>.begin(), words<PackingName>.end());
+  choices.emplace_back(any_random, has_shapes ? PackingName::random_sequential : PackingName::lubachevsky_stillinger);
+  return packing.choice<PackingName>("method", choices);
 }
 
 }  // namespace
@@ -287,7 +295,8 @@ bool has_method(const Section& packing, PackingName name) {
 }
 
 bool takes_seed(const Section& packing) {
-  return has_method(packing, PackingName::lubachevsky_stillinger) ||
+  const bool is_any_random = packing.kind("method") == Kind::text && packing.optional_text("method") == any_random;
+  return is_any_random || has_method(packing, PackingName::lubachevsky_stillinger) ||
          has_method(packing, PackingName::random_sequential) ||
          (has_method(packing, PackingName::laguerre) && !packing.has("sites"));
 }
@@ -324,13 +333,7 @@ std::optional<StagePacking> read_packing(const Section& section, const Stage& st
     return std::nullopt;
   }
   packing.refuse({"image"}, image_elsewhere);
-  if (is_just_random(packing)) {
-    packing.report("method", R"(expected "lubachevsky-stillinger", for discs and spheres at random, or )"
-                             R"("random-sequential", for other shapes too, got "random")");
-    packing.accept_all_keys();
-    return std::nullopt;
-  }
-  const auto name = packing.choice<PackingName>("method");
+  const auto name = read_name(section, packing);
   if (!name) {
     packing.accept_all_keys();
     return std::nullopt;

@@ -171,6 +171,28 @@ packing = { method = "lubachevsky-stillinger", walls = )",
   EXPECT_THAT(directory.mistakes(deck_of("\"cutt\"")), HasSubstr("packing.walls: expected \"cut\""));
 }
 
+TEST_F(DeckTests, ARandomPackingSuitsTheShapes) {
+  const auto stage_of = [&](std::string_view shape) {
+    return directory
+        .study(test::join(test::materials, R"(
+[[stages]]
+name = "A"
+matrix = "binder"
+box = "1 mm"
+cells = 10
+filler = { material = "hmx", fraction = 0.1, sizes = { diameter = "0.2 mm" })",
+                          shape, R"( }
+packing = { method = "random", seed = 7 }
+[tests]
+)",
+                          times))
+        .stages.front();
+  };
+  EXPECT_EQ(stage_of("").packing_name(), PackingName::lubachevsky_stillinger);
+  EXPECT_EQ(stage_of(", shape = { aspect = 2.0 }").packing_name(), PackingName::random_sequential);
+  EXPECT_EQ(stage_of("").seed(), 7U);
+}
+
 TEST_F(DeckTests, FieldsAreWantedAtTheseTimes) {
   EXPECT_THAT(tests(test::join(times, "fields = \"last\"")).field_times, ElementsAre(1e-2));
   EXPECT_THAT(tests(test::join(times, "fields = \"none\"")).field_times, IsEmpty());
