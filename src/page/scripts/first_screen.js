@@ -43,6 +43,12 @@ function curvesOfResult(curves) {
   return softestFirst.map(of).filter((curve) => curve !== undefined);
 }
 
+/// The curves that answer: that of the periodic boundary, which comes nearest to the material, or else all.
+function curvesOfAnswer(result) {
+  const periodic = result.filter(({boundary}) => boundary === "periodic");
+  return periodic.length > 0 ? periodic : result;
+}
+
 function measuredBeside(curves, stage) {
   const found = curves.find((curve) => curve.role === "measured" && curve.stage === stage);
   return found && {name: found.label.replace("measured, ", ""), x: found.x, y: found.y};
@@ -139,7 +145,7 @@ function nameOfResult(stage) {
 /// Shows the title, the result, and how it was found.
 export function showResult(curves) {
   document.getElementById("title").textContent = study.title;
-  const result = curvesOfResult(curves);
+  const result = curvesOfAnswer(curvesOfResult(curves));
   const place = document.getElementById("summary");
   if (result.length === 0) return place.append(element("p", {}, textWithoutResult()));
   const [{stage, load}] = result;
