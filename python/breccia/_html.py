@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import html
 import math
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -77,6 +78,11 @@ def _frequency_table(moduli: _native.ComplexModuli) -> str:
     return f"<table>{head}{''.join(rows)}</table>"
 
 
+def _measurements(stage: _native.StageResult) -> list[dict[str, Any]]:
+    """A comparison with each measurement, that of one of its tests."""
+    return list({comparison["measurement"]: comparison for comparison in stage.comparisons}.values())
+
+
 def _in_frequency(stage: _native.StageResult, tests: list[_native.TestResult]) -> str:
     """The complex moduli of a study whose deck gives frequencies, with what was measured."""
     curves, tables = [], []
@@ -85,7 +91,7 @@ def _in_frequency(stage: _native.StageResult, tests: list[_native.TestResult]) -
         curves += [Curve(f"G\u2032, {label}", moduli.frequency, moduli.storage, 2 * number),
                    Curve(f"G\u2033, {label}", moduli.frequency, moduli.loss, 2 * number + 1)]
         tables.append((f"<div>{html.escape(label)}</div>" if len(tests) > 1 else "") + _frequency_table(moduli))
-    for comparison in stage.comparisons[:1]:
+    for comparison in _measurements(stage):
         hertz, measured = comparison["angular_frequency"] / (2 * math.pi), comparison["complex_measured"]
         if len(hertz) > 0:
             curves += [Curve(f"G\u2032, {comparison['measurement']}", hertz, measured.real, 0, marks=True),
@@ -104,8 +110,8 @@ def _plot_of(stage: _native.StageResult, tests: list[_native.TestResult]) -> str
     elif len(tests) == 1 and np.isfinite(tests[0].error).all() and len(tests[0].error):
         error = np.minimum(tests[0].error, 0.999)
         bands.append(Band(tests[0].time, tests[0].modulus * (1 - error), tests[0].modulus * (1 + error)))
-    for number, comparison in enumerate(stage.comparisons[:1]):
-        curves.append(Curve(comparison["measurement"], comparison["time"], comparison["measured"], 5, marks=True))
+    for number, comparison in enumerate(_measurements(stage), 5):
+        curves.append(Curve(comparison["measurement"], comparison["time"], comparison["measured"], number, marks=True))
     return plot(curves, bands)
 
 

@@ -11,6 +11,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include "breccia/error.hpp"
 #include "breccia/results/frequency_rows.hpp"
 
 #include "arguments.hpp"
@@ -101,6 +102,9 @@ void bind_complex_moduli(py::module_& module) {
       .def(
           "at",
           [](const ComplexModuli& self, const py::object& frequency) {
+            if (!(self.series.unrelaxed() > 0.0)) {
+              throw InputError("at: this test has no series here; stage.test() is one that has");
+            }
             return py::vectorize([&self](double omega) { return self.series.complex_modulus(omega); })(
                 numbers_of({"angular_frequency", "rad/s", Range::positive()}, frequency, &angular_frequency_of));
           },

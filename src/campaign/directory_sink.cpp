@@ -131,6 +131,7 @@ void DirectorySink::write(const StageFinished& event) {
   shared_.keep(present_hash_,
                {.result = event.result.stages.back(), .record = records_[name], .directory = directory_ / name});
   present_hash_.clear();
+  observer_.tell(event);
 }
 
 void DirectorySink::write(const StudyFinished& event) {

@@ -162,15 +162,23 @@ struct PrintEvent {
   void operator()(const StagePacked& event) const {
     const auto& stage = event.result.stages.back();
     line.print(describe(event.stage, stage));
-    if (!parallel::is_first()) return;
-    for (const auto& warning : stage.warnings) line.warn(warning);
+    warn(stage);
   }
+  /// Warnings of the tests come after those of the packing.
+  void operator()(const StageFinished& event) const { warn(event.result.stages.back()); }
   void operator()(const TestFinished& event) const {
     if (const auto text = line_of(event, detail); !text.empty()) line.print(text);
   }
   template <class Event>
   void operator()(const Event& event) const {
     if (const auto text = line_of(event); !text.empty()) line.print(text);
+  }
+
+ private:
+  /// Prints the warnings of a stage, each once.
+  void warn(const StageResult& stage) const {
+    if (!parallel::is_first()) return;
+    for (const auto& warning : stage.warnings) line.warn(warning);
   }
 };
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -189,10 +190,10 @@ RespondedStudy respond_with_materials(const RespondArguments& arguments, const R
 }
 
 /// Prints the warnings that were not printed for earlier studies.
-void print_warnings(const RespondedStudy& study, std::set<std::string>& printed) {
+void print_warnings(const RespondedStudy& study, std::FILE* stream, std::set<std::string>& printed) {
   for (const auto& stage : study.stages) {
     for (const auto& warning : stage.warnings) {
-      if (printed.insert(warning).second) fmt::print("warning: {}\n", warning);
+      if (printed.insert(warning).second) fmt::print(stream, "warning: {}\n", warning);
     }
   }
 }
@@ -241,11 +242,10 @@ void run_respond(const RespondArguments& arguments, const CLI::App& command) {
   for (const auto& [name, materials, out, study, stages] : studies) {
     write_response_curves({out, name, study, inputs, rows, arguments.overwrite}, stages);
   }
-  if (arguments.quiet) return;
   std::set<std::string> printed;
   for (const auto& study : studies) {
-    print_warnings(study, printed);
-    print(study, times_of(study.stages), asked_of_all.abscissa);
+    print_warnings(study, arguments.quiet ? stderr : stdout, printed);
+    if (!arguments.quiet) print(study, times_of(study.stages), asked_of_all.abscissa);
   }
 }
 
@@ -291,7 +291,7 @@ void add_respond(CLI::App& application) {
       ->type_name("DIR");
   command->add_flag("--overwrite", arguments->overwrite,
                     "replace the curves of other materials or of other times in that directory");
-  command->add_flag("--quiet", arguments->quiet, "print nothing but errors");
+  command->add_flag("--quiet", arguments->quiet, "print nothing but warnings and errors");
   command->callback([arguments, command] { run_respond(*arguments, *command); });
 }
 

@@ -62,6 +62,7 @@ void run_single(const Study& study, const RunArguments& arguments, const RunOpti
   SharedStages nothing;
   const auto result = run_study(results, observer, nothing);
   progress.print(closing_tables(study, result, arguments.detail()));
+  // Those of stages that an earlier run has finished.
   if (parallel::is_first()) {
     for (const auto& stage : result.stages) {
       for (const auto& warning : stage.warnings) progress.warn(warning);

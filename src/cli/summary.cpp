@@ -12,6 +12,7 @@
 #include "cli/quantities.hpp"
 #include "io/display.hpp"
 #include "io/units.hpp"
+#include "study/abscissa_words.hpp"
 #include "study/filler_shapes.hpp"
 #include "study/gap.hpp"
 #include "study/picture_words.hpp"
@@ -231,9 +232,12 @@ std::string describe(const Study& study) {
   std::vector<std::string> loads, boundaries;
   for (const auto load : tests.loads) loads.push_back(name_of(load));
   for (const auto boundary : tests.boundaries) boundaries.push_back(name_of(boundary));
-  auto text =
-      fmt::format("    loads    {}\n    boundary {}\n    times    {} to {}, {} a decade\n", fmt::join(loads, ", "),
-                  fmt::join(boundaries, ", "), time(tests.first_time), time(tests.last_time), tests.points_per_decade);
+  const auto hertz = [](double time) { return display_in(Abscissa::frequency, time); };
+  const auto range = tests.by_frequency
+                         ? fmt::format("frequencies {} to {}", hertz(tests.last_time), hertz(tests.first_time))
+                         : fmt::format("times    {} to {}", time(tests.first_time), time(tests.last_time));
+  auto text = fmt::format("    loads    {}\n    boundary {}\n    {}, {} a decade\n", fmt::join(loads, ", "),
+                          fmt::join(boundaries, ", "), range, tests.points_per_decade);
   if (tests.accuracy) text += fmt::format("    accuracy {:.3g} % of the moduli\n", 100.0 * *tests.accuracy);
   const auto has_some = [&tests](const Stage& stage) { return has_fields(tests, stage); };
   if (std::ranges::any_of(study.stages, has_some)) {

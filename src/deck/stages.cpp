@@ -52,7 +52,9 @@ StageMatrix read_matrix(const Section& section, const std::vector<Stage>& earlie
     if (stage.name == name) return EarlierStage{name};
     known.push_back(stage.name);
   }
-  if (has_name(later, name)) {
+  if (section.kind("name") == Kind::text && section.text("name") == name) {
+    section.report("matrix", "a stage cannot be its own matrix: expected a material or an earlier stage");
+  } else if (has_name(later, name)) {
     section.report("matrix",
                    fmt::format("the stage \"{}\" is no earlier one: stages are computed in the order in which "
                                "they stand; expected it before this one",

@@ -156,6 +156,11 @@ Tests read_tests(const Section& deck, const std::vector<Stage>& stages, const St
   if (section.has("boundaries")) {
     tests.boundaries = section.list_of_choices<Boundary>("boundaries");
     refuse_repeats(section, "boundaries", tests.boundaries);
+    const bool is_periodic = std::ranges::count(tests.boundaries, Boundary::periodic) == std::ssize(tests.boundaries);
+    if (!defaults.boundaries.empty() && is_periodic) {
+      section.report("boundaries",
+                     R"(packing.walls = "cut" is a window: expected "displacement" or "traction" among them)");
+    }
   }
   if (section.has("method")) tests.methods = read_methods(section);
   const auto times = read_times_or_frequencies(section);

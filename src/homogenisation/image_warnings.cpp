@@ -64,10 +64,6 @@ Warning warning_of_single_pixels(const LabelImage<dim>& image, const Intercepts&
 
 /// The width of a gap [pixels] below which its width is not known well enough for the modulus at long times.
 constexpr double known_gap = 3.0;
-/// The width of a gap in cells of the coarsest grid that resolves it (the rule of stage_warnings.cpp).
-double resolved_gap(Mixing mixing) {
-  return mixing == Mixing::points ? 3.0 : 1.5;
-}
 
 template <int dim>
 Warning warning_of_narrow_gaps(const Study& study, const Stage& stage, const LabelImage<dim>& image,
@@ -102,7 +98,7 @@ struct WarningsOnImage {
     if (!pixels.image || stage.fillers.empty()) return {};
     const auto& image = *pixels.image;
     const double pixels_per_cell = static_cast<double>(image.pixels[0]) / stage.grids().front();
-    const double narrow = std::max(known_gap, resolved_gap(study.tests.mixing) * pixels_per_cell);
+    const double narrow = std::max(known_gap, cells_in_resolved_gaps(study.tests.mixing) * pixels_per_cell);
     const auto intercepts = intercepts_of(image, narrow);
     std::vector<Warning> all;
     if (pixels.segmentation) {

@@ -8,6 +8,12 @@ namespace breccia {
 /// Gaps between particles with fewer cells are narrow.
 inline constexpr double cells_in_narrow_gaps = 1.5;
 
+/// Cells in a gap from which on cells without flow resolve it. Points bridge narrower gaps. In a gap of one mixed cell
+/// an incompressible matrix slides, but cannot be squeezed out (theory, section 2).
+constexpr double cells_in_resolved_gaps(Mixing mixing) {
+  return mixing == Mixing::points ? 3.0 : cells_in_narrow_gaps;
+}
+
 /// Whether the gaps of a stage are so narrow on its finest grid that flow through them serves better than cells in
 /// series: below one and a half cells between particles, below 1.4 cells between grains (docs/gaps-under-a-cell.md).
 [[nodiscard]] bool has_narrow_gaps(const Stage& stage, const StageMicrostructure& packed);

@@ -294,7 +294,7 @@ StageQuality quality_of(const Study& study, const Stage& stage, const StageResul
   if (const auto* earlier = std::get_if<EarlierStage>(&stage.matrix)) quality.matrix_stage = earlier->name;
   quality.fraction_asked = fraction_asked_of(stage);
   quality.is_random = !stage.fillers.empty() && stage.has_seed();
-  quality.filler_on_sides = filler_on_sides(stage, packed);
+  if (!quality.loads.empty()) quality.filler_on_sides = filler_on_sides(stage, packed);
   quality.has_films_along_walls = stage.has_films_along_walls();
   const bool is_of_films = std::ranges::any_of(result.tests, [](const auto& test) { return test.id.grid.is_films(); });
   if (is_of_films) {

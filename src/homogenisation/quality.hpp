@@ -50,7 +50,8 @@ struct StageQuality {
   std::optional<double> coating_cells = {};  ///< the thinnest coating in cells of the finest grid; nothing without one
   std::vector<int> grids;                    ///< cells per side, rising; empty where films are computed without cells
   bool is_random = false;                    ///< whether the packing depends on a seed
-  /// The share of the sides that lies in filler [-], 0 and more for a window in a larger body; nothing for another box.
+  /// The share of the sides that lies in filler [-], 0 and more for a window in a larger body under displacement or
+  /// traction; nothing for another box.
   std::optional<double> filler_on_sides = {};
   bool has_films_along_walls = false;  ///< whether only the displacement boundary makes sense
   bool is_periodic = false;            ///< whether a periodic test is finished, which gives no bound

@@ -48,13 +48,12 @@ struct GapRule {
   const char* consequence;
 };
 
-/// Points bridge narrow gaps. In a gap of one mixed cell an incompressible matrix slides, but cannot be squeezed out
-/// (theory, section 2).
 constexpr GapRule gap_rule(Mixing mixing) {
+  const double cells = cells_in_resolved_gaps(mixing);
   if (mixing == Mixing::points) {
-    return {3.0, "the modulus at long times comes out several times too high, at 1 cell tens of times"};
+    return {cells, "the modulus at long times comes out several times too high, at 1 cell tens of times"};
   }
-  return {1.5,
+  return {cells,
           "a nearly incompressible matrix cannot be squeezed out of the gap, and the modulus at long times comes out "
           "up to several times too high"};
 }
@@ -299,9 +298,9 @@ std::optional<std::string> warning_of_cut_filler(const Stage& stage, const std::
   return fmt::format(
       "the sides of the box cut filler, over {:.2g} % of their {}: a displacement boundary moves it with the sides, "
       "and its modulus is an upper bound, far too high where the filler is far stiffer than the matrix; a traction "
-      "boundary leaves it free, a lower bound; both come closer in a larger box, and the boundary \"periodic\" does "
-      "neither",
-      100.0 * share, stage.dimensions() == 3 ? "area" : "length");
+      "boundary leaves it free, a lower bound; both come closer in a larger box{}",
+      100.0 * share, stage.dimensions() == 3 ? "area" : "length",
+      stage.is_periodic() ? ", and the boundary \"periodic\" does neither" : "");
 }
 
 /// A warning about a gap in material points together with several grids: the gap, and so the material, depends on the
@@ -358,7 +357,9 @@ std::vector<std::string> warnings_on(const Study& study, const Stage& stage,
   }
   std::ranges::move(warnings_on_image(study, stage), std::back_inserter(of_stage));
   std::ranges::move(warnings_of_unknown_times(stage, study.tests), std::back_inserter(of_stage));
-  if (auto warning = warning_of_ringing(study.tests)) of_stage.push_back(*std::move(warning));
+  // It is of the tests of all stages.
+  const bool is_first = study.stages.empty() || study.stages.front().name == stage.name;
+  if (auto warning = warning_of_ringing(study.tests); warning && is_first) of_stage.push_back(*std::move(warning));
   for (const auto& measurement : study.measurements) {
     if (measurement.stage != stage.name) continue;
     const auto warning = warning_of_other_times(measurement, study.tests);

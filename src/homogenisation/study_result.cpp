@@ -10,16 +10,22 @@
 namespace breccia {
 namespace {
 
-/// The sample whose ratio is nearest to one, in the direction `near`, or furthest from it, `far`; nullptr without
-/// samples.
+/// The distance of the ratio of a sample from one, on a logarithmic scale.
+constexpr auto distance_from_one = [](const auto& sample) { return std::abs(std::log(sample.ratio())); };
+
+/// The sample whose ratio is nearest to one; nullptr without samples.
 template <class Sample>
-const Sample* nearest(const std::vector<Sample>& samples, double direction) {
-  const auto found = std::ranges::min_element(
-      samples, {}, [direction](const Sample& sample) { return direction * std::abs(std::log(sample.ratio())); });
+const Sample* nearest(const std::vector<Sample>& samples) {
+  const auto found = std::ranges::min_element(samples, {}, distance_from_one);
   return found == samples.end() ? nullptr : &*found;
 }
 
-constexpr double near = 1.0, far = -1.0;
+/// The sample whose ratio is furthest from one; nullptr without samples.
+template <class Sample>
+const Sample* furthest(const std::vector<Sample>& samples) {
+  const auto found = std::ranges::max_element(samples, {}, distance_from_one);
+  return found == samples.end() ? nullptr : &*found;
+}
 
 }  // namespace
 
@@ -70,19 +76,19 @@ double ComparedComplexSample::phase_difference() const {
 }
 
 const ComparedSample* Comparison::best() const {
-  return nearest(samples, near);
+  return nearest(samples);
 }
 
 const ComparedSample* Comparison::worst() const {
-  return nearest(samples, far);
+  return furthest(samples);
 }
 
 const ComparedComplexSample* Comparison::best_in_frequency() const {
-  return nearest(in_frequency, near);
+  return nearest(in_frequency);
 }
 
 const ComparedComplexSample* Comparison::worst_in_frequency() const {
-  return nearest(in_frequency, far);
+  return furthest(in_frequency);
 }
 
 }  // namespace breccia

@@ -11,7 +11,7 @@ namespace breccia {
 namespace {
 
 std::string words_on_side(const Stage& stage, const char* name, const GreySide& side) {
-  return fmt::format("{} = {}, {:.1f} %, grey values {} to {}, mean {:.3g}", name, material_of_label(stage, side.label),
+  return fmt::format("{} = {}, {:.1f} %, grey values {} to {}, mean {:.1f}", name, material_of_label(stage, side.label),
                      100.0 * side.share, side.darkest, side.brightest, side.mean);
 }
 
@@ -27,7 +27,7 @@ struct WordsOnThreshold {
     return {fmt::format("threshold {:g}{}{}", made.threshold, made.is_otsu ? " (Otsu)" : "",
                         side > 1 ? fmt::format(" of the medians of {}", square) : ""),
             words_on_side(stage, "dark", made.dark), words_on_side(stage, "bright", made.bright),
-            fmt::format("bright {:.1f} to {:.1f} % at thresholds of {:.0f} to {:.0f}, separability {:.2f}",
+            fmt::format("bright {:.1f} to {:.1f} % at thresholds of {:.4g} to {:.4g}, separability {:.2f}",
                         100.0 * made.bright_at_lower, 100.0 * made.bright_at_higher, made.threshold - made.margin,
                         made.threshold + made.margin, made.separability)};
   }

@@ -168,6 +168,8 @@ packing = { method = "lubachevsky-stillinger", walls = )",
   EXPECT_THAT(study.tests.boundaries, ElementsAre(Boundary::displacement, Boundary::traction));
   const auto named = directory.study(deck_of("\"cut\"") + "boundaries = [\"periodic\", \"traction\"]\n");
   EXPECT_THAT(named.tests.boundaries, ElementsAre(Boundary::periodic, Boundary::traction));
+  EXPECT_THAT(directory.mistakes(deck_of("\"cut\"") + "boundaries = [\"periodic\"]\n"),
+              HasSubstr("tests.boundaries: packing.walls = \"cut\" is a window: expected"));
   EXPECT_THAT(directory.mistakes(deck_of("\"cutt\"")), HasSubstr("packing.walls: expected \"cut\""));
 }
 

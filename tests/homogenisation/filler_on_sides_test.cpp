@@ -51,15 +51,17 @@ TEST(FillerOnSides, IsOfAWindowAlone) {
 
 // Pixels of filler along a whole side, and half of the two sides across it; the fourth has none.
 TEST(FillerOnSides, IsThatOfTheFourSidesOfAnImage) {
-  const LabelImage<2> image = {{2, 2}, 1.0, Walls::hard, {1, 1, 0, 0}};
-  const Stage stage = {
-      .name = "A",
-      .matrix = soft,
-      .side = 2.0,
-      .cells = 2,
-      .fillers = {{.material = hard}},
-      .packing = ImagePacking<2>{.file = "half.png", .image = std::make_shared<const LabelImage<2>>(image)}};
-  EXPECT_DOUBLE_EQ(share_of(stage).value(), (1.0 + 0.5 + 0.5 + 0.0) / 4.0);
+  for (const auto walls : {Walls::hard, Walls::periodic}) {
+    const LabelImage<2> image = {{2, 2}, 1.0, walls, {1, 1, 0, 0}};
+    const Stage stage = {
+        .name = "A",
+        .matrix = soft,
+        .side = 2.0,
+        .cells = 2,
+        .fillers = {{.material = hard}},
+        .packing = ImagePacking<2>{.file = "half.png", .image = std::make_shared<const LabelImage<2>>(image)}};
+    EXPECT_DOUBLE_EQ(share_of(stage).value(), (1.0 + 0.5 + 0.5 + 0.0) / 4.0) << "the sides do not fit together";
+  }
 }
 
 }  // namespace

@@ -56,8 +56,8 @@ struct TaskFailed {
 
 /// An event of the run of a study or a sweep in a directory. Results are written to the disk before the event that
 /// reports them.
-using RunEvent = std::variant<StagePacked, DomainFinished, TestFinished, ResultsKeptBeside, StageTakenOver,
-                              StageFromResponses, Note, TaskBegun, TaskSkipped, TaskFailed>;
+using RunEvent = std::variant<StagePacked, DomainFinished, TestFinished, StageFinished, ResultsKeptBeside,
+                              StageTakenOver, StageFromResponses, Note, TaskBegun, TaskSkipped, TaskFailed>;
 
 /// Callback functions for the run of a study or a sweep; each of them may be empty. An exception that they throw ends
 /// the run.

@@ -27,8 +27,9 @@ double sampled_share(const Stage& stage, const Labelling<dim>& labelling) {
   constexpr int places = dim == 2 ? parts : parts * parts;
   constexpr double inside = 1e-9;  // of the side, so that a place belongs to the pixel or the grain next to the side
   const auto fillers = phases_without_coatings(stage);
-  // The opposite sides of a periodic box are the same cut.
-  const auto ends = stage.is_periodic() ? std::vector{inside} : std::vector{inside, 1.0 - inside};
+  // The opposite sides of a periodic box are the same cut, but for an image, whose sides need not fit together.
+  const bool are_alike = stage.is_periodic() && !stage.has_image();
+  const auto ends = are_alike ? std::vector{inside} : std::vector{inside, 1.0 - inside};
   std::size_t in_filler = 0;
   for (std::size_t normal = 0; normal < dim; ++normal) {
     for (const double end : ends) {

@@ -30,8 +30,7 @@ std::optional<std::string> remark_on_range(const Study& study, const Stage& stag
   const double all = time_of_tests(study, stage), some = time_of_tests(of_times, stage);
   if (all < long_time || all < far_less * some) return std::nullopt;
   return fmt::format(
-      "tests.quasistatic.range = \"times\" takes some {} in place of {}: it solves for the moduli at tests.times "
-      "alone, "
+      "tests.quasistatic.range = \"times\" takes some {} in place of {}: it solves for what the tests ask for alone, "
       "so that a matrix at another temperature takes a run of its own",
       display_duration(some, 1), display_duration(all, 1));
 }

@@ -48,7 +48,7 @@ export function showComparison() {
   showComparisonInTime(inTime.filter((row) => !(isShownInFrequency && isInFrequency(row))));
   showComparisonInFrequency(inFrequency);
   const extremes = study.stages.flatMap((stage) => (stage.comparisons ?? []).map((one) => {
-    const [best, worst] = isShownInFrequency && one.best_in_frequency !== undefined
+    const [best, worst] = one.best === undefined || (isShownInFrequency && one.best_in_frequency !== undefined)
       ? [one.best_in_frequency, one.worst_in_frequency] : [one.best, one.worst];
     return [stage.name, one.measurement, one.boundary, methodNames[one.method], ratioText(best),
       ratioText(worst)];
@@ -56,7 +56,7 @@ export function showComparison() {
   if (extremes.length > 0) {
     document.getElementById("comparison-tables").append(
       element("h3", {}, "Where the ratio is nearest to one and where furthest"),
-      table(["stage", "measurement", "bound", "method", "best", "worst"], extremes));
+      table(["stage", "measurement", "boundary", "method", "best", "worst"], extremes));
   }
 }
 

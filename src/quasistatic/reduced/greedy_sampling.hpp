@@ -97,6 +97,9 @@ class GreedySampling {
     return std::max(0.0, choice.estimate);
   }
 
+  /// Takes over what a solver has counted, before its first solution too, so that a state that is saved has it.
+  void take_effort(const LinearEffort& effort) { effort_ = effort; }
+
   /// Whether the bases have met the tolerance at Laplace variables at an earlier time. A snapshot that is added later
   /// may correct the estimates upwards.
   [[nodiscard]] bool has_met_tolerance() const noexcept { return has_met_tolerance_; }
@@ -250,6 +253,7 @@ template <AffineComposite Composite, CompositeSolver<typename Composite::Vector>
 void sample(GreedySampling<Composite>& sampling, Solver& solver, const TrainingPath& training_set,
             const SamplingOptions& options, const ProgressObserver& observer, Checkpoint* checkpoint) {
   SamplingProgress progress(options, sampling.bases().size());
+  sampling.take_effort(solver.effort());
   const auto save = [&] { checkpoint->save([&](StateWriter& state) { sampling.save(state); }); };
   const auto save_if_due = [&] {
     if (checkpoint != nullptr && checkpoint->is_due()) save();

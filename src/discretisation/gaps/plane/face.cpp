@@ -164,7 +164,7 @@ class Crossing {
     double begin = 0.0, end = 1.0;
     if (is_owned(0) && !is_in_binder(0)) begin = binder_.front().begin;
     if (is_owned(1) && !is_in_binder(1)) end = binder_.back().end;
-    face.has_slope = {begin > rounding_of_place, end < 1.0 - rounding};
+    face.has_slope = {begin > rounding_of_place, end < 1.0 - rounding_of_place};
     const double before = 0.5 * end, behind = 0.5 * (1.0 - begin);  // weights of the displacements at both surfaces
     face.of_nodes = {0.5 * begin + before, 0.5 * (1.0 - end) + behind};
     face.of_slopes = {before * begin, -behind * (1.0 - end)};
