@@ -56,7 +56,8 @@ from ._stored import read_results, read_sweep_results
 from ._study import Measurement, Study, Tests, read_study, read_sweep
 
 __all__ = [
-    "Coating", "ComplexEngineeringModuli", "ComplexModuli", "CreepCompliance", "CreepFit", "EngineeringModuli", "Error", "FileError", "Filler", "Image",
+    "Coating", "ComplexEngineeringModuli", "ComplexModuli", "CreepCompliance", "CreepFit", "EngineeringModuli",
+    "Error", "FileError", "Filler", "Image",
     "InputError", "Interrupted", "Isochrone", "MasterCurve", "Material", "Measurement", "Microstructure",
     "NumericalError", "Packing", "Plan", "PronySeries", "RelaxationFit", "Result", "Solid", "Stage", "StagePlan",
     "StageResult", "Study", "TestPlan", "TestResult", "Tests", "WilliamsLandelFerry",

@@ -73,7 +73,8 @@ def respond(result: _native.Result, binder: AnyMaterial | None = None, *,
 
     binder: a new matrix: a Material, a PronySeries for its shear modulus alone, or a TOML file; materials: others by
     the names of those that they replace; temperature: [K] or "40 degC", by the temperature_shift of the study or of the
-    new binder; times: first and last time [s]; frequencies: in their place, the first and the last frequency [Hz]. Elastic materials vary only where the study asked for it:
+    new binder; times: first and last time [s]; frequencies: in their place, the first and the last frequency [Hz].
+    Elastic materials vary only where the study asked for it:
     Tests(quasistatic={"vary": {"glass": {"shear": [3e9, 300e9]}}}). The answer can be asked again. Raises InputError
     where the result does not cover the materials; the message has the times that it covers.
     """

@@ -21,7 +21,8 @@ class Tests(Table):
     times: first and last time of the curves [s]; frequencies: in their place, the first and the last of the dynamic
     moduli [Hz]; accuracy: 0.03 or "3 %", for which boxes and cells are chosen that stages leave out; budget: time that
     this may take [s]; loads: "isotropic" (default), "shear", "bulk", ...; boundaries: "periodic" (default of random packings),
-    "displacement" (KUBC), "traction" (SUBC); method: "quasistatic", "dynamic" or a list of both; fields: "none", "last" or times [s]; quasistatic, dynamic:
+    "displacement" (KUBC), "traction" (SUBC); method: "quasistatic", "dynamic" or a list of both; fields: "none",
+    "last" or times [s]; quasistatic, dynamic:
     tables of their settings. All other keys are those of [tests] in a deck.
     """
 
