@@ -97,17 +97,19 @@ const TestResult& test_of(const StageFindings& stage, const TestWords& words) {
 
 const TestResult& test_with_fields(const StageFindings& stage, const TestWords& words) {
   require_known(words);
-  const auto is_asked = [asked = words.load ? std::optional(load_of(words, stage)) : std::nullopt](const auto& test) {
-    return has_fields(test) && (!asked || test.id.load == *asked);
+  const auto asked = words.load ? std::optional(load_of(words, stage)) : std::nullopt;
+  const auto is_asked = [&](const TestResult& test) {
+    return has_fields(test) && fits(words, test.id) && (!asked || test.id.load == *asked);
   };
   const auto first = std::ranges::find_if(stage.tests, is_asked);
   if (first == stage.tests.end()) {
-    throw InputError(fmt::format("stage {}: no fields{}; tests.fields = \"last\" keeps those at the last time",
-                                 stage.name, words.load ? " of load " + *words.load : ""));
+    throw InputError(
+        fmt::format("stage {}: no such fields; tests.fields = \"last\" keeps those at the last time, on the "
+                    "finest grid",
+                    stage.name));
   }
-  return preferred_of(stage, words, [load = first->id.load](const TestResult& test) {
-    return has_fields(test) && test.id.load == load;
-  });
+  return preferred_of(stage, words,
+                      [&](const TestResult& test) { return is_asked(test) && test.id.load == first->id.load; });
 }
 
 }  // namespace breccia::python

@@ -157,7 +157,7 @@ def test_errors(answers):
                        == (stage.name, test.load, test.boundary, str(test.grid))]
             written = [float(rows[number]["error"] or "nan") for number in of_test]
             assert np.allclose(test.error, written, rtol=1e-6, equal_nan=True)
-            shown = [np.nan if in_page["error"][number] is None else in_page["error"][number] for number in of_test]
+            shown = [in_page["error"][number] or np.nan for number in of_test]
             assert np.allclose(test.error, np.array(shown, float), rtol=1e-6, equal_nan=True)
 
 

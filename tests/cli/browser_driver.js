@@ -155,8 +155,8 @@ async function hoverOverCurve() {
   pane.dispatchEvent(new MouseEvent("mousemove", pointer));
   await wait(500);
   const hover = at("curve-plot").querySelector(".hoverlayer").textContent;
-  const texts = at("curve-plot").data.find((trace) => trace.name.startsWith("A, upper")).text;
-  see("hover tells the curve", hover.includes("A, upper") && texts.some((text) => hover.includes(text)));
+  const texts = at("curve-plot").data.find((trace) => trace.name.startsWith("A, displacement")).text;
+  see("hover tells the curve", hover.includes("A, displacement") && texts.some((text) => hover.includes(text)));
 }
 
 async function lookAtStorageModulus() {

@@ -93,7 +93,7 @@ DocumentationPage read_documentation(const std::string& markdown) {
 
 std::string without_times(const std::string& line) {
   static const std::regex times(
-      "packed in [^ ]+ s|[^ ]+ s for all loads|(snapshots|solves), [^ ]+ s$|[^ ]+ s, [^ ]+ million points x steps/s|"
+      "packed in [^ ]+ s|[^ ]+ s for all loads|(snapshots|solves), [^ ]+ s|[^ ]+ s, [^ ]+ million points x steps/s|"
       "about [^ ]+ [a-z]+ at [^ ]+ million points x steps/s|together about [^ ]+ [a-z]+");
   return std::regex_replace(line, times, "---");
 }
