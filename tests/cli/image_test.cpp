@@ -332,7 +332,7 @@ TEST(Image, ThatIsGreyIsPeriodicByDefault) {
   write_micrograph(grey);
   const auto check = grey.breccia("check");
   ASSERT_EQ(check.exit_code, 0) << check.errors;
-  EXPECT_THAT(check.output, AllOf(HasSubstr("64 x 64 pixels of 15.625 um, periodic"), HasSubstr("bounds   periodic")));
+  EXPECT_THAT(check.output, AllOf(HasSubstr("64 x 64 pixels of 15.625 um, periodic"), HasSubstr("boundary periodic")));
 }
 
 TEST(Image, ThatIsGreyMayHaveAFrame) {

@@ -68,7 +68,7 @@ class RespondWithMaterials : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     study = std::make_unique<StudyDirectory>(coated);
-    const auto run = study->breccia("run");
+    const auto run = study->breccia("run", {"--verbose"});
     ASSERT_EQ(run.exit_code, 0) << run.errors;
     output_of_run = run.output;
     study->write("soft.toml", elastic("20 MPa"));

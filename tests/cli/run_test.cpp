@@ -53,6 +53,7 @@ std::string two_stages() {
   deck = test::replaced(deck, "cells   = 60", "cells   = 24");
   deck = test::replaced(deck, "fraction = 0.5", "fraction = 0.35");
   deck = test::replaced(deck, "walls = true", "walls = false");
+  deck = test::replaced(deck, "shear   = { terms", "shear   = { equilibrium = \"0.1 MPa\", terms");
   return test::replaced(deck, "[tests]", R"([[stages]]
 name    = "coarse"
 matrix  = "fine"
@@ -96,7 +97,7 @@ loads = ["shear", "bulk"]
 boundaries = ["displacement"]
 frequencies = ["0.1 Hz", "10 Hz"]
 )");
-  const auto run = study.breccia("run");
+  const auto run = study.breccia("run", {"--verbose"});
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   EXPECT_THAT(run.output, HasSubstr("dynamic.csv, engineering.csv, engineering_dynamic.csv\n"));
   const auto table = read_csv(study.result("engineering_dynamic.csv"), {"stage", "boundary", "method", "cells"});

@@ -150,9 +150,10 @@ TEST(Quality, SpeaksOfFrequenciesInAStudyOfThem) {
       {constant(Boundary::displacement, TestGrid(100), 120.0), constant(Boundary::traction, TestGrid(100), 100.0)});
   const auto in_time = summary_of(quality_of(Study{}, random_stage(), result));
   const auto in_frequency = summary_of(quality_of(study, random_stage(), result));
-  EXPECT_THAT(in_time, HasSubstr("bounds 20 % apart at "));
+  EXPECT_THAT(in_time, HasSubstr("displacement and traction 20 % apart at "));
   EXPECT_THAT(in_time, Not(HasSubstr("Hz")));
-  EXPECT_THAT(in_frequency, testing::ContainsRegex("bounds 20 % apart at [0-9.]+ m?Hz, 20 % at [0-9.]+ k?Hz"));
+  EXPECT_THAT(in_frequency,
+              testing::ContainsRegex("displacement and traction 20 % apart at [0-9.]+ m?Hz, 20 % at [0-9.]+ k?Hz"));
 }
 
 TEST(Quality, ReportsUnknownErrors) {
