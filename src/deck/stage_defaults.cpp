@@ -39,8 +39,9 @@ StageDefaults read_stage_defaults(const Section& deck) {
   }
   if (tests && tests->has("model")) defaults.model = tests->choice<Model>("model").value_or(Model::cells);
   if (tests && tests->has("boundaries")) {
-    const bool cuts = std::ranges::any_of(tests->list_of_choices<Boundary>("boundaries"), cuts_particles);
-    if (cuts) defaults.walls = Walls::hard;
+    const auto boundaries = tests->list_of_choices<Boundary>("boundaries");
+    const bool cut = !boundaries.empty() && std::ranges::all_of(boundaries, cuts_particles);
+    if (cut) defaults.walls = Walls::hard;
   } else if (std::ranges::any_of(stages, asks_for_walls)) {
     defaults.walls = Walls::hard;
   }

@@ -13,8 +13,8 @@ namespace breccia {
 /// What [tests] says about the stages, which are read before it, and what these say about the tests.
 struct StageDefaults {
   Model model = Model::cells;
-  /// Walls of random packings and images that do not name theirs: a box is periodic, unless the tests name a boundary
-  /// that would cut its particles, or name none and another stage asks for walls.
+  /// Walls of random packings and images that do not name theirs: a box is periodic, unless the tests name boundaries
+  /// that would cut its particles alone, without the periodic one, or name none and another stage asks for walls.
   Walls walls = Walls::periodic;
   /// Both boundaries of a window where a stage asks for one; else empty, and they follow from the boxes.
   std::vector<Boundary> boundaries = {};

@@ -300,7 +300,9 @@ std::optional<std::string> warning_of_cut_filler(const Stage& stage, const std::
       "and its modulus is an upper bound, far too high where the filler is far stiffer than the matrix; a traction "
       "boundary leaves it free, a lower bound; both come closer in a larger box{}",
       100.0 * share, stage.dimensions() == 3 ? "area" : "length",
-      stage.is_periodic() ? ", and the boundary \"periodic\" does neither" : "");
+      stage.is_periodic()
+          ? ", and the boundary \"periodic\" does neither: its modulus comes nearest to that of the material"
+          : "");
 }
 
 /// A warning about a gap in material points together with several grids: the gap, and so the material, depends on the
