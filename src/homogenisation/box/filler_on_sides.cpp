@@ -34,10 +34,12 @@ double sampled_share(const Stage& stage, const Labelling<dim>& labelling) {
   for (std::size_t normal = 0; normal < dim; ++normal) {
     for (const double end : ends) {
       for (int place = 0; place < places; ++place) {
+        const int column = place % parts;
+        [[maybe_unused]] const int row = place / parts;
         Vector<dim> position{};
         position[normal] = end * stage.side;
-        position[(normal + 1) % dim] = (place % parts + 0.5) / parts * stage.side;
-        if constexpr (dim == 3) position[(normal + 2) % dim] = (place / parts + 0.5) / parts * stage.side;
+        position[(normal + 1) % dim] = (column + 0.5) / parts * stage.side;
+        if constexpr (dim == 3) position[(normal + 2) % dim] = (row + 0.5) / parts * stage.side;
         if (std::ranges::count(fillers, labelling(position).phase) > 0) ++in_filler;
       }
     }

@@ -21,6 +21,7 @@ std::vector<double> differing_shares(const LabelImage<dim>& image, const PixelAx
     if (image.labels[pixel] != image.labels[next]) ++differing[place];
   }
   std::vector<double> shares;
+  shares.reserve(differing.size());
   for (const auto count : differing) {
     shares.push_back(static_cast<double>(count * axis.count) / static_cast<double>(image.labels.size()));
   }
