@@ -11,30 +11,10 @@
 #include "breccia/study/study.hpp"
 
 #include "homogenisation/anisotropy.hpp"
+#include "homogenisation/box_bounds.hpp"
 #include "homogenisation/factor_of_space.hpp"
 
 namespace breccia {
-
-/// The apparent moduli of a box under displacement and traction at one time. They are bounds of the effective modulus,
-/// on the average over boxes, where the box is a window in a larger body.
-struct BoundsAtTime {
-  double time = 0.0;                   ///< [s]
-  std::optional<double> upper, lower;  ///< under displacement, under traction [Pa]; nothing for one that was not tested
-  std::optional<double> grid_half_band;  ///< larger half band of the extrapolations to vanishing cells [Pa]
-
-  /// upper / lower - 1 [-]; nothing unless both were tested.
-  [[nodiscard]] std::optional<double> distance() const;
-  /// 1 - upper / lower [-] where the upper modulus is below the lower one by more than the half bands of both; nothing
-  /// otherwise. Bounds that cross each other are no bounds: one of the tests is wrong.
-  [[nodiscard]] std::optional<double> crossing() const;
-};
-
-/// The bounds under one load and by one method; with several grids the extrapolated bounds.
-struct LoadQuality {
-  TestLoad load = Load::shear;
-  Method method = Method::quasistatic;
-  std::vector<BoundsAtTime> times;  ///< bounds at both ends of the curves and at each decade between them
-};
 
 /// Measures of the accuracy of a stage's results that follow from the run itself.
 struct StageQuality {
@@ -71,9 +51,6 @@ struct StageQuality {
   /// The narrowest gap in cells of one of the grids, given by its cells per side.
   [[nodiscard]] double gap_cells_on(int grid) const { return gap_cells * grid / grids.back(); }
 };
-
-/// The bounds of all loads and methods that were tested.
-std::vector<LoadQuality> bounds_of_tests(const StageResult& result);
 
 /// The quality of a stage's results, from the tests that are finished so far.
 StageQuality quality_of(const Study& study, const Stage& stage, const StageResult& result);

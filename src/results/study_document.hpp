@@ -18,6 +18,7 @@
 #include "dynamics/dynamic_solver.hpp"
 #include "homogenisation/anisotropy.hpp"
 #include "homogenisation/whole_filler.hpp"
+#include "results/comparison_entries.hpp"
 #include "results/json_fields.hpp"
 #include "results/material_entries.hpp"
 #include "results/microstructure_entries.hpp"
@@ -203,37 +204,6 @@ inline constexpr auto fields<StageMaterialEntry> = std::tuple(
     field("boundary", &StageMaterialEntry::boundary), field("method", &StageMaterialEntry::method),
     field("fitted_over_s", &StageMaterialEntry::fitted), field("shear_fit_error", &StageMaterialEntry::shear_error),
     field("bulk_fit_error", &StageMaterialEntry::bulk_error), field("material", &StageMaterialEntry::material));
-
-struct RatioEntry {
-  double time = 0.0;  ///< [s]
-  double ratio = 0.0;
-};
-template <>
-inline constexpr auto fields<RatioEntry> = std::tuple(field("time_s", &RatioEntry::time),
-                                                      field("ratio", &RatioEntry::ratio));
-
-struct FrequencyRatioEntry {
-  double frequency = 0.0;  ///< [Hz]
-  double ratio = 0.0;
-};
-template <>
-inline constexpr auto fields<FrequencyRatioEntry> = std::tuple(field("frequency_Hz", &FrequencyRatioEntry::frequency),
-                                                               field("ratio", &FrequencyRatioEntry::ratio));
-
-struct ComparisonEntry {
-  std::string measurement;
-  Boundary boundary = {};
-  Method method = {};
-  std::optional<RatioEntry> best = {}, worst = {};
-  std::optional<FrequencyRatioEntry> best_in_frequency = {}, worst_in_frequency = {};
-};
-template <>
-inline constexpr auto fields<ComparisonEntry> =
-    std::tuple(field("measurement", &ComparisonEntry::measurement), field("boundary", &ComparisonEntry::boundary),
-               field("method", &ComparisonEntry::method), field_if_any("best", &ComparisonEntry::best),
-               field_if_any("worst", &ComparisonEntry::worst),
-               field_if_any("best_in_frequency", &ComparisonEntry::best_in_frequency),
-               field_if_any("worst_in_frequency", &ComparisonEntry::worst_in_frequency));
 
 struct BoundsEntry {
   double time = 0.0;                             ///< [s]
