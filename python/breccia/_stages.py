@@ -105,7 +105,8 @@ class Image(Table):
     then; smooth: each pixel first takes the median of a square of so many pixels a side, such as 3; crop: the part of a
     picture, {"left": 0, "top": 20, "width": 400, "height": 400} in pixels, in a stack with "lowest" and "depth".
 
-    Microstructure.labels() has the bottom row first: Image(box.labels()[0][..., ::-1, :], ...) is the same box.
+    Microstructure.labels() has the bottom row first: Image(box.labels()[0][..., ::-1, :], ...) has the same points, and
+    with mixing = "points" the same moduli; by default the cells of a box know its exact particles, too.
     """
 
     def __init__(self, labels: PathLike | NDArray[Any], *,

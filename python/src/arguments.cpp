@@ -26,15 +26,15 @@ std::optional<double> number_in(const py::handle& value) {
   }
 }
 
-/// Whether this is a tuple of two lists or arrays, which many users write for two columns but none for pairs, or a list
-/// of two lists of two numbers without units, which may be either.
+/// Whether these are two lists or arrays in a tuple, or two arrays in a list, which many users write for two columns
+/// but none for pairs, or a list of two lists of two numbers without units, which may be either.
 bool may_be_columns(const py::object& pairs) {
   const auto is_text = [](const py::handle& value) { return py::isinstance<py::str>(value); };
   const bool is_tuple = py::isinstance<py::tuple>(pairs);
   if ((!is_tuple && !py::isinstance<py::list>(pairs)) || py::len(pairs) != 2) return false;
   for (const auto& one : pairs) {
     if (py::isinstance<py::tuple>(one) || !py::isinstance<py::iterable>(one)) return false;
-    if (is_tuple) continue;
+    if (is_tuple || py::hasattr(one, "dtype")) continue;
     if (!py::isinstance<py::list>(one) || py::len(one) != 2 || std::any_of(one.begin(), one.end(), is_text))
       return false;
   }
@@ -64,9 +64,10 @@ void refuse_what_numpy_drops(std::string_view argument, std::string_view expecte
   }
   if (py::hasattr(value, "units") || py::hasattr(value, "unit")) refuse("a quantity of another package");
   if (PyComplex_Check(value.ptr()) != 0) refuse("a complex number");
-  if (py::hasattr(value, "dtype") && py::str(value.attr("dtype").attr("kind")).cast<std::string>() == "c") {
-    refuse("complex numbers");
-  }
+  if (!py::hasattr(value, "dtype")) return;
+  const auto kind = py::str(value.attr("dtype").attr("kind")).cast<std::string>();
+  if (kind == "c") refuse("complex numbers");
+  if (kind == "m" || kind == "M") refuse("a time of numpy, whose unit would be lost");
 }
 
 double quantity_of(std::string_view argument, const py::handle& value, Dimension dimension) {

@@ -170,6 +170,9 @@ def test_series_take_text_with_units_and_pairs_of_any_kind():
 
 @pytest.mark.parametrize("call, message", [
     (lambda: breccia.PronySeries(([1e-3, 1e-1], [1e6, 2e6])), r"terms: expected pairs .* a tuple of two lists.*zip\(\)"),
+    (lambda: breccia.PronySeries([np.array([1e-3, 1.0]), np.array([1e7, 2e6])]), "terms: expected pairs"),
+    (lambda: SERIES.at(np.timedelta64(1, "ms")), "time: expected .* a time of numpy, whose unit would be lost"),
+    (lambda: SERIES.at(np.array([1, 2], "timedelta64[ms]")), "time: expected .* a time of numpy"),
     (lambda: breccia.PronySeries(np.array([[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]])), "terms: expected pairs"),
     (lambda: breccia.PronySeries([1.0, 2.0]), "terms: expected pairs .* got 1.0 in place of a pair"),
     (lambda: breccia.PronySeries(3e6), "terms: expected pairs"),

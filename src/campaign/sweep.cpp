@@ -72,6 +72,10 @@ class SweepRun {
     return sweep_.tasks[task].directory_in(directory_);
   }
 
+  [[nodiscard]] std::vector<TaskCurve> stored_curves(std::size_t task) const {
+    return read_curves(directory_of(task), sweep_.tasks[task].study.tests.abscissa());
+  }
+
   /// Runs an action on the first process of the first group, which writes the tables of all groups; if it fails there,
   /// it fails on all processes of that group.
   template <class Action>
@@ -108,7 +112,7 @@ class SweepRun {
   }
 
   void keep_if_done(std::size_t task, std::optional<double> seconds) {
-    if (seconds) result_[task] = {TaskState::done, read_curves(directory_of(task)), *seconds};
+    if (seconds) result_[task] = {TaskState::done, stored_curves(task), *seconds};
   }
 
   /// Whether a task belongs to this group of processes; the groups take the tasks in turn.
@@ -133,7 +137,7 @@ class SweepRun {
     by_first_group([&] {
       for (std::size_t task = 0; task < result_.size(); ++task) {
         const bool is_done = result_[task].state == TaskState::done;
-        if (is_done && !is_ours(task)) result_[task].curves = read_curves(directory_of(task));
+        if (is_done && !is_ours(task)) result_[task].curves = stored_curves(task);
       }
     });
   }

@@ -77,7 +77,8 @@ void run_all(const Sweep& sweep, const RunArguments& arguments, const RunOptions
   const auto result = run_sweep(sweep, directory, options, narrate(progress, arguments.detail()));
   progress.print(closing_table(sweep, result));
   progress.print(fmt::format("Results are in {}", directory.string()));
-  for (const auto* file : {"report.html", "sweep.csv", "spread.csv", "sweep.json", "sweep.svg"}) {
+  for (const auto* file : {"report.html", "sweep.csv", "sweep_dynamic.csv", "spread.csv", "spread_dynamic.csv",
+                           "sweep.json", "sweep.svg"}) {
     if (std::filesystem::exists(directory / file)) progress.print(fmt::format("  {}", (directory / file).string()));
   }
   refuse_failures(sweep, result);
@@ -115,6 +116,9 @@ void add_run(CLI::App& application) {
     const auto options = arguments->options();
     if (options.overwrite && options.resume) {
       throw InputError("--overwrite starts a new run, --resume continues the earlier one: expected only one of them");
+    }
+    if (arguments->quiet && arguments->verbose) {
+      throw InputError("--quiet prints less, --verbose more: expected only one of them");
     }
     watch_for_interruption();
     const auto sweep = arguments->deck.read();

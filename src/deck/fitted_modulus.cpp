@@ -34,30 +34,39 @@ struct FitModulus {
 
   FittedModulus operator()(const RelaxationData& data) const {
     refuse_temperature();
-    return {fit_relaxation(data.times, data.moduli).series, TimeWindow{data.times.front(), data.times.back()}};
+    auto fit = fit_relaxation(data.times, data.moduli);
+    return {.series = std::move(fit.series),
+            .measured_times = TimeWindow{data.times.front(), data.times.back()},
+            .median_error = fit.quality.median_error};
   }
   FittedModulus operator()(const CreepData& data) const {
     refuse_temperature();
-    return {relaxation_modulus(fit_creep(data.times, data.compliances).compliance),
-            TimeWindow{data.times.front(), data.times.back()}};
+    const auto fit = fit_creep(data.times, data.compliances);
+    return {.series = relaxation_modulus(fit.compliance),
+            .measured_times = TimeWindow{data.times.front(), data.times.back()},
+            .median_error = fit.quality.median_error};
   }
   FittedModulus operator()(const DynamicData& data) const {
     if (data.sweeps.size() > 1) {
       auto curve = master_curve(data.sweeps, temperature_among(data.sweeps));
       auto law = shift_law_of(curve);
-      return {std::move(curve.fit.series), times_of(curve.frequencies), std::move(law),
-              measured_moduli(curve.frequencies, curve.storage, curve.loss)};
+      return {.series = std::move(curve.fit.series),
+              .measured_times = times_of(curve.frequencies),
+              .shift_law = std::move(law),
+              .dynamic = measured_moduli(curve.frequencies, curve.storage, curve.loss),
+              .median_error = curve.fit.quality.median_error};
     }
     refuse_temperature();
     const auto& sweep = data.sweeps.front();
-    return {fit_dynamic(sweep.frequencies, sweep.storage, sweep.loss).series,
-            times_of(sweep.frequencies),
-            {},
-            measured_moduli(sweep.frequencies, sweep.storage, sweep.loss)};
+    auto fit = fit_dynamic(sweep.frequencies, sweep.storage, sweep.loss);
+    return {.series = std::move(fit.series),
+            .measured_times = times_of(sweep.frequencies),
+            .dynamic = measured_moduli(sweep.frequencies, sweep.storage, sweep.loss),
+            .median_error = fit.quality.median_error};
   }
   FittedModulus operator()(const PronySeries& series) const {
     refuse_temperature();
-    return {series, std::nullopt};
+    return {.series = series, .measured_times = std::nullopt};
   }
 
  private:
@@ -89,6 +98,15 @@ std::string words_on_taken_kind(const std::filesystem::path& file, ModulusKind k
   return fmt::format(
       "{} does not say which modulus it has: it is taken for {}; names of columns that begin with \"{}\" say it",
       file.filename().string(), symbol(kind), column_prefix(kind));
+}
+
+std::string words_on_deviation(const std::filesystem::path& file, double median_error) {
+  constexpr double much = 0.1;
+  if (median_error < much) return {};
+  return fmt::format(
+      "the fit misses the data of {} by {:.0f} % in the median: they are not those of a linear viscoelastic solid "
+      "(`breccia fit` shows them)",
+      file.filename().string(), 100.0 * median_error);
 }
 
 FittedModulus fitted_modulus(const std::filesystem::path& file, ModulusKind kind,

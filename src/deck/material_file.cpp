@@ -13,6 +13,12 @@ namespace breccia {
 namespace {
 
 ShiftedMaterial material_of(const Deck& document, const std::string& name) {
+  if (document.root().has("materials")) {
+    document.root().report("materials",
+                           "expected the keys of one material, density, shear and so on, as a deck has them below "
+                           "[materials.NAME], without this line");
+    document.finish();
+  }
   auto material = read_shifted_material(document.root(), name);
   document.finish();
   return material;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "homogenisation/largest_errors.hpp"
 #include "homogenisation/run/isotropic_mean.hpp"
 
 namespace breccia {
@@ -21,7 +22,7 @@ std::optional<AnisotropyAtTime> at_time(const std::vector<const TestResult*>& sh
 std::optional<Anisotropy> anisotropy_of_tests(int dimensions, const std::vector<TestResult>& tests) {
   std::optional<Anisotropy> largest;
   for (const auto& mean : tests) {
-    const bool is_preferred = mean.id.load.is_isotropic() && !mean.modulus.empty() &&
+    const bool is_preferred = mean.id.load.is_isotropic() && !mean.modulus.empty() && answers(mean.id, tests) &&
                               find_preferred_test(tests, mean.id.load, mean.id.boundary, mean.id.method) == &mean;
     if (!is_preferred) continue;
     const auto shears = shears_beside(dimensions, mean.id, tests);

@@ -20,8 +20,10 @@ std::optional<FactorOfSpace> factor_of_space(const Study& study, const Stage& st
   const auto* const test = shear ? find_preferred_test(result.tests, *shear, Boundary::periodic) : nullptr;
   if (test == nullptr) return {};
   const auto& binder = binder_of(study, stage).shear;
+  constexpr double flowed_away = 1e-6;
   std::optional<FactorOfSpace> largest;
   for (const auto& [time, modulus] : test->modulus) {
+    if (!(binder.at(time) > flowed_away * binder.unrelaxed())) break;
     const double ratio = std::pow(modulus / binder.at(time), largest_exponent);
     if (std::isfinite(ratio) && (!largest || ratio > largest->ratio)) largest = FactorOfSpace{time, ratio};
   }

@@ -15,7 +15,8 @@ struct FactorOfSpace {
 
 /// The largest ratio to be expected of the shear moduli of a stage of random discs without coatings in a periodic
 /// box: R^0.25 for a composite that is R times as stiff as its binder (docs/two-or-three-dimensions.md, "Random discs
-/// and spheres"). Nothing for other boxes, and for fillers that are not stiffer than the matrix at all times.
+/// and spheres"), before the binder has relaxed to a millionth. Nothing for other boxes, and for fillers that are not
+/// stiffer than the matrix at all times.
 std::optional<FactorOfSpace> factor_of_space(const Study& study, const Stage& stage, const StageFindings& result);
 
 }  // namespace breccia

@@ -11,10 +11,9 @@
 #include <fmt/ranges.h>
 
 #include "homogenisation/box/filler_on_sides.hpp"
-#include "homogenisation/modulus_errors.hpp"
+#include "homogenisation/largest_errors.hpp"
 #include "homogenisation/narrow_gaps.hpp"
 #include "homogenisation/plan/grid_error.hpp"
-#include "homogenisation/run/isotropic_mean.hpp"
 #include "io/display.hpp"
 #include "study/abscissa_words.hpp"
 #include "study/coatings.hpp"
@@ -98,6 +97,11 @@ std::string words_on_anisotropy(const Anisotropy& shears, Abscissa abscissa) {
   return fmt::format("shears {}", words_on_ends(abscissa, shears.first, shears.last));
 }
 
+/// The boundary whose errors are meant, where it is one of several.
+std::string words_on_boundary(const StageQuality& quality) {
+  return quality.is_periodic && !quality.loads.empty() ? " under the periodic boundary" : "";
+}
+
 /// The error of one grid by a rule, or the reason why no rule gives it.
 std::string words_on_expected_error(const StageQuality& quality) {
   if (!quality.one_grid) return "unknown";
@@ -118,32 +122,10 @@ std::string words_on_grid(const StageQuality& quality) {
   if (quality.grid_share && *quality.grid_share >= 1.0) {
     return "grid: error of any size, since the grids differ too much, or have nearly as many cells";
   }
-  if (quality.grid_share) return fmt::format("grid: error up to {}", words_of(*quality.grid_share));
+  if (quality.grid_share)
+    return fmt::format("grid: error up to {}{}", words_of(*quality.grid_share), words_on_boundary(quality));
   if (quality.grids.size() > 1) return "grid: error unknown until every grid is tested";
   return fmt::format("grid: one grid, error {}{}", words_on_expected_error(quality), words_on_second_grid(quality));
-}
-
-/// Whether there is a test under the same load and boundary that is preferred to this one.
-bool has_better(const StageResult& result, const TestResult& test) {
-  return std::ranges::any_of(result.tests, [&](const TestResult& other) {
-    return other.id.load == test.id.load && other.id.boundary == test.id.boundary && is_preferred(other.id, test.id);
-  });
-}
-
-/// The largest of the errors of the preferred tests, of the shears only that of their mean, at all times. `of` returns
-/// one of an error's parts. Nothing where one is not known.
-template <class Part>
-std::optional<double> largest_error(const StageResult& result, const Part& of) {
-  std::optional<double> largest;
-  for (const auto& test : result.tests) {
-    if (is_replaced_by_mean(test.id, result.dimensions, result.tests) || has_better(result, test)) continue;
-    for (const auto& error : test.errors) {
-      const std::optional<double> part = of(error);
-      if (!part) return std::nullopt;
-      largest = std::max(largest.value_or(0.0), *part);
-    }
-  }
-  return largest;
 }
 
 /// What two dimensions leave out.
@@ -157,7 +139,7 @@ std::string words_on_whole_error(const StageQuality& quality) {
   const auto& [error, asked] = std::pair(quality.error, quality.error_asked);
   if (!error) return asked ? fmt::format("error unknown ({} asked for)", words_of(*asked)) : "";
   const bool is_missed = asked && !reaches(*error, *asked);
-  return fmt::format("error up to {}{}", words_of(*error),
+  return fmt::format("error up to {}{}{}", words_of(*error), words_on_boundary(quality),
                      is_missed ? fmt::format(", more than the {} asked for", words_of(*asked)) : "");
 }
 
@@ -165,31 +147,6 @@ std::string words_on_whole_error(const StageQuality& quality) {
 std::string words_on_packing(const StageQuality& quality) {
   if (!quality.sample_error) return "packing: one seed, scatter unknown";
   return fmt::format("packing: one seed, error up to about {} by a rule", words_of(*quality.sample_error));
-}
-
-/// The largest ratio of the half band of a test to its modulus; nothing for a single grid.
-std::optional<double> grid_share_of(const TestResult& test) {
-  std::optional<double> largest;
-  for (const double time : logarithmic_times({test.modulus.front().time, test.modulus.back().time}, 1)) {
-    const auto band = half_band(test, time);
-    if (band) largest = std::max(largest.value_or(0.0), *band / smoothed_at(test.modulus, time));
-  }
-  return largest;
-}
-
-/// The largest ratio of half band to modulus of all tests.
-std::optional<double> largest_grid_share(const StageResult& result) {
-  std::optional<double> largest;
-  for (const auto& [load_name, load] : words<TestLoad>) {
-    for (const auto& [boundary_name, boundary] : words<Boundary>) {
-      for (const auto& [method_name, method] : words<Method>) {
-        const auto* test = find_preferred_test(result.tests, load, boundary, method);
-        const auto share = test == nullptr ? std::nullopt : grid_share_of(*test);
-        if (share) largest = std::max(largest.value_or(0.0), *share);
-      }
-    }
-  }
-  return largest;
 }
 
 /// The narrowest gap in cells of each grid: "3 cells", "2 and 4 cells".
@@ -225,11 +182,12 @@ StageQuality quality_of(const Study& study, const Stage& stage, const StageResul
   quality.space = factor_of_space(study, stage, result);
   quality.is_periodic =
       std::ranges::any_of(result.tests, [](const TestResult& test) { return test.id.boundary == Boundary::periodic; });
-  quality.grid_share = largest_grid_share(result);
+  const auto errors = largest_errors_of(result);
+  quality.grid_share = errors.grid;
   quality.rules = error_rules_of(study, stage, packed);
   quality.error_asked = study.tests.accuracy;
-  quality.error = largest_error(result, [](const ModulusError& error) { return error.whole(); });
-  quality.sample_error = largest_error(result, [](const ModulusError& error) { return error.sample; });
+  quality.error = errors.whole;
+  quality.sample_error = errors.sample;
   if (const auto* earlier = std::get_if<EarlierStage>(&stage.matrix)) quality.matrix_stage = earlier->name;
   quality.fraction_asked = fraction_asked_of(stage);
   quality.is_random = !stage.fillers.empty() && stage.has_seed();
@@ -281,11 +239,11 @@ StageAccuracy accuracy_of(const StageQuality& quality) {
 }
 
 StageAccuracy accuracy_of_answer(const StageResult& answer, const ErrorRules& rules) {
-  StageAccuracy accuracy{.grid_error = largest_grid_share(answer), .rules = rules};
-  const auto whole = largest_error(answer, [](const ModulusError& error) { return error.whole(); });
+  const auto errors = largest_errors_of(answer);
+  StageAccuracy accuracy{.grid_error = errors.grid, .rules = rules};
   accuracy.summary = "answered from an earlier result; ";
-  if (whole) {
-    accuracy.summary += fmt::format("error up to {}", words_of(*whole));
+  if (errors.whole) {
+    accuracy.summary += fmt::format("error up to {}", words_of(*errors.whole));
   } else if (accuracy.grid_error && *accuracy.grid_error < 1.0) {
     accuracy.summary += fmt::format("grid: error up to {}; the whole error is unknown", words_of(*accuracy.grid_error));
   } else {
@@ -327,9 +285,9 @@ std::vector<std::string> warnings_on_packing(const Stage& stage, const StageMicr
         "(packings of other seeds show by how much; a larger box holds more)",
         particles, particles == 1 ? "" : "s", enough_particles));
   }
-  constexpr double most_deviation = 0.01;
+  constexpr double most_deviation = 0.01, most_relative_deviation = 0.05;
   const auto asked = fraction_asked_of(stage);
-  if (asked && std::abs(packed.fraction - *asked) > most_deviation) {
+  if (asked && std::abs(packed.fraction - *asked) > std::min(most_deviation, most_relative_deviation * *asked)) {
     warnings.push_back(
         fmt::format("the particles fill {:.3g} % of the box where {:.3g} % were asked for; a larger box comes closer",
                     100.0 * packed.fraction, 100.0 * *asked));

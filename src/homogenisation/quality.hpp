@@ -35,13 +35,12 @@ struct StageQuality {
   std::optional<double> filler_on_sides = {};
   bool has_films_along_walls = false;  ///< whether only the displacement boundary makes sense
   bool is_periodic = false;            ///< whether a periodic test is finished, which gives no bound
-  std::optional<double> grid_share;    ///< largest half band of a test over its modulus [-]; nothing for a single grid
+  std::optional<double> grid_share;    ///< largest half band over the modulus [-]; nothing for a single grid
   /// The error of a single grid to be expected by a rule; nothing for several grids, and for films.
   std::optional<GridPlan> one_grid = {};
   ErrorRules rules = {};
   std::optional<double> error_asked = {};  ///< largest whole error that is wanted (tests.accuracy) [-]
-  /// The largest whole error, and the largest part of the sample in it, of the preferred tests at all times [-];
-  /// nothing where one of them is not known.
+  /// The largest whole error, and the largest part of the sample in it [-]: as LargestErrors.
   std::optional<double> error = {}, sample_error = {};
   std::vector<LoadQuality> loads;             ///< bounds of the finished tests
   std::optional<Anisotropy> anisotropy = {};  ///< of the shears of which the result is the mean

@@ -17,6 +17,7 @@
 
 #include "dynamics/dynamic_solver.hpp"
 #include "homogenisation/anisotropy.hpp"
+#include "homogenisation/factor_of_space.hpp"
 #include "homogenisation/whole_filler.hpp"
 #include "results/comparison_entries.hpp"
 #include "results/json_fields.hpp"
@@ -236,6 +237,10 @@ template <>
 inline constexpr auto fields<Anisotropy> = std::tuple(field("first", &Anisotropy::first),
                                                       field("last", &Anisotropy::last));
 
+template <>
+inline constexpr auto fields<FactorOfSpace> = std::tuple(field("time_s", &FactorOfSpace::time),
+                                                         field("ratio", &FactorOfSpace::ratio));
+
 struct QualityEntry {
   std::string summary;
   std::optional<double> fraction_asked = {};
@@ -250,10 +255,11 @@ struct QualityEntry {
   std::optional<int> seeds = {};
   std::optional<SampleKind> sample = {};
   std::optional<double> effective_particles = {};
-  std::optional<double> error = {}, sample_error = {};
+  std::optional<double> error_asked = {}, error = {}, sample_error = {};
   std::optional<double> filler_on_sides = {};
   std::vector<LoadBoundsEntry> bounds = {};
   std::optional<Anisotropy> anisotropy = {};
+  std::optional<FactorOfSpace> space = {};
 };
 template <>
 inline constexpr auto fields<QualityEntry> = std::tuple(
@@ -266,10 +272,10 @@ inline constexpr auto fields<QualityEntry> = std::tuple(
     field_if_any("measuring_grids", &QualityEntry::measuring_grids), field("seeds", &QualityEntry::seeds),
     field_if_any("sample", &QualityEntry::sample),
     field_if_any("effective_particles", &QualityEntry::effective_particles),
-    field_if_any("largest_error", &QualityEntry::error),
+    field_if_any("error_asked", &QualityEntry::error_asked), field_if_any("largest_error", &QualityEntry::error),
     field_if_any("largest_sample_error", &QualityEntry::sample_error),
     field_if_any("filler_on_sides", &QualityEntry::filler_on_sides), field("bounds", &QualityEntry::bounds),
-    field_if_any("anisotropy", &QualityEntry::anisotropy));
+    field_if_any("anisotropy", &QualityEntry::anisotropy), field_if_any("spheres_over_discs", &QualityEntry::space));
 
 /// The rules for the errors of a stage's moduli, as its quality has them.
 [[nodiscard]] ErrorRules rules_in(const QualityEntry& quality);

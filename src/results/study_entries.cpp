@@ -152,11 +152,13 @@ QualityEntry entry_of(const StageQuality& quality) {
   if (quality.one_grid) entry.grid_rule = words_on_rule(*quality.one_grid);
   entry.sample = quality.rules.sample;
   entry.effective_particles = quality.rules.effective_particles;
+  entry.error_asked = quality.error_asked;
   entry.error = quality.error;
   entry.sample_error = quality.sample_error;
   entry.filler_on_sides = quality.filler_on_sides;
   if (const auto grids = grids_that_measure(quality)) entry.measuring_grids.emplace(grids->begin(), grids->end());
   entry.anisotropy = quality.anisotropy;
+  entry.space = quality.space;
   if (quality.is_random) entry.seeds = 1;
   for (const int grid : std::isfinite(quality.gap_cells) ? quality.grids : std::vector<int>()) {
     if (!entry.gap_cells_by_grid) entry.gap_cells_by_grid.emplace();

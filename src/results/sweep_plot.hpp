@@ -9,7 +9,8 @@
 
 namespace breccia {
 
-/// Writes `sweep.svg`, the shear modulus of the last stage in all finished tasks. If no task is finished, writes
+/// Writes `sweep.svg`, the shear modulus of the last stage in all finished tasks over time or, of a study in frequency,
+/// its absolute value over frequency, with what was measured. If no task is finished, writes
 /// nothing and removes the file. Throws FileError.
 void write_sweep_plot(const std::filesystem::path& directory, const Sweep& sweep, const SweepResult& result);
 

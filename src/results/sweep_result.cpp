@@ -9,22 +9,55 @@
 
 #include "breccia/error.hpp"
 
+#include "results/best_tests.hpp"
+#include "results/error_file.hpp"
+#include "results/test_columns.hpp"
 #include "tables/csv.hpp"
 
 namespace breccia {
 
 namespace {
 
-/// The test of a row of curves.csv. Throws FileError if the row does not have the format of a run.
-TestId test_of(const CsvTable& table, std::size_t row) {
-  const double time = table.numbers("time_s")[row], modulus = table.numbers("modulus_Pa")[row];
-  const auto load = value_named<TestLoad>(table.text("load")[row]);
-  const auto boundary = value_named<Boundary>(table.text("boundary")[row]);
-  const auto method = value_named<Method>(table.text("method")[row]);
-  const auto grid = grid_named(table.text("cells")[row]);
-  const bool is_sample = time > 0.0 && std::isfinite(time) && std::isfinite(modulus);
-  if (is_sample && load && boundary && method && grid) return {*load, *boundary, *method, *grid};
+[[noreturn]] void refuse(const CsvTable& table, std::size_t row) {
   throw FileError(fmt::format("{}: not as `breccia run` writes it", table.location(row)));
+}
+
+/// The sample of a row of curves.csv. Throws FileError if the row does not have the format of a run.
+Sample sample_of(const CsvTable& table, std::size_t row) {
+  const Sample sample{table.numbers("time_s")[row], table.numbers("modulus_Pa")[row]};
+  if (!(sample.time > 0.0) || !std::isfinite(sample.time) || !std::isfinite(sample.modulus)) refuse(table, row);
+  return sample;
+}
+
+/// The curve of a row of a table of tests.
+TaskCurve& curve_of(const CsvTable& table, std::size_t row, std::vector<TaskCurve>& curves) {
+  const TaskCurve named{table.text("stage")[row], id_of_row(table, row), {}};
+  const auto curve = std::ranges::find_if(curves, [&](const TaskCurve& one) { return one.matches(named); });
+  if (curve == curves.end()) refuse(table, row);
+  return *curve;
+}
+
+/// Adds the errors of errors.csv, which earlier versions did not write.
+void add_errors(const std::filesystem::path& file, std::vector<TaskCurve>& curves) {
+  if (!std::filesystem::exists(file)) return;
+  const auto table = read_error_table(file);
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    auto& curve = curve_of(table, row, curves);
+    if (curve.errors.size() == curve.modulus.size()) refuse(table, row);
+    curve.errors.push_back(error_in(table, row).whole());
+  }
+}
+
+/// Adds the complex moduli of dynamic.csv; a run whose series all vanish has no such table.
+void add_complex_moduli(const std::filesystem::path& file, std::vector<TaskCurve>& curves) {
+  if (!std::filesystem::exists(file)) return;
+  const auto table = read_csv(file, {"stage", "load", "boundary", "method", "cells"});
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    auto& curve = curve_of(table, row, curves);
+    const double omega = table.numbers("angular_frequency_rad_per_s")[row];
+    curve.in_frequency.push_back({omega, table.numbers("storage_modulus_Pa")[row],
+                                  table.numbers("loss_modulus_Pa")[row], curve.error_at(1.0 / omega)});
+  }
 }
 
 /// One curve for each boundary of a stage.
@@ -52,22 +85,37 @@ std::vector<TaskCurve> stage_of(const std::vector<TaskCurve>& curves, const std:
 
 }  // namespace
 
+std::optional<double> TaskCurve::error_at(double time) const {
+  if (errors.empty()) return std::nullopt;
+  const auto nearest = std::ranges::min_element(
+      modulus, {}, [time](const Sample& sample) { return std::abs(std::log(sample.time / time)); });
+  const auto place = static_cast<std::size_t>(nearest - modulus.begin());
+  return place < errors.size() ? errors[place] : std::nullopt;
+}
+
 std::vector<TaskCurve> curves_of(const StudyResult& result) {
   std::vector<TaskCurve> curves;
   for (const auto& stage : result.stages) {
-    for (const auto& test : stage.tests) curves.push_back({stage.name, test.id, test.modulus});
+    const auto best = best_tests(stage);
+    for (const auto& test : stage.tests) {
+      auto& curve = curves.emplace_back(TaskCurve{stage.name, test.id, test.modulus});
+      for (const auto& error : test.errors) curve.errors.push_back(error.whole());
+      if (std::ranges::find(best, &test) != best.end()) curve.in_frequency = test.in_frequency;
+    }
   }
   return curves;
 }
 
-std::vector<TaskCurve> read_curves(const std::filesystem::path& directory) {
+std::vector<TaskCurve> read_curves(const std::filesystem::path& directory, Abscissa abscissa) {
   const auto table = read_csv(directory / "curves.csv", {"stage", "load", "boundary", "method", "cells"});
   std::vector<TaskCurve> curves;
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    const TaskCurve test{table.text("stage")[row], test_of(table, row), {}};
-    if (curves.empty() || !curves.back().matches(test)) curves.push_back(test);
-    curves.back().modulus.push_back({table.numbers("time_s")[row], table.numbers("modulus_Pa")[row]});
+    const TaskCurve named{table.text("stage")[row], id_of_row(table, row), {}};
+    if (curves.empty() || !curves.back().matches(named)) curves.push_back(named);
+    curves.back().modulus.push_back(sample_of(table, row));
   }
+  add_errors(directory / "errors.csv", curves);
+  if (abscissa == Abscissa::frequency) add_complex_moduli(directory / "dynamic.csv", curves);
   return curves;
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,14 @@ struct TaskCurve {
   std::string stage;
   TestId test;
   Curve modulus;
+  /// The whole error at each time [-], nothing where it is not known; empty for a test that has no errors.
+  std::vector<std::optional<double>> errors = {};
+  /// The complex modulus at the frequencies of a study whose deck gives frequencies, rising, of the tests that
+  /// dynamic.csv has; else empty.
+  std::vector<ComplexSample> in_frequency = {};
 
+  /// The whole error at the time nearest to the given one [s]; nothing where it is not known.
+  [[nodiscard]] std::optional<double> error_at(double time) const;
   /// Whether both curves are of the same test of the same stage.
   [[nodiscard]] bool matches(const TaskCurve& other) const { return stage == other.stage && test == other.test; }
 };
@@ -42,8 +50,9 @@ using SweepResult = std::vector<TaskResult>;
 /// The curves of a study.
 std::vector<TaskCurve> curves_of(const StudyResult& result);
 
-/// Reads the curves of an earlier run from its directory. Throws FileError or InputError when they cannot be read.
-std::vector<TaskCurve> read_curves(const std::filesystem::path& directory);
+/// Reads the curves of an earlier run from its directory, with their errors and, of a study in frequency, with the
+/// complex moduli. Throws FileError or InputError when they cannot be read.
+std::vector<TaskCurve> read_curves(const std::filesystem::path& directory, Abscissa abscissa);
 
 /// The names of the stages that the tasks have tested, in the order of the stages.
 std::vector<std::string> tested_stages(const SweepResult& result);

@@ -11,24 +11,44 @@ namespace breccia {
 
 namespace {
 
-/// The moduli of one test in several tasks, by time.
+/// The values of one test in several tasks, by time or by angular frequency.
 using Samples = std::map<double, std::vector<double>>;
 
 struct TestSamples {
   std::size_t first_task;
   TaskCurve test;
-  Samples samples;
+  Samples moduli, absolutes, phases;
+
+  void add(const TaskCurve& curve) {
+    for (const auto& [time, modulus] : curve.modulus) moduli[time].push_back(modulus);
+    for (const auto& sample : curve.in_frequency) {
+      absolutes[sample.angular_frequency].push_back(std::hypot(sample.storage, sample.loss));
+      phases[sample.angular_frequency].push_back(std::atan2(sample.loss, sample.storage));
+    }
+  }
 };
 
-SeedSpread spread_of(double time, const std::vector<double>& moduli) {
-  const auto count = static_cast<double>(moduli.size());
-  const auto [smallest, largest] = std::ranges::minmax(moduli);
+SeedSpread spread_of(const std::vector<double>& values) {
+  const auto count = static_cast<double>(values.size());
+  const auto [smallest, largest] = std::ranges::minmax(values);
   double sum = 0.0;
-  for (const double modulus : moduli) sum += modulus;
+  for (const double value : values) sum += value;
   const double mean = sum / count;
   double squares = 0.0;
-  for (const double modulus : moduli) squares += (modulus - mean) * (modulus - mean);
-  return {time, moduli.size(), mean, std::sqrt(squares / (count - 1.0)), smallest, largest};
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  return {values.size(), mean, std::sqrt(squares / (count - 1.0)), smallest, largest};
+}
+
+SpreadCurve spread_of(TestSamples samples) {
+  SpreadCurve curve{samples.first_task, std::move(samples.test), {}, {}};
+  for (const auto& [time, moduli] : samples.moduli) {
+    if (moduli.size() > 1) curve.in_time.push_back({time, spread_of(moduli)});
+  }
+  for (const auto& [frequency, absolutes] : samples.absolutes) {
+    if (absolutes.size() < 2) continue;
+    curve.in_frequency.push_back({frequency, spread_of(absolutes), spread_of(samples.phases.at(frequency))});
+  }
+  return curve;
 }
 
 }  // namespace
@@ -51,20 +71,15 @@ std::vector<SpreadCurve> spread_over_seeds(const Sweep& sweep, const SweepResult
                differ_only_in(sweep, sweep.tasks[known.first_task], sweep.tasks[task], &SweptKey::is_seed);
       });
       if (test == tests.end()) {
-        auto unsampled = curve;
-        unsampled.modulus.clear();
-        test = tests.insert(tests.end(), {task, std::move(unsampled), {}});
+        test = tests.insert(tests.end(), {task, {curve.stage, curve.test, {}}, {}, {}, {}});
       }
-      for (const auto& [time, modulus] : curve.modulus) test->samples[time].push_back(modulus);
+      test->add(curve);
     }
   }
   std::vector<SpreadCurve> curves;
-  for (auto& [task, test, samples] : tests) {
-    SpreadCurve curve{task, std::move(test), {}};
-    for (const auto& [time, moduli] : samples) {
-      if (moduli.size() > 1) curve.spreads.push_back(spread_of(time, moduli));
-    }
-    if (!curve.spreads.empty()) curves.push_back(std::move(curve));
+  for (auto& samples : tests) {
+    auto curve = spread_of(std::move(samples));
+    if (!curve.in_time.empty()) curves.push_back(std::move(curve));
   }
   return curves;
 }

@@ -1,5 +1,6 @@
 #include "results/sweep_tables.hpp"
 
+#include <array>
 #include <functional>
 #include <string>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "io/text_file.hpp"
 #include "results/sweep_spread.hpp"
 #include "results/test_columns.hpp"
+#include "study/abscissa_words.hpp"
 #include "tables/csv.hpp"
 
 namespace breccia {
@@ -42,57 +44,156 @@ class KeyColumns {
   std::vector<std::vector<std::string>> columns_;
 };
 
+/// The columns that name the task and the test of each row.
+class CurveColumns {
+ public:
+  explicit CurveColumns(const Sweep& sweep) : sweep_(sweep), keys_(sweep, [](const SweptKey&) { return true; }) {}
+
+  void add(std::size_t task, const TaskCurve& curve) {
+    tasks_.push_back(sweep_.tasks[task].name);
+    keys_.add(sweep_.tasks[task]);
+    tests_.add(curve.stage, curve.test);
+  }
+
+  [[nodiscard]] std::vector<CsvColumn> table() const {
+    std::vector<CsvColumn> table{{"task", tasks_}};
+    keys_.append_to(table);
+    tests_.append_to(table);
+    return table;
+  }
+
+ private:
+  const Sweep& sweep_;
+  std::vector<std::string> tasks_;
+  KeyColumns keys_;
+  TestColumns tests_;
+};
+
+/// The columns that name the test of each row of a table of spreads, and count its tasks.
+class SpreadColumns {
+ public:
+  explicit SpreadColumns(const Sweep& sweep)
+      : sweep_(sweep), keys_(sweep, [](const SweptKey& key) { return !key.is_seed; }) {}
+
+  void add(const SpreadCurve& curve, std::size_t tasks) {
+    keys_.add(sweep_.tasks[curve.first_task]);
+    tests_.add(curve.test.stage, curve.test.test);
+    counts_.push_back(static_cast<double>(tasks));
+  }
+
+  [[nodiscard]] std::vector<CsvColumn> table(const CsvColumn& abscissa) const {
+    std::vector<CsvColumn> table;
+    keys_.append_to(table);
+    tests_.append_to(table);
+    table.insert(table.end(), {abscissa, {"tasks", counts_}});
+    return table;
+  }
+
+ private:
+  const Sweep& sweep_;
+  KeyColumns keys_;
+  TestColumns tests_;
+  std::vector<double> counts_;
+};
+
+/// The columns of the statistics of one quantity.
+struct StatisticsColumns {
+  std::vector<double> means, deviations, smallest, largest;
+
+  void add(const SeedSpread& spread) {
+    means.push_back(spread.mean);
+    deviations.push_back(spread.standard_deviation);
+    smallest.push_back(spread.smallest);
+    largest.push_back(spread.largest);
+  }
+
+  /// Adds them under the names of mean, standard deviation, smallest and largest value.
+  void append_to(std::vector<CsvColumn>& table, const std::array<std::string, 4>& names) const {
+    table.insert(table.end(), {{names[0], means}, {names[1], deviations}, {names[2], smallest}, {names[3], largest}});
+  }
+};
+
+void write_or_remove(const std::filesystem::path& file, const std::vector<CsvColumn>& table, bool has_rows) {
+  if (has_rows) return write_csv(file, table);
+  remove_files(file.parent_path(), std::vector{file.filename().string()});
+}
+
 void write_all_curves(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result) {
-  KeyColumns keys(sweep, [](const SweptKey&) { return true; });
-  TestColumns curves;
-  std::vector<std::string> tasks;
+  CurveColumns curves(sweep);
   std::vector<double> times, moduli;
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    for (const auto& curve : result[i].curves) {
+  std::vector<std::string> errors;
+  for (std::size_t task = 0; task < result.size(); ++task) {
+    for (const auto& curve : result[task].curves) {
       for (const auto& [time, modulus] : curve.modulus) {
-        tasks.push_back(sweep.tasks[i].name);
-        keys.add(sweep.tasks[i]);
-        curves.add(curve.stage, curve.test);
+        curves.add(task, curve);
         times.push_back(time);
         moduli.push_back(modulus);
+        errors.push_back(text_if_known(curve.error_at(time)));
       }
     }
   }
-  if (times.empty()) return remove_files(file.parent_path(), std::vector{file.filename().string()});
-  std::vector<CsvColumn> table{{"task", tasks}};
-  keys.append_to(table);
-  curves.append_to(table);
-  table.insert(table.end(), {{"time_s", times}, {"modulus_Pa", moduli}});
-  write_csv(file, table);
+  auto table = curves.table();
+  table.insert(table.end(), {{"time_s", times}, {"modulus_Pa", moduli}, {"error", errors}});
+  write_or_remove(file, table, !times.empty());
 }
 
-void write_spreads(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result) {
-  KeyColumns keys(sweep, [](const SweptKey& key) { return !key.is_seed; });
-  TestColumns tests;
-  std::vector<double> times, counts, means, deviations, smallest, largest;
-  for (const auto& [task, test, spreads] : spread_over_seeds(sweep, result)) {
-    for (const auto& spread : spreads) {
-      keys.add(sweep.tasks[task]);
-      tests.add(test.stage, test.test);
-      times.push_back(spread.time);
-      counts.push_back(static_cast<double>(spread.tasks));
-      means.push_back(spread.mean);
-      deviations.push_back(spread.standard_deviation);
-      smallest.push_back(spread.smallest);
-      largest.push_back(spread.largest);
+void write_all_complex_moduli(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result) {
+  CurveColumns curves(sweep);
+  std::vector<double> frequencies, storage, loss, loss_tangents;
+  for (std::size_t task = 0; task < result.size(); ++task) {
+    for (const auto& curve : result[task].curves) {
+      for (const auto& sample : curve.in_frequency) {
+        curves.add(task, curve);
+        frequencies.push_back(sample.angular_frequency);
+        storage.push_back(sample.storage);
+        loss.push_back(sample.loss);
+        loss_tangents.push_back(sample.loss / sample.storage);
+      }
     }
   }
-  if (times.empty()) return remove_files(file.parent_path(), std::vector{file.filename().string()});
-  std::vector<CsvColumn> table;
-  keys.append_to(table);
-  tests.append_to(table);
-  table.insert(table.end(), {{"time_s", times},
-                             {"tasks", counts},
-                             {"mean_modulus_Pa", means},
-                             {"standard_deviation_Pa", deviations},
-                             {"smallest_Pa", smallest},
-                             {"largest_Pa", largest}});
-  write_csv(file, table);
+  auto table = curves.table();
+  table.insert(table.end(), {{"angular_frequency_rad_per_s", frequencies},
+                             {"storage_modulus_Pa", storage},
+                             {"loss_modulus_Pa", loss},
+                             {"loss_tangent", loss_tangents}});
+  write_or_remove(file, table, !frequencies.empty());
+}
+
+void write_spreads(const std::filesystem::path& file, const Sweep& sweep, const std::vector<SpreadCurve>& curves) {
+  SpreadColumns tests(sweep);
+  std::vector<double> times;
+  StatisticsColumns moduli;
+  for (const auto& curve : curves) {
+    for (const auto& [time, modulus] : curve.in_time) {
+      tests.add(curve, modulus.tasks);
+      times.push_back(time);
+      moduli.add(modulus);
+    }
+  }
+  auto table = tests.table({"time_s", times});
+  moduli.append_to(table, {"mean_modulus_Pa", "standard_deviation_Pa", "smallest_Pa", "largest_Pa"});
+  write_or_remove(file, table, !times.empty());
+}
+
+void write_complex_spreads(const std::filesystem::path& file, const Sweep& sweep,
+                           const std::vector<SpreadCurve>& curves) {
+  SpreadColumns tests(sweep);
+  std::vector<double> frequencies;
+  StatisticsColumns absolutes, phases;
+  for (const auto& curve : curves) {
+    for (const auto& [frequency, absolute, phase] : curve.in_frequency) {
+      tests.add(curve, absolute.tasks);
+      frequencies.push_back(frequency);
+      absolutes.add(absolute);
+      phases.add(phase);
+    }
+  }
+  auto table = tests.table({"angular_frequency_rad_per_s", frequencies});
+  absolutes.append_to(
+      table, {"mean_absolute_Pa", "standard_deviation_absolute_Pa", "smallest_absolute_Pa", "largest_absolute_Pa"});
+  phases.append_to(table,
+                   {"mean_phase_rad", "standard_deviation_phase_rad", "smallest_phase_rad", "largest_phase_rad"});
+  write_or_remove(file, table, !frequencies.empty());
 }
 
 Json json_of(const Sweep& sweep, const SweepTask& task, const TaskResult& result,
@@ -115,7 +216,10 @@ Json json_of(const Sweep& sweep, const SweepTask& task, const TaskResult& result
 
 void write_sweep_tables(const std::filesystem::path& directory, const Sweep& sweep, const SweepResult& result) {
   write_all_curves(directory / "sweep.csv", sweep, result);
-  write_spreads(directory / "spread.csv", sweep, result);
+  write_all_complex_moduli(directory / "sweep_dynamic.csv", sweep, result);
+  const auto spreads = spread_over_seeds(sweep, result);
+  write_spreads(directory / "spread.csv", sweep, spreads);
+  write_complex_spreads(directory / "spread_dynamic.csv", sweep, spreads);
 }
 
 void write_sweep_record(const std::filesystem::path& directory, const Sweep& sweep, const SweepResult& result,
@@ -133,15 +237,18 @@ void write_sweep_record(const std::filesystem::path& directory, const Sweep& swe
   }
   const auto& study = sweep.tasks.front().study;
   const auto& provenance = study.provenance;
-  const Json json = {{"program", "breccia"},
-                     {"version", BRECCIA_VERSION},
-                     {"title", study.title},
-                     {"deck", provenance.deck.string()},
-                     {"deck_text", provenance.deck_text},
-                     {"overrides", sweep.overrides},
-                     {"keys", std::move(keys)},
-                     {"quantities", std::move(quantities)},
-                     {"tasks", std::move(tasks)}};
+  Json json = {{"program", "breccia"},
+               {"version", BRECCIA_VERSION},
+               {"title", study.title},
+               {"deck", provenance.deck.string()},
+               {"deck_text", provenance.deck_text},
+               {"overrides", sweep.overrides},
+               {"dimensions", study.stages.empty() ? 2 : study.stages.front().dimensions()},
+               {"keys", std::move(keys)},
+               {"quantities", std::move(quantities)},
+               {"tasks", std::move(tasks)}};
+  const auto& tests = study.tests;
+  if (tests.by_frequency) json["frequencies_Hz"] = {hertz_of(tests.last_time), hertz_of(tests.first_time)};
   write_text(directory / "sweep.json", json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 

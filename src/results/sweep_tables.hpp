@@ -10,7 +10,8 @@
 
 namespace breccia {
 
-/// Writes `sweep.csv` and `spread.csv`; a table that has no rows is removed. Throws FileError.
+/// Writes `sweep.csv` and `spread.csv` and, of a study in frequency, `sweep_dynamic.csv` and `spread_dynamic.csv`; a
+/// table that has no rows is removed. Throws FileError.
 void write_sweep_tables(const std::filesystem::path& directory, const Sweep& sweep, const SweepResult& result);
 
 /// Writes `sweep.json`: the state of each task and, for each unfinished task, the earlier results that it may replace,

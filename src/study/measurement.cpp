@@ -4,6 +4,15 @@
 #include <cmath>
 
 namespace breccia {
+namespace {
+
+/// Whether a time lies in a window, but for rounding.
+bool is_within(const TimeWindow& window, double time) {
+  constexpr double rounding = 1e-9;
+  return window.begin * (1.0 - rounding) <= time && time <= window.end * (1.0 + rounding);
+}
+
+}  // namespace
 
 std::optional<TimeWindow> Measurement::known_within(const TimeWindow& window) const {
   TimeWindow known = window;
@@ -13,6 +22,17 @@ std::optional<TimeWindow> Measurement::known_within(const TimeWindow& window) co
   if (const auto* curve = std::get_if<Curve>(&shear)) cut({curve->front().time, curve->back().time});
   if (times) cut(*times);
   return known.begin <= known.end ? std::optional(known) : std::nullopt;
+}
+
+std::vector<double> Measurement::points_within(const TimeWindow& window) const {
+  std::vector<double> points;
+  for (const auto& one : dynamic) points.push_back(1.0 / one.angular_frequency);
+  if (const auto* curve = std::get_if<Curve>(&shear)) {
+    for (const auto& sample : *curve) points.push_back(sample.time);
+  }
+  const auto known = known_within(window);
+  std::erase_if(points, [&known](double time) { return !known || !is_within(*known, time); });
+  return points;
 }
 
 std::vector<MeasuredModulus> Measurement::complex_within(const TimeWindow& window,
@@ -27,11 +47,7 @@ std::vector<MeasuredModulus> Measurement::complex_within(const TimeWindow& windo
       moduli.push_back({omega, modulus.real(), modulus.imag()});
     }
   }
-  constexpr double rounding = 1e-9;
-  std::erase_if(moduli, [&](const MeasuredModulus& one) {
-    const double time = 1.0 / one.angular_frequency;
-    return time < known->begin * (1.0 - rounding) || time > known->end * (1.0 + rounding);
-  });
+  std::erase_if(moduli, [&](const MeasuredModulus& one) { return !is_within(*known, 1.0 / one.angular_frequency); });
   return moduli;
 }
 

@@ -25,7 +25,10 @@ struct WordsOnThreshold {
     const auto side = made.median_side;
     const auto square = dim == 3 ? fmt::format("{0} x {0} x {0} voxels", side) : fmt::format("{0} x {0} pixels", side);
     return {fmt::format("threshold {:g}{}{}", made.threshold, made.is_otsu ? " (Otsu)" : "",
-                        side > 1 ? fmt::format(" of the medians of {}", square) : ""),
+                        side > 1 ? fmt::format(" of the medians of {}, which close gaps of fewer than {} pixels and "
+                                               "remove what is as thin",
+                                               square, (side + 1) / 2)
+                                 : ""),
             words_on_side(stage, "dark", made.dark), words_on_side(stage, "bright", made.bright),
             fmt::format("bright {:.1f} to {:.1f} % at thresholds of {:.4g} to {:.4g}, separability {:.2f}",
                         100.0 * made.bright_at_lower, 100.0 * made.bright_at_higher, made.threshold - made.margin,

@@ -24,7 +24,8 @@ std::vector<std::string> files_of_a_study() {
 }
 
 std::vector<std::string> files_of_a_sweep() {
-  return {"sweep.csv", "spread.csv", "sweep.json", "sweep.svg", "report.html"};
+  return {"sweep.csv",  "sweep_dynamic.csv", "spread.csv", "spread_dynamic.csv",
+          "sweep.json", "sweep.svg",         "report.html"};
 }
 
 std::vector<std::string> reserved_names() {

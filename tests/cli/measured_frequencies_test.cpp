@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/text_file.hpp"
+#include "page/sweep_report.hpp"
 #include "study_directory.hpp"
 #include "tables/csv.hpp"
 
@@ -18,6 +19,7 @@ namespace breccia::test::measured_frequencies {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::ContainsRegex;
 using ::testing::DoubleNear;
 using ::testing::Each;
 using ::testing::HasSubstr;
@@ -186,6 +188,40 @@ TEST_F(MeasuredFrequencies, WarningsSpeakOfFrequencies) {
       HasSubstr("frequencies begin at 1 mHz, more than a decade below that of the slowest relaxation time of its "
                 "matrix, binder, 1.59 Hz; it has no equilibrium modulus"));
   EXPECT_THAT(outcome.output + outcome.errors, Not(HasSubstr("times end")));
+}
+
+TEST_F(MeasuredFrequencies, PointsBeyondThoseOfTheDeckAreCounted) {
+  EXPECT_THAT(
+      run({"--quiet"}).errors,
+      HasSubstr("warning: box: 1 of the 11 points of the measurement \"rheometer\" are not compared: it is known "
+                "from 100 mHz to 215 Hz, and tests.frequencies go from 100 mHz to 100 Hz"));
+}
+
+// Twice the modulus has twice the absolute value and the same phase.
+TEST_F(MeasuredFrequencies, ASweepAnswersInFrequency) {
+  const auto outcome = run({"--sweep", R"(materials.binder.shear.terms.0.modulus=["2 MPa", "4 MPa"])"});
+  EXPECT_THAT(outcome.output,
+              AllOf(HasSubstr("Absolute value and phase of the modulus of the last stage"), HasSubstr("frequency"),
+                    ContainsRegex("   10 Hz +1.98 MPa +9.04 deg +3.95 MPa +9.04 deg")));
+  const auto table = read_csv(study.result("sweep_dynamic.csv"), {"task", "materials.binder.shear.terms.0.modulus",
+                                                                  "stage", "load", "boundary", "method", "cells"});
+  const auto& omega = table.numbers("angular_frequency_rad_per_s");
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const double x = omega[row] * relaxation_time, size = table.text("task")[row] == "modulus-2-MPa" ? 1.0 : 2.0;
+    ASSERT_THAT(table.numbers("storage_modulus_Pa")[row] / (size * modulus * x * x / (1.0 + x * x)),
+                DoubleNear(1.0, 1e-6));
+    ASSERT_THAT(table.numbers("loss_tangent")[row] * x, DoubleNear(1.0, 1e-6));
+  }
+  const auto data = nlohmann::json::parse(sweep_page_data(study.path() / "out").json);
+  EXPECT_EQ(data.at("curves").at(0).at("angular_frequency_rad_per_s").size(), table.rows() / 6);
+  const auto& beside = data.at("measurements_in_frequency").at(0);
+  EXPECT_EQ(beside.at("measurement"), "rheometer");
+  EXPECT_EQ(beside.at("measured_storage_modulus_Pa").size(), 10U);
+  EXPECT_THAT(read_text(study.result("sweep.svg")),
+              AllOf(HasSubstr("|G*|"), HasSubstr("Frequency / Hz"), HasSubstr("measured, rheometer")));
+  const auto page = read_text(study.result("report.html"));
+  EXPECT_EQ(run_breccia(study.path(), {"report", "out"}).exit_code, 0);
+  EXPECT_EQ(read_text(study.result("report.html")), page) << "the page from the files is that of the run";
 }
 
 }  // namespace

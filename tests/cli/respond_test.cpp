@@ -247,6 +247,17 @@ TEST_F(Respond, LeavesAsideACopyOfAStage) {
   std::filesystem::remove_all(study->result("fine-old"));
 }
 
+TEST_F(Respond, RefusesADeckInPlaceOfAMaterialInOneLine) {
+  study->write("deck-like.toml", "[materials.binder]\ndensity = \"1 g/cm^3\"\nbulk = \"3 GPa\"\nshear = \"1 MPa\"\n");
+  const auto outcome = respond({"--material", "deck-like.toml", "--out", "not-there"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.errors, HasSubstr("deck-like.toml:1:"));
+  EXPECT_THAT(outcome.errors,
+              HasSubstr("materials: expected the keys of one material, density, shear and so on, as a deck "
+                        "has them below [materials.NAME], without this line"));
+  EXPECT_EQ(std::ranges::count(outcome.errors, '\n'), 1) << outcome.errors;
+}
+
 TEST_F(Respond, DoesNotWriteOverTheMaterialItReads) {
   study->write("curves.csv", "density = \"1 g/cm^3\"\nbulk = \"3 GPa\"\nshear = \"1 MPa\"\n");
   const auto outcome = respond({"--material", "curves.csv", "--out", "."});

@@ -214,6 +214,14 @@ TEST(Run, QuietKeepsWarnings) {
   EXPECT_THAT(run.errors, HasSubstr("warning: fine: only 4 particles in the box"));
 }
 
+TEST(Run, IsEitherQuietOrVerbose) {
+  const StudyDirectory study(homogeneous_deck);
+  const auto outcome = study.breccia("run", {"--quiet", "--verbose"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.errors, HasSubstr("--quiet prints less, --verbose more: expected only one of them"));
+  EXPECT_THAT(study.results(), testing::IsEmpty());
+}
+
 TEST(Run, QuietPrintsNothingMore) {
   const StudyDirectory study(homogeneous_deck);
   for (const auto* command : {"run", "pack"}) {

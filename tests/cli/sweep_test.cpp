@@ -36,7 +36,7 @@ std::vector<std::string> states(const StudyDirectory& study) {
 
 CsvTable sweep_table(const StudyDirectory& study) {
   return read_csv(study.result("sweep.csv"),
-                  {"task", "stages.*.packing.seed", "stage", "load", "boundary", "method", "cells"});
+                  {"task", "stages.*.packing.seed", "stage", "load", "boundary", "method", "cells", "error"});
 }
 
 TEST(Sweep, RunsEveryTaskLikeADeckWithOverrides) {

@@ -15,6 +15,7 @@
 namespace breccia {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -89,6 +90,14 @@ TEST_F(EngineeringMaterials, AMeasuredModulusOfNoKindIsTakenForThatOfItsKeyWithA
       ElementsAre("materials.binder.shear.measured: relaxation.csv does not say which modulus it has: it is taken "
                   "for G; names of columns that begin with \"shear_\" say it"));
   EXPECT_THAT(warnings_with("shear_modulus_Pa"), IsEmpty());
+}
+
+TEST_F(EngineeringMaterials, AModulusThatRisesIsFittedWithAWarning) {
+  directory.write("rising.csv", "time_s,shear_modulus_Pa\n0.1,1e5\n1,2e5\n10,8e5\n100,3e6\n");
+  const auto study = directory.study(deck("bulk = \"3 GPa\"\nshear = { measured = \"rising.csv\" }\n"));
+  EXPECT_THAT(study.provenance.warnings.at(study.stages.front().name),
+              ElementsAre(AllOf(HasSubstr("materials.binder.shear.measured: the fit misses the data of rising.csv by "),
+                                HasSubstr("they are not those of a linear viscoelastic solid"))));
 }
 
 TEST_F(EngineeringMaterials, ASweepOfTemperaturesNeedsItsReference) {

@@ -254,15 +254,22 @@ TEST(Quality, BeginsWithTheLargestWholeErrorWhereItIsKnown) {
   EXPECT_THAT(unknown, EndsWith("packing: one seed, scatter unknown"));
 }
 
-TEST(Quality, TheGridErrorIsTheLargestOfAllTests) {
+TEST(Quality, TheErrorsAreThoseOfThePeriodicBoundaryBesideOthers) {
   auto stage = random_stage();
   stage.coarser_cells = {50};
-  const auto quality = quality_of(
-      Study{}, stage,
-      result_of({extrapolated(Boundary::displacement, 120.0, 6.0), extrapolated(Boundary::traction, 100.0, 2.0),
-                 extrapolated(Boundary::periodic, 110.0, 11.0)}));
-  EXPECT_NEAR(quality.grid_share.value(), 0.1, 1e-12);
-  EXPECT_THAT(summary_of(quality), StartsWith("displacement and traction 20 % apart at 10 ms"));
+  auto periodic = extrapolated(Boundary::periodic, 110.0, 11.0);
+  periodic.errors.assign(periodic.modulus.size(), {.grid = 0.1, .sample = 0.0, .solver = 0.0, .matrix = 0.0});
+  const auto others =
+      std::vector{extrapolated(Boundary::displacement, 120.0, 24.0), extrapolated(Boundary::traction, 100.0, 2.0)};
+  const auto beside = quality_of(Study{}, stage, result_of({others[0], others[1], periodic}));
+  EXPECT_NEAR(beside.grid_share.value(), 0.1, 1e-12);
+  EXPECT_THAT(summary_of(beside),
+              StartsWith("error up to 10 % under the periodic boundary; displacement and traction 20 % "
+                         "apart at 10 ms"));
+  EXPECT_THAT(summary_of(beside), HasSubstr("; grid: error up to 10 % under the periodic boundary;"));
+  const auto alone = quality_of(Study{}, stage, result_of(others));
+  EXPECT_NEAR(alone.grid_share.value(), 0.2, 1e-12) << "of all tests";
+  EXPECT_THAT(summary_of(alone), HasSubstr("; grid: error up to 20 %;"));
 }
 
 TEST(Quality, GivesTheNarrowestGapOnEachGrid) {

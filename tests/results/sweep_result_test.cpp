@@ -56,7 +56,7 @@ TEST(TaskCurves, AreReadAsTheyWereWritten) {
       {}};
   const test::TemporaryDirectory directory;
   write_curves(directory.path(), result);
-  const auto written = curves_of(result), read = read_curves(directory.path());
+  const auto written = curves_of(result), read = read_curves(directory.path(), Abscissa::time);
   ASSERT_EQ(read.size(), 3U);
   ASSERT_EQ(written.size(), 3U);
   for (std::size_t i = 0; i < read.size(); ++i) {
@@ -78,14 +78,14 @@ TEST(TaskCurves, MatchByStageAndTest) {
 
 TEST(TaskCurves, AreRefusedFromATableThatIsDamaged) {
   const test::TemporaryDirectory directory;
-  EXPECT_THROW(static_cast<void>(read_curves(directory.path())), FileError) << "no table";
+  EXPECT_THROW(static_cast<void>(read_curves(directory.path(), Abscissa::time)), FileError) << "no table";
   directory.write("curves.csv", "stage,load,boundary,method,cells,time_s\nA,shear,traction,quasistatic,12,1\n");
-  EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(read_curves(directory.path())); }),
+  EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(read_curves(directory.path(), Abscissa::time)); }),
               HasSubstr("modulus_Pa"));
   for (const auto* row : {"A,tension,traction,quasistatic,12,1,1", "A,shear,free,quasistatic,12,1,1",
                           "A,shear,traction,static,12,1,1", "A,shear,traction,quasistatic,-3,1,1"}) {
     directory.write("curves.csv", std::string("stage,load,boundary,method,cells,time_s,modulus_Pa\n") + row + "\n");
-    EXPECT_THAT(test::message_of<FileError>([&] { static_cast<void>(read_curves(directory.path())); }),
+    EXPECT_THAT(test::message_of<FileError>([&] { static_cast<void>(read_curves(directory.path(), Abscissa::time)); }),
                 HasSubstr("curves.csv:2: not as `breccia run` writes it"))
         << row;
   }

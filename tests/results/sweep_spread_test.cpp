@@ -24,15 +24,15 @@ TEST(SpreadOverSeeds, IsTakenOverTasksThatDifferInTheirSeedsAlone) {
   EXPECT_EQ(curves[1].first_task, 1U);
   EXPECT_EQ(curves[0].test.stage, "A");
   EXPECT_THAT(curves[0].test.modulus, IsEmpty());
-  ASSERT_EQ(curves[0].spreads.size(), 1U);
-  const auto& narrow = curves[0].spreads.front();
-  EXPECT_EQ(narrow.time, 1.0);
+  ASSERT_EQ(curves[0].in_time.size(), 1U);
+  EXPECT_EQ(curves[0].in_time.front().time, 1.0);
+  const auto& narrow = curves[0].in_time.front().modulus;
   EXPECT_EQ(narrow.tasks, 3U);
   EXPECT_EQ(narrow.mean, 3.0);
   EXPECT_THAT(narrow.standard_deviation, DoubleNear(std::sqrt(14.0 / 2.0), 1e-14));
   EXPECT_EQ(narrow.smallest, 1.0);
   EXPECT_EQ(narrow.largest, 6.0);
-  const auto& wide = curves[1].spreads.at(0);
+  const auto& wide = curves[1].in_time.at(0).modulus;
   EXPECT_EQ(wide.mean, 20.0);
   EXPECT_THAT(wide.standard_deviation, DoubleNear(10.0, 1e-14));
 }
@@ -43,11 +43,11 @@ TEST(SpreadOverSeeds, IsTakenAtTimesThatSeveralTasksHave) {
       spread_over_seeds(test::seeds_and_gaps(), {done_with({{0.5, 9.0}, {1.0, 4.0}}), waiting, failed, waiting,
                                                  done_with({{1.0, 2.0}, {2.0, 1.0}}), done_with({{1.0, 7.0}})});
   ASSERT_EQ(curves.size(), 1U) << "the other gap has one task";
-  ASSERT_EQ(curves[0].spreads.size(), 1U);
-  EXPECT_EQ(curves[0].spreads[0].time, 1.0);
-  EXPECT_EQ(curves[0].spreads[0].tasks, 2U);
-  EXPECT_EQ(curves[0].spreads[0].mean, 3.0);
-  EXPECT_THAT(curves[0].spreads[0].standard_deviation, DoubleNear(std::sqrt(2.0), 1e-14));
+  ASSERT_EQ(curves[0].in_time.size(), 1U);
+  EXPECT_EQ(curves[0].in_time[0].time, 1.0);
+  EXPECT_EQ(curves[0].in_time[0].modulus.tasks, 2U);
+  EXPECT_EQ(curves[0].in_time[0].modulus.mean, 3.0);
+  EXPECT_THAT(curves[0].in_time[0].modulus.standard_deviation, DoubleNear(std::sqrt(2.0), 1e-14));
 }
 
 TEST(SpreadOverSeeds, IsThatOfOneTestOfOneStage) {
@@ -58,6 +58,24 @@ TEST(SpreadOverSeeds, IsThatOfOneTestOfOneStage) {
   elsewhere.curves[0].stage = "B";
   EXPECT_THAT(spread_over_seeds(sweep, {done_with({{1.0, 1.0}}), {}, lower, {}}), IsEmpty());
   EXPECT_THAT(spread_over_seeds(sweep, {done_with({{1.0, 1.0}}), {}, elsewhere, {}}), IsEmpty());
+}
+
+// 3 + 4i and 12 + 5i have the absolute values 5 and 13.
+TEST(SpreadOverSeeds, IsThatOfTheAbsoluteValueAndThePhaseInFrequency) {
+  auto sweep = test::seeds_and_gaps();
+  auto one = done_with({{1.0, 1.0}}), other = one;
+  one.curves[0].in_frequency = {{2.0, 3.0, 4.0}, {7.0, 1.0, 1.0}};
+  other.curves[0].in_frequency = {{2.0, 12.0, 5.0}};
+  const auto curves = spread_over_seeds(sweep, {one, {}, other, {}, {}, {}});
+  ASSERT_EQ(curves.size(), 1U);
+  ASSERT_EQ(curves[0].in_frequency.size(), 1U) << "one task alone has the other frequency";
+  const auto& [frequency, absolute, phase] = curves[0].in_frequency[0];
+  EXPECT_EQ(frequency, 2.0);
+  EXPECT_EQ(absolute.tasks, 2U);
+  EXPECT_EQ(absolute.mean, 9.0);
+  EXPECT_THAT(absolute.standard_deviation, DoubleNear(4.0 * std::sqrt(2.0), 1e-14));
+  EXPECT_THAT(phase.smallest, DoubleNear(std::atan(5.0 / 12.0), 1e-15));
+  EXPECT_THAT(phase.largest, DoubleNear(std::atan(4.0 / 3.0), 1e-15));
 }
 
 TEST(SpreadOverSeeds, IsNoneWithoutASeed) {

@@ -29,7 +29,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 const std::vector<std::string> text_columns{
-    "task", "stages.*.packing.seed", "stages.*.filler.gap", "stage", "load", "boundary", "method", "cells"};
+    "task", "stages.*.packing.seed", "stages.*.filler.gap", "stage", "load", "boundary", "method", "cells", "error"};
 
 class SweepTables : public testing::Test {
  protected:
@@ -50,7 +50,7 @@ TEST_F(SweepTables, HoldTheCurvesOfAllTasksThatAreDone) {
   write_sweep_tables(directory.path(), sweep, result);
   const auto table = read_csv(file("sweep.csv"), text_columns);
   EXPECT_THAT(table.names(), ElementsAre("task", "stages.*.packing.seed", "stages.*.filler.gap", "stage", "load",
-                                         "boundary", "method", "cells", "time_s", "modulus_Pa"));
+                                         "boundary", "method", "cells", "time_s", "modulus_Pa", "error"));
   EXPECT_THAT(table.text("task"), ElementsAre("seed-1_gap-2 um", "seed-1_gap-2 um", "seed-3_gap-1 um"));
   EXPECT_THAT(table.text("stages.*.packing.seed"), ElementsAre("1", "1", "3"));
   EXPECT_THAT(table.text("stages.*.filler.gap"), ElementsAre("2 um", "2 um", "1 um"));
@@ -148,7 +148,7 @@ TEST_F(SweepTables, GiveThePageItsCurves) {
   const auto page = json::parse(sweep_page_data(directory.path()).json);
   EXPECT_EQ(page.at("curves"), json::parse(R"([{"task": 2, "stage": "A", "load": "shear", "boundary": "displacement",
                                "method": "quasistatic", "cells": "12", "time_s": [1e-3, 1.0],
-                               "modulus_Pa": [0.333333, 0.1]}])"));
+                               "modulus_Pa": [0.333333, 0.1], "error": []}])"));
   EXPECT_EQ(page.at("sweep").at("tasks").size(), 6U);
   write_sweep_report(directory.path());
   EXPECT_EQ(read_text(file("report.html")), in_memory) << "the same page from the disk";

@@ -29,6 +29,8 @@ struct Measurement {
 
   /// The part of a window of times [s] in which the measured modulus is known; nothing if there is none.
   [[nodiscard]] std::optional<TimeWindow> known_within(const TimeWindow& window) const;
+  /// The times of the measured points in that part [s], 1/omega of those in frequency; none of a series without them.
+  [[nodiscard]] std::vector<double> points_within(const TimeWindow& window) const;
   /// Measured modulus [Pa] at a time [s] in that part; interpolated between the points of a curve as a power of time.
   [[nodiscard]] double at(double time) const;
   /// The complex moduli at the measured frequencies 1/t for times t in that part of a window. Where none were measured,

@@ -15,11 +15,11 @@ const parts = [
 /// curves with the properties `common`, the label among them.
 function curvesOf(common, x, moduli) {
   return parts.map(({quantity, part, letter = "", of}) => ({...common, quantity, ...(part && {part}),
-    label: `${common.label}${letter}`, x, y: moduli.map(of)}));
+    label: `${common.label ?? ""}${letter}`, x, y: moduli.map(of)}));
 }
 
-/// The same of measured moduli [{storage, loss}].
-export function measuredComplexCurves(common, x, moduli) {
+/// The same of sampled moduli [{storage, loss}].
+export function sampledComplexCurves(common, x, moduli) {
   return curvesOf(common, x, moduli.map(({storage, loss}) => complexOf(storage, loss)));
 }
 

@@ -3,7 +3,7 @@
 /// `error`, the shares {whole, grid, sample, solver, matrix} of y at each x, NaN where one is not known, and a `band`,
 /// half the width of which is given at each x: the whole error or, where that is not known, the one of the grid.
 
-import {complexCurves, measuredComplexCurves} from "./complex_curves.js";
+import {complexCurves, sampledComplexCurves} from "./complex_curves.js";
 import {complexOf} from "./complex_moduli.js";
 import {readTable, study} from "./data.js";
 import {mainLoad, shearOf} from "./loads.js";
@@ -99,7 +99,7 @@ function measuredCurves() {
   const inFrequency = groups("comparison_dynamic.csv").flatMap((group) => {
     const measured = new Map(group.map((row) => [row.angular_frequency_rad_per_s,
       {storage: row.measured_storage_modulus_Pa, loss: row.measured_loss_modulus_Pa}]));
-    return measuredComplexCurves(common(group), [...measured.keys()], [...measured.values()]);
+    return sampledComplexCurves(common(group), [...measured.keys()], [...measured.values()]);
   });
   return [...inTime, ...inFrequency];
 }

@@ -1,6 +1,6 @@
 /// The data that `breccia` has written into the page as JSON (docs/results.md). The page of a run has `study`
 /// (study.json), `tables`, `pictures`, `fields`, `responses` and `histories`; that of a sweep has `sweep` (sweep.json),
-/// `curves`, `measurements` and `tables`.
+/// `curves`, `measurements`, `measurements_in_frequency` and `tables`.
 
 import {own} from "./records.js";
 

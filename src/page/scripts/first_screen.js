@@ -8,9 +8,9 @@ import {data, study} from "./data.js";
 import {element} from "./elements.js";
 import {mainLoad} from "./loads.js";
 import {symbolOf, textOnStage} from "./names.js";
-import {display, percent, shortNumber, withMicroSign} from "./numbers.js";
+import {display, percent, shortNumber, unbroken, withMicroSign} from "./numbers.js";
 import {own} from "./records.js";
-import {onAnisotropy, nextStep, onMeasuringGrids} from "./reliability_sentences.js";
+import {onAnisotropy, nextStep, onMeasuringGrids, onSpace} from "./reliability_sentences.js";
 import {decades, valueAt} from "./sampling.js";
 import {binderOf, matrixStageOf, stagesOfInterest} from "./stages.js";
 import {table} from "./table.js";
@@ -49,6 +49,11 @@ function curvesOfAnswer(result) {
   return periodic.length > 0 ? periodic : result;
 }
 
+/// The curves that answer, and then the others.
+function answersFirst(result) {
+  return [...new Set([...curvesOfAnswer(result), ...result])];
+}
+
 function measuredBeside(curves, stage) {
   const found = curves.find((curve) => curve.role === "measured" && curve.stage === stage);
   return found && {name: found.label.replace("measured, ", ""), x: found.x, y: found.y};
@@ -85,7 +90,7 @@ function textOnError(result, stage) {
   if (result.every(hasWholeError)) return `± ${causesOfErrors(result)}`;
   const shares = result.flatMap(({error}) => error?.grid ?? []).filter(Number.isFinite);
   if (shares.length > 0 && gridsOf(stage).length > 1) return `± ${percent(Math.max(...shares))} by the grid`;
-  if (gridsOf(stage)[0] === "films") return "";
+  if (gridsOf(stage)[0] === "films") return "the error of the mesh is not known";
   const expected = expectedErrorOf(stage);
   return expected === undefined ? "the discretisation error is not known" : `the grid may err by ${percent(expected)}`;
 }
@@ -97,7 +102,7 @@ function hasWholeError({error}) {
 
 /// The largest errors of curves by their causes: "3.4 % by the grid, 7.9 % by the packing".
 function causesOfErrors(result) {
-  const causes = {grid: "grid", sample: "packing", matrix: "matrix", solver: "solver"};
+  const causes = {grid: "grid", sample: "packing (a rule)", matrix: "matrix", solver: "solver"};
   const least = 1e-3;  // the solver's error is smaller by default
   const largest = Object.entries(causes).map(([cause, name]) =>
     [Math.max(...result.flatMap(({error}) => error[cause])), name]);
@@ -110,12 +115,6 @@ function groupsOfStudy() {
   const warnings = study.stages.flatMap((stage) => stage.warnings.map(withMicroSign));
   if (!study.complete) warnings.unshift("The run is not complete: this is what there is so far.");
   return groupsOfWarnings(warnings, study.stages.map(({name}) => name));
-}
-
-/// A text that there are warnings, for readers of a small screen, who see them below the figure.
-function textOnWarnings() {
-  const count = groupsOfStudy().length;
-  return count === 0 ? "" : count === 1 ? "see the warning" : `see the ${count} warnings`;
 }
 
 function gridsOf(stage) {
@@ -151,15 +150,15 @@ export function showResult(curves) {
   const [{stage, load}] = result;
   const isShear = load !== "bulk";
   const moduli = study.frequencies_Hz === undefined ? [] : complexModuli(curves, result);
-  const error = [textOnError(result, stage), textOnWarnings()].filter(Boolean).join("; ");
+  const error = textOnError(result, stage);
   const name = nameOfResult(stage), measured = isShear ? measuredBeside(curves, stage) : undefined;
   const sentences = moduli.length > 0
     ? [...complexSentences({stage: name, moduli, result, error, binder: complexBinder(stage)}),
       ...sentencesBesideMeasured(curves, moduli, result, measured)]
     : resultSentences({stage: name, symbol: symbolOf(load), curves: result, error,
       binder: isShear ? binderBeside(stage) : undefined, measured});
-  const [first, ...others] = sentences;
-  place.append(element("p", {id: "answer"}, element("strong", {}, first), ` ${others.join(" ")}`));
+  const [first, ...others] = [...sentences, onSpace(study, qualityOf(stage))].filter((sentence) => sentence !== "");
+  place.append(element("p", {id: "answer"}, element("strong", {}, unbroken(first)), ` ${unbroken(others.join(" "))}`));
   const next = nextStep(study.stages.find((one) => one.name === stage));
   if (next !== "") place.append(element("p", {id: "next-step", className: "note"}, next));
 }
@@ -173,7 +172,7 @@ export function showWarnings() {
   list.append(...groups.map((group) => {
     const line = lineOnGroup(group);
     const isWhole = group.texts.length === 1 && line.endsWith(group.texts[0]);
-    if (isWhole) return element("li", {}, line);
+    if (isWhole) return element("li", {tabIndex: 0}, line);
     return element("li", {}, element("details", {}, element("summary", {}, line),
       ...group.texts.map((text) => element("p", {}, text))));
   }));
@@ -221,7 +220,7 @@ export function showModuli(curves) {
   const at = ({x, y}, time) => valueAt(x, y, time);
   const times = timesOfTable([Math.min(...result.map(({x}) => x[0])), Math.max(...result.map(({x}) => x.at(-1)))], 12);
   const columns = [["time", (time) => display(time, "s")]];
-  for (const curve of result) {
+  for (const curve of answersFirst(result)) {
     columns.push([curve.boundary, (time) => modulusText(curve, time)]);
   }
   const ratios = (reference, time) =>
@@ -271,7 +270,8 @@ function modulusText({x, y, band}, time) {
 
 function noteOnErrors(result, stage) {
   const isWhole = result.every(hasWholeError);
-  const grid = isWhole ? `± is the error: at most ${causesOfErrors(result)} (see below).`
+  const grid = isWhole
+    ? `± is the error, meant to hold in 95 of 100 cases: at most ${causesOfErrors(result)} (see below).`
     : result.some(({band}) => band !== undefined) && gridsOf(stage).length > 1
       ? result.some(hasWholeError) ? "± is the error of the grid, and with the periodic boundary that of the packing, too."
         : "± is the error of the grid, from the grids of the run."

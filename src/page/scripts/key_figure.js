@@ -1,4 +1,4 @@
-/// The figure with the modulus at one time against a swept key that holds numbers.
+/// The figure with the modulus at one time or frequency against a swept key that holds numbers.
 
 import {currentInks} from "./colours.js";
 import {sweep} from "./data.js";
@@ -16,13 +16,19 @@ export function keyFigure(curves, choice) {
   document.getElementById("key").hidden = keys.length === 0;
   if (keys.length === 0) return () => {};
   const plot = document.getElementById("key-plot");
-  const [begin, end] = extent(curves.flatMap((curve) => [curve.x[0], curve.x.at(-1)]));
-  const shown = {key: keys.at(-1), time: end};
+  // The place of the slider, from the first to the last time or frequency of the shown quantity.
+  const shown = {key: keys.at(-1), share: 1};
+  const placeOf = ({name}) => {
+    const [begin, end] = extent(curves.filter((curve) => curve.quantity === name)
+      .flatMap(({x}) => [x[0], x.at(-1)]));
+    return begin * Math.pow(end / begin, shown.share);
+  };
 
   const draw = () => {
     const [seen, quantity] = sweepContents(curves, choice);
-    const lines = [...linesAgainst(shown.key, shown.time, seen, choice),
-      ...measuredLevels(shown.key, shown.time, shownMeasurements(seen, choice))];
+    const place = placeOf(quantity);
+    const lines = [...linesAgainst(shown.key, place, seen, choice),
+      ...measuredLevels(shown.key, place, shownMeasurements(seen, choice))];
     const layout = layoutOf({...quantity, xUnit: shown.key.unit, x: shown.key.label}, lines);
     const text = (curve, i) => {
       const value = valueText(curve.y[i], quantity);
@@ -32,16 +38,16 @@ export function keyFigure(curves, choice) {
     const {textOf, ...xaxis} = layout.xaxis;
     layout.xaxis = {...xaxis, ...keyAxis(shown.key, spread)};
     layout.hovermode = "closest";
-    document.getElementById("key-time").textContent = `at ${display(shown.time, "s", 3)}`;
+    document.getElementById("key-time").textContent = `at ${display(place, quantity.xUnit, 3)}`;
     return drawFigure(plot, lines.map((curve) => ({x: curve.x, y: curve.y, type: "scatter",
       mode: curve.isLevel ? "lines" : "lines+markers",
       name: plotText(curve.label), text: curve.x.map((_, i) => text(curve, i)), hovertemplate: "%{text}",
       line: {width: 2, ...curve.line}, marker: {size: 7}})), layout);
   };
 
-  const slider = element("input", {type: "range", id: "key-slider", ariaLabel: "time", min: 0, max: 200, value: 200,
-    oninput: () => {
-      shown.time = begin * Math.pow(end / begin, slider.value / 200);
+  const slider = element("input", {type: "range", id: "key-slider", ariaLabel: "time or frequency", min: 0, max: 200,
+    value: 200, oninput: () => {
+      shown.share = slider.value / 200;
       draw();
     }});
   if (keys.length > 1) {

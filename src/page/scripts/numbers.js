@@ -63,3 +63,9 @@ export function shortNumber(value, digits = 3) {
   const superscript = [...String(Number(power))].map((sign) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(sign)]).join("");
   return Number(factor) === 1 ? `10${superscript}` : `${minus(Number(factor))}·10${superscript}`;
 }
+
+/// A text in which no line ends between a number and its unit, or after "±".
+export function unbroken(text) {
+  return text.replaceAll("± ", "±\u00a0")
+    .replace(/(\d) (?=(?:[kMGTmµunp]?(?:Pa|Hz|s|m)|%|°C|min|h)(?![A-Za-z]))/g, "$1\u00a0");
+}

@@ -83,10 +83,18 @@ function onOneGrid({expected_grid_error: error, grid_rule: rule, measuring_grids
 /// A sentence on the shears whose mean is the modulus of a stage; empty where it is that of one shear.
 export function onAnisotropy(record, quality) {
   if (quality?.anisotropy === undefined) return "";
-  const at = ({time_s: time, relative_distance: distance}) => `${percent(distance)} at ${instantText(record, time, 2)}`;
+  const at = ({time_s: time, relative_distance: distance}) => `${distanceText(distance)} at ${instantText(record, time, 2)}`;
   const {first, last} = quality.anisotropy;
   const ends = record.frequencies_Hz === undefined ? [first, last] : [last, first];
   return `The modulus is the mean of all shears of the box, which are apart by ${listed(ends.map(at))}.`;
+}
+
+/// A sentence on what two dimensions leave out of the modulus of random discs; empty where no rule says it.
+export function onSpace(record, quality) {
+  if (quality?.spheres_over_discs === undefined) return "";
+  const {ratio, time_s: time} = quality.spheres_over_discs;
+  return `It is that of discs in two dimensions: spheres would have up to about ${shortNumber(ratio, 2)} times as much, at ` +
+    `${instantText(record, time, 2)}.`;
 }
 
 /// A sentence on the grids that measure the error of one; empty where none do.
@@ -96,15 +104,20 @@ export function onMeasuringGrids(grids) {
 
 /// What to do next about the error of a stage's moduli: how to find it or, where it is large, to lower it; empty where
 /// nothing is to be done, or nothing is known that helps.
-export function nextStep({cells, quality}) {
-  const {largest_error: error, largest_sample_error: ofPacking, measuring_grids: grids} = quality ?? {};
+export function nextStep({cells, quality, tests = []}) {
+  const {largest_error: error, largest_sample_error: ofPacking, measuring_grids: grids, error_asked: asked} = quality ?? {};
   if (cells[0] === "films") return "";
+  if (quality?.filler_on_sides !== undefined && tests.every(({boundary}) => boundary !== "periodic")) {
+    return 'Next: boundaries = ["periodic"] in [tests], whose modulus comes nearest to that of the material.';
+  }
   if (!Number.isFinite(error)) {
+    if (quality?.grid_rule === "too few cells for a rule") return "Next: more cells; breccia check says how many the gaps take.";
     return grids === undefined ? "" : `Next: cells = [${grids.join(", ")}] in the deck measures the error of the grid.`;
   }
   const large = 0.05;
-  if (error <= large || !(ofPacking > 0)) return "";
-  return `Next: for half of this error, accuracy = "${percent(error / 2)}" in [tests], in place of box and cells.`;
+  if (error <= Math.max(large, asked ?? 0) || !(ofPacking > 0)) return "";
+  return `Next: for half of this error, accuracy = "${percent(error / 2)}" in [tests], in place of box and cells; ` +
+    "breccia check says how long that takes.";
 }
 
 function onGrids({cells, quality}) {

@@ -6,10 +6,9 @@ import {deviationOf, deviationsFrom} from "./deviation.js";
 import {chips, chooser, element} from "./elements.js";
 import {drawFigure, layoutOf, saveFigure, tracesOf} from "./figure.js";
 import {csvOf, fileName, save} from "./files.js";
-import {quantities} from "./names.js";
 import {loadsShownFirst} from "./loads.js";
-import {distinct} from "./records.js";
-import {dimensionsOf, partnerOf, sweptKeys} from "./sweep_curves.js";
+import {distinct, groupsOf} from "./records.js";
+import {dimensionsOf, partnerOf, sweepQuantities, sweptKeys} from "./sweep_curves.js";
 import {measuredCurves} from "./sweep_measurements.js";
 
 /// Colours that are easily distinguished, for values without an order.
@@ -24,7 +23,13 @@ export function sweepChoice(curves) {
   const values = Object.fromEntries(dimensions.map((one) => [one.name,
     new Set(shownFirst[one.name]?.(one.values) ?? one.values)]));
   return {dimensions, values, coloured, reference: undefined,
-    quantity: quantities.find(({name}) => name === curves[0].quantity)};
+    quantity: firstQuantity(curves)};
+}
+
+/// The quantity that is shown first: the absolute value of the complex modulus where the deck gives frequencies.
+function firstQuantity(curves) {
+  const known = sweepQuantities.filter(({name}) => curves.some(({quantity}) => quantity === name));
+  return known.find(({name}) => name === "absolute") ?? known[0];
 }
 
 /// The curves that are shown, by themselves or as deviations from the reference, and their quantity.
@@ -35,9 +40,11 @@ export function sweepContents(curves, choice) {
     .map((curve) => ({...curve, label: labelOfSweepCurve(curve, dimensions, values)}));
   if (reference === undefined) return [seen, quantity];
   if (reference.measured !== undefined) {
-    const {stage, label, quantity: of} = reference.measured;
-    const comparable = seen.filter((curve) => curve.stage === stage && curve.quantity === of);
-    return [deviationsFrom(reference.measured, comparable), deviationOf(quantity, label)];
+    const {stage, name} = reference.measured;
+    const deviations = measuredCurves()
+      .filter((one) => one.stage === stage && one.name === name && one.quantity === quantity.name)
+      .flatMap((one) => deviationsFrom(one, seen.filter((curve) => curve.stage === stage && curve.part === one.part)));
+    return [deviations, deviationOf(quantity, `measured, ${name}`)];
   }
   const {dimension, value} = reference;
   const compared = seen.filter((curve) => dimension.of(curve) !== value).flatMap((curve) => {
@@ -60,8 +67,9 @@ function nameOfValue(dimension, value) {
 
 /// The label of a curve: the values in which the shown curves differ.
 export function labelOfSweepCurve(curve, dimensions, values) {
-  return dimensions.filter(({name}) => values[name].size > 1)
+  const label = dimensions.filter(({name}) => values[name].size > 1)
     .map((one) => nameOfValue(one, one.of(curve))).join(", ") || sweep.title;
+  return label + ({storage: ", G′", loss: ", G″"}[curve.part] ?? "");
 }
 
 function colourOfSweepCurve(curve, {coloured}) {
@@ -72,15 +80,16 @@ function colourOfSweepCurve(curve, {coloured}) {
   return `hsl(${260 - 235 * i / (coloured.values.length - 1)}, 70%, ${isDark() ? 62 : 42}%)`;
 }
 
-/// The line of a curve: colour by choice, dashes by method, width by boundary.
+/// The line of a curve: colour by choice, dashes by method, dots for a loss modulus, width by boundary.
 export function lineOfSweepCurve(curve, choice) {
-  return {color: colourOfSweepCurve(curve, choice), dash: curve.method === "dynamic" ? "dash" : "solid",
+  return {color: colourOfSweepCurve(curve, choice), dash: curve.part === "loss" ? "dot" : curve.method === "dynamic" ? "dash" : "solid",
     width: {displacement: 2.2, periodic: 1.6, traction: 1.1}[curve.boundary]};
 }
 
 function noteOnSweep(curves, measured) {
   const notes = [];
   if (measured.length > 0) notes.push("Points: measured.");
+  if (curves.some(({part}) => part === "loss")) notes.push("Dotted, and open circles: loss modulus.");
   if (distinct(curves, "method").length > 1) notes.push("Dashed: dynamic method.");
   if (distinct(curves, "boundary").length > 1) notes.push("Thick: displacement; thin: traction.");
   return notes.join(" ");
@@ -111,19 +120,22 @@ export function sweepFigure(curves, choice, drawAll) {
 function sweepChoices(curves, choice, drawAll) {
   const {dimensions, values} = choice;
   const rows = [];
-  const shownQuantities = quantities.filter(({name}) => curves.some((curve) => curve.quantity === name));
+  const shownQuantities = sweepQuantities.filter(({name}) => curves.some((curve) => curve.quantity === name));
   if (shownQuantities.length > 1) {
-    rows.push(chooser("quantity", "quantity", shownQuantities.map((one) => [one, one.title]), (quantity) => {
+    const select = chooser("quantity", "quantity", shownQuantities.map((one) => [one, one.title]), (quantity) => {
       choice.quantity = quantity;
       drawAll();
-    }));
+    });
+    select.selectedIndex = shownQuantities.indexOf(choice.quantity);
+    rows.push(select);
   }
   const hasPartners = (dimension, value) => curves.some((curve) => dimension.of(curve) !== value &&
     partnerOf(curve, dimension, value, curves, dimensions) !== undefined);
   const references = dimensions.flatMap((dimension) => dimension.values
     .filter((value) => hasPartners(dimension, value))
     .map((value) => [{dimension, value}, `deviation from ${nameOfValue(dimension, value)}`]));
-  references.push(...measuredCurves().map((measured) => [{measured}, `deviation from ${measured.label}`]));
+  references.push(...groupsOf(measuredCurves(), ["stage", "name"]).map(([measured]) =>
+    [{measured}, `deviation from measured, ${measured.name}`]));
   rows.push(chooser("reference", "compared with", [[undefined, "no comparison"], ...references], (reference) => {
     choice.reference = reference;
     drawAll();

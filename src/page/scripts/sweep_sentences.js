@@ -3,7 +3,7 @@
 import {threeTimes} from "./result_sentences.js";
 import {mainLoad} from "./loads.js";
 import {listed} from "./names.js";
-import {display, shortNumber} from "./numbers.js";
+import {display, percent, shortNumber} from "./numbers.js";
 import {ratioRange, valueAt} from "./sampling.js";
 
 /// The curves of one test that the sentences are about: the main load, the last stage, under displacement
@@ -18,29 +18,45 @@ export function curvesOfSentences(curves) {
   return ofStage.filter((curve) => curve.boundary === boundary);
 }
 
-/// The sentences. `curves` are those of one test, one for each task, `symbol` is that of the modulus, `boundary` the
-/// boundary condition, `tasks` the number of tasks that are done; `textOnTask` returns a text on the swept values of the
-/// task of a curve; `measured` {name, x, y} may be undefined.
-export function sweepSentences({curves, symbol, boundary, tasks, textOnTask, measured}) {
-  const times = threeTimes(curves);
-  const ranges = [times[0], times.at(-1)].map((time) => rangeAt(curves, time, textOnTask));
+/// The sentences. `curves` are those of one test, one for each task, `symbol` is that of the modulus, `xUnit` the unit of
+/// their times or frequencies, `boundary` the boundary condition, `tasks` the number of tasks that are done; `textOnTask`
+/// returns a text on the swept values of the task of a curve; `measured` {name, x, y} may be undefined.
+export function sweepSentences({curves, symbol, xUnit, boundary, tasks, textOnTask, measured}) {
+  const places = threeTimes(curves);
+  const ranges = [places[0], places.at(-1)].map((at) => `${rangeAt(curves, at, textOnTask)} at ${display(at, xUnit)}`);
   const part = curves.length < tasks ? `, in ${curves.length} of ${tasks} tasks` : "";
   const sentences = [`${symbol} of ${curves[0].stage}, ${boundary} boundary${part}: ${listed([...new Set(ranges)])}.`];
-  return measured === undefined ? sentences : [...sentences, ...nearestTo(measured, curves, boundary, textOnTask)];
+  const name = `${xUnit === "s" ? "a modulus" : "a |G*|"} (${boundary} boundary)`;
+  return measured === undefined ? sentences : [...sentences, ...nearestTo(measured, curves, name, textOnTask)];
 }
 
-/// "1 MPa (gap 10 um) to 3 MPa (gap 1 um) at 1 ms".
-function rangeAt(curves, time, textOnTask) {
-  const values = curves.map((curve) => ({curve, value: valueAt(curve.x, curve.y, time)}))
+/// The sentence on packings that differ in their seeds alone: the mean of a modulus over them, and its standard deviation,
+/// at the first and the last time or frequency. Arguments as above.
+export function seedsSentence({curves, symbol, xUnit, boundary}) {
+  const places = threeTimes(curves);
+  const parts = [places[0], places.at(-1)].map((at) => {
+    const values = curves.map(({x, y}) => valueAt(x, y, at)).filter(Number.isFinite);
+    const mean = values.reduce((sum, value) => sum + value, 0) / values.length;
+    const squares = values.reduce((sum, value) => sum + (value - mean) ** 2, 0);
+    return `${display(mean, "Pa")} with a standard deviation of ${percent(Math.sqrt(squares / (values.length - 1)) / mean)} ` +
+      `at ${display(at, xUnit)}`;
+  });
+  return `${symbol} of ${curves[0].stage}, the mean of ${curves.length} packings, ${boundary} boundary: ` +
+    `${listed([...new Set(parts)])}, without the error of the grid.`;
+}
+
+/// "1 MPa (gap 10 um) to 3 MPa (gap 1 um)".
+function rangeAt(curves, at, textOnTask) {
+  const values = curves.map((curve) => ({curve, value: valueAt(curve.x, curve.y, at)}))
     .filter(({value}) => Number.isFinite(value)).sort((one, other) => one.value - other.value);
-  const words = ({curve, value}) => `${display(value, "Pa")} (${textOnTask(curve)})`;
+  const share = ({x, error}) => (error === undefined ? "" : ` ± ${percent(valueAt(x, error, at))}`);
+  const words = ({curve, value}) => `${display(value, "Pa")}${share(curve)} (${textOnTask(curve)})`;
   const [least, most] = [values[0], values.at(-1)];
-  const range = least === most ? words(least) : `${words(least)} to ${words(most)}`;
-  return `${range} at ${display(time, "s")}`;
+  return least === most ? words(least) : `${words(least)} to ${words(most)}`;
 }
 
-/// The task whose largest deviation from the measurement, as a factor, is the smallest, at the times of all tasks.
-function nearestTo({name, x, y}, curves, boundary, textOnTask) {
+/// The task whose largest deviation from the measurement, as a factor, is the smallest, where all tasks are known.
+function nearestTo({name, x, y}, curves, nameOfModulus, textOnTask) {
   const isCommon = (time) => curves.every((curve) => Number.isFinite(valueAt(curve.x, curve.y, time)));
   const places = [...x.keys()].filter((i) => isCommon(x[i]));
   const isPart = places.length < x.filter((time) => curves.some((one) => Number.isFinite(valueAt(one.x, one.y, time)))).length;
@@ -52,6 +68,6 @@ function nearestTo({name, x, y}, curves, boundary, textOnTask) {
   const {curve, range} = known.reduce((best, one) => (factor(one.range) < factor(best.range) ? one : best));
   const [least, most] = range.map((ratio) => shortNumber(ratio, 2));
   const ratios = least === most ? least : `${least} to ${most}`;
-  return [`Nearest to what was measured (${name}) comes ${textOnTask(curve)}, with a modulus (${boundary} boundary) of ` +
-    `${ratios} times the measured one${isPart ? ", at the times that all tasks have" : ""}.`];
+  return [`Nearest to what was measured (${name}) comes ${textOnTask(curve)}, with ${nameOfModulus} of ` +
+    `${ratios} times the measured one${isPart ? ", where all tasks are known" : ""}.`];
 }

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import {test} from "node:test";
 
-import {display, duration, minus, percent, percentOfWhole, shortNumber} from "../../../src/page/scripts/numbers.js";
+import {display, duration, minus, percent, percentOfWhole, shortNumber, unbroken} from "../../../src/page/scripts/numbers.js";
 import {decades, extent, logarithmic, valueAt} from "../../../src/page/scripts/sampling.js";
 import {evenTicks, logarithmicTicks, unitFor, withUnit} from "../../../src/page/scripts/ticks.js";
 import {cases} from "./cases.mjs";
@@ -66,4 +66,9 @@ test("ticks of axes", () => {
   assert.equal(texts(logarithmicTicks(-9, 3, 6, textOf)), " 10 ns  1 µs  100 µs  10 ms  1 s  100 s ");
   assert.equal(texts(logarithmicTicks(Math.log10(0.02), Math.log10(0.05), 6, textOf)),
     "20 ms 25 ms 30 ms 35 ms 40 ms 45 ms 50 ms");
+});
+
+test("lines do not end between a number and its unit", () => {
+  assert.equal(unbroken("1.5 MPa ± 3 % at 1 ms, 3 times 2 grids of 7 mm"),
+    "1.5\u00a0MPa ±\u00a03\u00a0% at 1\u00a0ms, 3 times 2 grids of 7\u00a0mm");
 });

@@ -4,15 +4,15 @@ import assert from "node:assert/strict";
 import {test} from "node:test";
 
 import {resultSentences, threeTimes} from "../../../src/page/scripts/result_sentences.js";
-import {complexCurves, measuredComplexCurves} from "../../../src/page/scripts/complex_curves.js";
+import {complexCurves, sampledComplexCurves} from "../../../src/page/scripts/complex_curves.js";
 import {complexColumns, complexModuli, complexOf, complexSentences, measuredColumns, measuredComplex,
   sentenceOnMeasuredComplex} from "../../../src/page/scripts/complex_moduli.js";
 import {deviationsFrom} from "../../../src/page/scripts/deviation.js";
 import {displayRange, percent, shortNumber, withMicroSign} from "../../../src/page/scripts/numbers.js";
 import {mainLoad, shearOf, shearsOf} from "../../../src/page/scripts/loads.js";
 import {binderOf, stagesOfInterest} from "../../../src/page/scripts/stages.js";
-import {curvesOfSentences, sweepSentences} from "../../../src/page/scripts/sweep_sentences.js";
-import {nextStep, sentencesOnReliability} from "../../../src/page/scripts/reliability_sentences.js";
+import {curvesOfSentences, seedsSentence, sweepSentences} from "../../../src/page/scripts/sweep_sentences.js";
+import {nextStep, onSpace, sentencesOnReliability} from "../../../src/page/scripts/reliability_sentences.js";
 import {groupsOfWarnings, lineOnGroup} from "../../../src/page/scripts/warnings.js";
 
 /// A modulus that falls as t^-1/2 from a value at 1 ms, to 10 s.
@@ -91,7 +91,7 @@ test("a complex modulus beside a measured one", () => {
   const curves = complexCurves({...relaxed, role: "stage", label: "mix"}, [0.1, 1000], at);
   assert.deepEqual(curves.map(({quantity}) => quantity), ["dynamic", "dynamic", "absolute", "phase", "loss-factor"]);
   const omegas = [2 * Math.PI, 10, 20 * Math.PI];
-  const measured = measuredComplexCurves({role: "measured", stage: "mix", label: "measured, DMA"}, omegas, omegas.map(at));
+  const measured = sampledComplexCurves({role: "measured", stage: "mix", label: "measured, DMA"}, omegas, omegas.map(at));
   const beside = measuredComplex([...curves, ...measured], "mix");
   assert.equal(beside.name, "DMA");
   const [modulus] = complexModuli(curves, [relaxed]);
@@ -133,7 +133,7 @@ test("a sweep: its range, and the task that is nearest to the measurement", () =
   const task = (gap, atBegin) => ({...falling("displacement", atBegin), stage: "mix", load: "shear", method: "quasistatic",
     values: {gap}});
   const curves = [task(10, 1e6), task(1, 3e6), task(3, 2e6)];
-  const words = {curves, symbol: "G(t)", boundary: "displacement", textOnTask: ({values}) => `gap ${values.gap}`};
+  const words = {curves, symbol: "G(t)", xUnit: "s", boundary: "displacement", textOnTask: ({values}) => `gap ${values.gap}`};
   assert.deepEqual(sweepSentences(words), ["G(t) of mix, displacement boundary: 1 MPa (gap 10) to 3 MPa (gap 1) at 1 ms and " +
     "10 kPa (gap 10) to 30 kPa (gap 1) at 10 s."]);
   // 2e6 sqrt(0.1) / 8e5 = 0.79 and 2e6 / 10 / 2e5 = 1; the others are off by a factor of 2 and 1.5.
@@ -147,6 +147,17 @@ test("a sweep: its range, and the task that is nearest to the measurement", () =
     "modulus (displacement boundary) of 1 times"));
   assert.ok(sweepSentences({...words, tasks: 4})[0].startsWith("G(t) of mix, displacement boundary, in 3 of 4 tasks: 1 MPa"));
   assert.equal(sweepSentences({...words, curves: curves.slice(1, 2), measured}).length, 1);
+  const inFrequency = sweepSentences({...words, symbol: "|G*|", xUnit: "Hz", measured});
+  assert.ok(inFrequency[0].startsWith("|G*| of mix, displacement boundary: 1 MPa (gap 10) to 3 MPa (gap 1) at 1 mHz and"));
+  assert.ok(inFrequency[1].includes("with a |G*| (displacement boundary) of 0.79 to 1 times the measured one."));
+});
+
+test("packings that differ in their seeds alone", () => {
+  const packing = (factor) => ({...falling("periodic", 1e6 * factor), stage: "mix", load: "shear"});
+  // The deviations are those of 0.9, 1 and 1.1.
+  assert.equal(seedsSentence({curves: [0.9, 1, 1.1].map(packing), symbol: "G(t)", xUnit: "s", boundary: "periodic"}),
+    "G(t) of mix, the mean of 3 packings, periodic boundary: 1 MPa with a standard deviation of 10 % at 1 ms and 10 kPa " +
+    "with a standard deviation of 10 % at 10 s, without the error of the grid.");
 });
 
 test("the test of a sweep that its sentence is about", () => {
@@ -241,13 +252,25 @@ test("what both apparent moduli say of a larger body", () => {
   assert.ok(saying({filler_on_sides: 0}).includes("They are an upper and a lower bound"));
 });
 
+test("what two dimensions leave out", () => {
+  assert.equal(onSpace({}, {}), "");
+  assert.equal(onSpace({}, {spheres_over_discs: {time_s: 1, ratio: 1.52}}),
+    "It is that of discs in two dimensions: spheres would have up to about 1.5 times as much, at 1 s.");
+});
+
 test("the next step about the error", () => {
   const step = (quality, cells = [100]) => nextStep({cells, quality});
   assert.equal(step({measuring_grids: [50, 100]}), "Next: cells = [50, 100] in the deck measures the error of the grid.");
   assert.equal(step({largest_error: 0.08, largest_sample_error: 0.07}),
-    'Next: for half of this error, accuracy = "4 %" in [tests], in place of box and cells.');
+    'Next: for half of this error, accuracy = "4 %" in [tests], in place of box and cells; breccia check says how long ' +
+    "that takes.");
+  assert.equal(step({largest_error: 0.08, largest_sample_error: 0.07, error_asked: 0.1}), "", "what was asked for");
   assert.equal(step({largest_error: 0.08, largest_sample_error: 0}), "", "a regular array has no other packing");
   assert.equal(step({largest_error: 0.05, largest_sample_error: 0.04}), "");
+  assert.equal(step({measuring_grids: [12, 24], grid_rule: "too few cells for a rule"}),
+    "Next: more cells; breccia check says how many the gaps take.");
+  assert.equal(nextStep({cells: [100], quality: {filler_on_sides: 0.4}, tests: [{boundary: "displacement"}]}),
+    'Next: boundaries = ["periodic"] in [tests], whose modulus comes nearest to that of the material.');
   assert.equal(step({}, ["films"]), "");
   assert.equal(step({}), "");
 });

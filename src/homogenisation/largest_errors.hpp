@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "breccia/homogenisation/study_result.hpp"
+
+namespace breccia {
+
+/// Whether a test answers for its stage beside the others: one under the periodic boundary, which comes nearest to the
+/// material, or, where that is not tested, any.
+bool answers(const TestId& test, const std::vector<TestResult>& tests);
+
+/// The largest errors of the tests that answer for a stage, at all times. Of several grids the preferred one counts, of
+/// shears that have a mean only the mean.
+struct LargestErrors {
+  std::optional<double> whole = {};   ///< the whole error [-]; nothing where it is not known of one test at one time
+  std::optional<double> sample = {};  ///< the part of the packing [-]; nothing as above
+  std::optional<double> grid = {};    ///< half band of several grids over the modulus [-]; nothing for one grid
+};
+
+LargestErrors largest_errors_of(const StageFindings& stage);
+
+}  // namespace breccia
