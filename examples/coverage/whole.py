@@ -6,8 +6,8 @@ against the mean of many packings on a grid that is much finer.
 
 A composite is a kind of box, a fraction, a filler and a binder that relaxes by 10 to 1e5; it is computed for 20 packings of
 15 to 40 particles (in space 10 packings of 12 to 24), with 8 to 11 cells across the smallest particle (in space 5 to 7), on
-one grid or, of every second composite and in space, on two. The truth is the mean of the packings times the ratio, in the
-first one, of four times as many cells a side (in space three times) to these; the mean of all shears and the bulk modulus
+one grid or, of every second composite and in space, on two. The truth is the mean of the packings times the ratio, in
+one of them, of four times as many cells a side (in space three times) to these; the mean of all shears and the bulk modulus
 are held against it at whole decades. A value is held if it is off the truth by no more than the error that its run prints,
 a run if all its values are. The program is `breccia` of the path, or BRECCIA of the environment; results are in
 `results/whole`, or the directory RESULTS of the environment, and what is there is not run again."""
@@ -55,11 +55,13 @@ def runs_of(dim, kind, seed):
     name = f"{dim}-{kind}-{seed}"
     grids = [cells // 2, cells] if dim == 3 or seed % 2 else cells
     packings = run(RESULTS, name, deck.replace("CELLS", str(grids)), "--seeds", str(PACKINGS[dim]))
-    fine = run(RESULTS, f"{name}-fine", deck.replace("CELLS", str(FINER[dim] * cells)))
+    packing = (seed - 1) % PACKINGS[dim] + 1
+    fine = run(RESULTS, f"{name}-fine",
+               deck.replace("CELLS", str(FINER[dim] * cells)).replace(f"seed = {seed}", f"seed = {packing}"))
     if packings is None or fine is None:
         return []
     found = [moduli_of(path) for path in sorted(packings.glob("seed-*"))]
-    one, better = moduli_of(packings / f"seed-{seed}"), moduli_of(fine)
+    one, better = moduli_of(packings / f"seed-{packing}"), moduli_of(fine)
     truth = {key: mean(moduli[key][0] for moduli in found) * better[key][0] / one[key][0] for key in one}
     return [[(modulus / truth[key] - 1.0, error) for key, (modulus, error) in moduli.items()] for moduli in found]
 

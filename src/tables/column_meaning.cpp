@@ -26,7 +26,7 @@ struct Stem {
 };
 
 /// Names of quantities, in lower case.
-constexpr std::array<Stem, 55> stems{{
+constexpr std::array<Stem, 62> stems{{
     {"time", time},
     {"relaxation time", relaxation_time},
     {"tau", relaxation_time},
@@ -44,7 +44,14 @@ constexpr std::array<Stem, 55> stems{{
     {"temp", temperature},
     {"temp.", temperature},
     {"diameter", diameter},
+    {"size", diameter},
+    {"particle size", diameter},
+    {"sieve", diameter},
+    {"sieve size", diameter},
+    {"sieve opening", diameter},
     {"cumulative volume fraction", cumulative_volume_fraction},
+    {"passing", cumulative_volume_fraction},
+    {"cumulative passing", cumulative_volume_fraction},
     {"weight", weight},
     {"film share", film_share},
     {"filler", filler},
@@ -288,6 +295,11 @@ std::optional<ColumnMeaning> meaning_of(std::string_view name) {
   constexpr std::size_t longest = 200;
   if (name.size() > longest) return std::nullopt;
   const auto text = without_argument(name);
+  // Sieve analyses have "% passing" and "percent passing".
+  for (const std::string_view percent : {"%", "percent ", "Percent "}) {
+    if (text.starts_with(percent))
+      return meaning_of(StemAndUnit{trimmed(std::string_view(text).substr(percent.size())), "%"});
+  }
   if (auto meaning = meaning_of(StemAndUnit{trimmed(text), {}})) return meaning;
   const auto parts = split_at_bracket(text);
   auto in_brackets = parts ? meaning_of(*parts) : std::nullopt;

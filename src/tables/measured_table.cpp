@@ -51,7 +51,7 @@ std::string_view example_of(Quantity quantity) {
     case Quantity::z:
       return "called z, such as z_um";
     case Quantity::cumulative_volume_fraction:
-      return "called cumulative_volume_fraction";
+      return "called cumulative_volume_fraction, or passing [%]";
     case Quantity::weight:
       return "called weight, such as weight_m2";
     case Quantity::film_share:

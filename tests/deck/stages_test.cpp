@@ -75,6 +75,19 @@ packing = { method = "lubachevsky-stillinger" })");
   EXPECT_EQ(box.packed_by<LubachevskyStillingerPacking<2>>()->walls, Walls::periodic);
 }
 
+// As laboratories write them: from the coarsest sieve on, in per cent.
+TEST_F(DeckStages, RandomPackingOfASieveAnalysis) {
+  for (const auto* head : {"Size (um),Passing (%)", "sieve size [um],% passing", "diameter [um],passing %",
+                           "Particle size [um],Percent passing"}) {
+    directory.write("sieves.csv", test::join(head, "\n2000,100\n1000,60\n500,0\n"));
+    const auto sizes = filler(R"(filler = { material = "hmx", fraction = 0.5, sizes = "sieves.csv" }
+packing = { method = "lubachevsky-stillinger" })")
+                           .sizes.value();
+    EXPECT_THAT(std::get<TabulatedSizes>(sizes).diameters, ElementsAre(5e-4, 1e-3, 2e-3)) << head;
+    EXPECT_THAT(std::get<TabulatedSizes>(sizes).cumulative_volume_fractions, ElementsAre(0.0, 0.6, 1.0)) << head;
+  }
+}
+
 TEST_F(DeckStages, RandomPackingOfAList) {
   const auto random = filler(R"(filler = { material = "hmx", sizes = { list = ["1 mm", "2 mm"] }, gap = "0.1 mm" }
 packing = { method = "lubachevsky-stillinger" })");
@@ -316,14 +329,17 @@ TEST_F(DeckStages, MistakesInATableOfSizes) {
     return mistakes(test::join("fraction = 0.5, sizes = \"sizes.csv\"", keys), random_packing);
   };
   EXPECT_THAT(mistake_of("1e-4,0\n"), HasSubstr("sizes.csv: expected at least two rows"));
-  EXPECT_THAT(mistake_of("2e-4,0\n1e-4,1\n"), HasSubstr("sizes.csv:3: expected rising positive diameters"));
+  EXPECT_THAT(mistake_of("1e-4,0\n3e-4,0.5\n2e-4,1\n"),
+              HasSubstr("sizes.csv:4: expected positive diameters that rise or fall from row to row"));
+  EXPECT_THAT(mistake_of("2e-4,0\n1e-4,1\n"),
+              HasSubstr("sizes.csv:2: expected the volume fraction up to each diameter"));
   EXPECT_THAT(mistake_of("1e-4,0.5\n2e-4,0.2\n"),
-              HasSubstr("sizes.csv:3: expected a cumulative volume fraction that does not fall, from 0 to 1"));
+              HasSubstr("sizes.csv:3: expected the volume fraction up to each diameter, which does not fall with it"));
   EXPECT_THAT(mistake_of("1e-4,0\n0,0.2\n2e-4,0.1\n-3e-4,1\n4e-4,1\n"),
-              AllOf(HasSubstr("sizes.csv:3: expected rising positive diameters"), HasSubstr("sizes.csv:5: expected")))
+              AllOf(HasSubstr("sizes.csv:3: expected positive diameters"), HasSubstr("sizes.csv:5: expected")))
       << "all of them";
   EXPECT_THAT(mistake_of("1e-4,0\n2e-4,0.9\n"),
-              HasSubstr("sizes.csv:3: expected the cumulative volume fraction to end"));
+              HasSubstr("sizes.csv:3: expected the volume fraction to be 1 at the largest diameter"));
   EXPECT_THAT(mistake_of("1e-4,0\n2e-4,1\n", ", from = \"1 mm\", to = \"2 mm\""),
               HasSubstr("the table has no sizes from 1 mm to 2 mm: it covers 100 um to 200 um"));
 }
