@@ -28,7 +28,7 @@ void read_table(const fuzz::InputFolder& folder, std::string_view text) {
   folder.write("curves.csv", text);
   fuzz::allow_refusal([&] {
     const auto shown =
-        last_stage_of({{.state = TaskState::done, .curves = read_curves(folder.path(), Abscissa::frequency)}});
+        last_stage_of({{.state = TaskState::done, .curves = read_task_curves(folder.path(), Abscissa::frequency)}});
     for (const auto& curve : shown.front().curves) static_cast<void>(name_of(curve.test.boundary));
   });
 }

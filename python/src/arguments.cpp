@@ -26,8 +26,8 @@ std::optional<double> number_in(const py::handle& value) {
   }
 }
 
-/// Whether these are two lists or arrays in a tuple, or two arrays in a list, which many users write for two columns
-/// but none for pairs, or a list of two lists of two numbers without units, which may be either.
+/// Whether these are two lists or arrays in a tuple, which many users write for two columns but none for pairs, or two
+/// arrays or two lists of two numbers without units in a list, which may be either.
 bool may_be_columns(const py::object& pairs) {
   const auto is_text = [](const py::handle& value) { return py::isinstance<py::str>(value); };
   const bool is_tuple = py::isinstance<py::tuple>(pairs);

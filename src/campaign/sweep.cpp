@@ -73,7 +73,7 @@ class SweepRun {
   }
 
   [[nodiscard]] std::vector<TaskCurve> stored_curves(std::size_t task) const {
-    return read_curves(directory_of(task), sweep_.tasks[task].study.tests.abscissa());
+    return read_task_curves(directory_of(task), sweep_.tasks[task].study.tests.abscissa());
   }
 
   /// Runs an action on the first process of the first group, which writes the tables of all groups; if it fails there,

@@ -12,6 +12,14 @@
 namespace breccia::cli {
 namespace {
 
+/// A word on the shear that is compared where a stage has several and no mean of them.
+std::string words_on_shear(const StageResult& stage, const TestId& compared) {
+  const bool is_one = compared.load == Load::shear && std::ranges::any_of(stage.tests, [](const TestResult& test) {
+                        return !test.id.load.is_bulk() && test.id.load != Load::shear;
+                      });
+  return is_one ? " in shear xy, one of several shears," : "";
+}
+
 /// A table of the ratios of all computed moduli to one measurement, at whole decades; empty without samples in time.
 std::string table_in_time(const std::string& measurement, const StageResult& stage) {
   std::vector<const Comparison*> compared;
@@ -23,7 +31,8 @@ std::string table_in_time(const std::string& measurement, const StageResult& sta
     times.end = std::max(times.end, comparison.samples.back().time);
   }
   if (compared.empty()) return {};
-  auto text = fmt::format("\n{} over what was measured, {}\n{:>12}", stage.name, measurement, "");
+  auto text = fmt::format("\n{}{} over what was measured, {}\n{:>12}", stage.name,
+                          words_on_shear(stage, compared.front()->test), measurement, "");
   for (const auto* comparison : compared) text += fmt::format("  {:>12}", name_of(comparison->test.boundary));
   text += fmt::format("\n{:>12}", "time");
   for (const auto* comparison : compared) text += fmt::format("  {:>12}", name_of(comparison->test.method));

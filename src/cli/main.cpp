@@ -105,10 +105,8 @@ Outcome guarded_run(int argc, char** argv) {
   } catch (const std::filesystem::filesystem_error& error) {
     return {ExitCode::file_failure, fmt::format("breccia: {}", error.what())};
   } catch (const std::bad_alloc&) {
-    return {
-        ExitCode::numerical_failure,
-        "not enough memory; the estimate of `breccia check` is that of the grids of a deck, without the files that it "
-        "reads"};
+    return {ExitCode::numerical_failure,
+            "not enough memory; `breccia check` estimates that of the grids, to which large pictures and tables add"};
   } catch (const std::exception& error) {
     return {ExitCode::numerical_failure, fmt::format("breccia: internal error: {}", error.what())};
   }

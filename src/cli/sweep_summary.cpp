@@ -21,7 +21,7 @@
 namespace breccia::cli {
 namespace {
 
-constexpr std::size_t most_columns = 8;
+constexpr std::size_t widest_table = 140;  ///< characters of a line; a wider table would be broken into several
 
 /// A column of a table over time or over frequency.
 struct Column {
@@ -48,7 +48,7 @@ std::string with_error(const std::string& value, const std::optional<double>& er
 
 /// A phase [rad] in degrees.
 std::string degrees(double phase) {
-  return fmt::format("{:.3g}", phase * 180.0 / std::numbers::pi);
+  return fmt::format("{:.2f}", phase * 180.0 / std::numbers::pi);
 }
 
 /// The one of these samples whose angular frequency is nearest to the given one [rad/s].
@@ -192,10 +192,12 @@ std::string tables_of_spreads(const Sweep& sweep, const SweepResult& result) {
       columns.push_back(abscissa == Abscissa::time ? column_in_time(spread) : column_in_frequency(spread));
       tasks = std::max(tasks, spread.in_time.front().modulus.tasks);
     }
-    if (columns.empty() || columns.size() > most_columns) continue;
+    if (columns.empty()) continue;
     auto rows = heading_of(sweep, columns, false);
     std::ranges::copy(texts_of(columns, abscissa), std::back_inserter(rows));
-    text += fmt::format("\n{}: {}, mean and standard deviation over the seeds\n\n{}", stage, quantity, aligned(rows));
+    const auto table = aligned(rows);
+    if (table.find('\n') > widest_table) continue;
+    text += fmt::format("\n{}: {}, mean and standard deviation over the seeds\n\n{}", stage, quantity, table);
   }
   if (text.empty()) return text;
   return text + fmt::format(
@@ -240,15 +242,18 @@ std::string closing_table(const Sweep& sweep, const SweepResult& result) {
       columns.push_back(abscissa == Abscissa::time ? column_in_time(task, curve) : column_in_frequency(task, curve));
     }
   }
-  if (columns.empty() || columns.size() > most_columns) return {};
+  if (columns.empty()) return {};
   auto rows = heading_of(sweep, columns, true);
   std::ranges::copy(texts_of(columns, abscissa), std::back_inserter(rows));
+  const auto table = aligned(rows);
+  if (table.find('\n') > widest_table) return {};
   const auto* const title = abscissa == Abscissa::time ? "Modulus" : "Absolute value and phase of the modulus";
-  const bool has_errors = std::ranges::any_of(shown, [](const TaskResult& task) {
-    return std::ranges::any_of(task.curves,
-                               [](const TaskCurve& curve) { return !curve.errors.empty() && curve.errors.back(); });
+  const auto is_known = [](const std::optional<double>& error) { return error.has_value(); };
+  const bool has_errors = std::ranges::any_of(shown, [&is_known](const TaskResult& task) {
+    return std::ranges::any_of(
+        task.curves, [&is_known](const TaskCurve& curve) { return std::ranges::any_of(curve.errors, is_known); });
   });
-  return fmt::format("\n{} of the last stage{}\n\n{}", title, has_errors ? ", +- the error" : "", aligned(rows));
+  return fmt::format("\n{} of the last stage{}\n\n{}", title, has_errors ? ", +- the error" : "", table);
 }
 
 void refuse_failures(const Sweep& sweep, const SweepResult& result) {

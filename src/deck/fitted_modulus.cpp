@@ -94,19 +94,22 @@ struct FitModulus {
 
 }  // namespace
 
-std::string words_on_taken_kind(const std::filesystem::path& file, ModulusKind kind) {
-  return fmt::format(
-      "{} does not say which modulus it has: it is taken for {}; names of columns that begin with \"{}\" say it",
-      file.filename().string(), symbol(kind), column_prefix(kind));
-}
-
-std::string words_on_deviation(const std::filesystem::path& file, double median_error) {
+std::vector<std::string> remarks_on(const FittedModulus& fitted, const std::filesystem::path& file, ModulusKind kind) {
+  const auto name = file.filename().string();
+  std::vector<std::string> remarks;
+  if (!fitted.names_kind) {
+    remarks.push_back(fmt::format(
+        "{} does not say which modulus it has: it is taken for {}; names of columns that begin with \"{}\" say it",
+        name, symbol(kind), column_prefix(kind)));
+  }
   constexpr double much = 0.1;
-  if (median_error < much) return {};
-  return fmt::format(
-      "the fit misses the data of {} by {:.0f} % in the median: they are not those of a linear viscoelastic solid "
-      "(`breccia fit` shows them)",
-      file.filename().string(), 100.0 * median_error);
+  if (fitted.median_error >= much) {
+    remarks.push_back(fmt::format(
+        "the fit misses the data of {} by {:.0f} % in the median: they scatter by as much, or are not those "
+        "of a linear viscoelastic solid (`breccia fit` shows them)",
+        name, 100.0 * fitted.median_error));
+  }
+  return remarks;
 }
 
 FittedModulus fitted_modulus(const std::filesystem::path& file, ModulusKind kind,

@@ -24,12 +24,9 @@ struct FittedModulus {
   bool names_kind = false;                    ///< whether a column of the file is named after the wanted kind
 };
 
-/// The sentence on a modulus whose file does not say of which kind it is: "data.csv does not say which modulus it has:
-/// it is taken for G; names of columns that begin with "shear_" say it".
-std::string words_on_taken_kind(const std::filesystem::path& file, ModulusKind kind);
-
-/// The sentence on data that the fitted series misses by a tenth and more in the median; empty for others.
-std::string words_on_deviation(const std::filesystem::path& file, double median_error);
+/// What the reader of a deck has to know of a modulus that was fitted to the data in a file: that the file does not say
+/// of which kind it is, and that the series misses the data by a tenth and more in the median.
+std::vector<std::string> remarks_on(const FittedModulus& fitted, const std::filesystem::path& file, ModulusKind kind);
 
 /// The modulus fitted to the measured data in a file (fit_data_in): a relaxation modulus, a creep compliance, dynamic
 /// moduli, or dynamic moduli at several temperatures, as a master curve at the reference temperature [K], which must be

@@ -63,9 +63,7 @@ void read_fitted(const Section& shear, const std::filesystem::path& path, Measur
     measurement.shear = std::move(fitted.series);
     measurement.times = fitted.measured_times;
     measurement.dynamic = std::move(fitted.dynamic);
-    if (!fitted.names_kind) shear.remark("measured", words_on_taken_kind(path, ModulusKind::shear));
-    if (const auto words = words_on_deviation(path, fitted.median_error); !words.empty())
-      shear.remark("measured", words);
+    for (const auto& remark : remarks_on(fitted, path, ModulusKind::shear)) shear.remark("measured", remark);
   });
 }
 

@@ -59,9 +59,7 @@ PronySeries ModuliReader::read_measured_modulus(const Section& modulus, ModulusK
   modulus.report_errors_of("measured", [&] {
     auto fitted = fitted_modulus(path, kind, temperature);
     series = std::move(fitted.series);
-    if (!fitted.names_kind) modulus.remark("measured", words_on_taken_kind(path, kind));
-    if (const auto words = words_on_deviation(path, fitted.median_error); !words.empty())
-      modulus.remark("measured", words);
+    for (const auto& remark : remarks_on(fitted, path, kind)) modulus.remark("measured", remark);
     if (fitted.shift_law) measured_laws_.push_back(*std::move(fitted.shift_law));
   });
   return series;

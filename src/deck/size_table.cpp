@@ -45,7 +45,10 @@ TabulatedSizes read_size_table(const std::filesystem::path& path) {
     if (!(diameter > smaller) || !std::isfinite(diameter)) {
       add(row, "expected positive diameters that rise or fall from row to row", diameters);
     } else if (!(fraction >= least && fraction <= 1.0)) {
-      add(row, "expected the volume fraction up to each diameter, which does not fall with it, from 0 to 1", fractions);
+      add(row,
+          "expected the volume fraction up to each diameter, which does not fall with it, from 0 to 1, or in per cent "
+          "in a column called passing [%]",
+          fractions);
     } else {
       sizes.diameters.push_back(diameter);
       sizes.cumulative_volume_fractions.push_back(fraction);
@@ -53,7 +56,8 @@ TabulatedSizes read_size_table(const std::filesystem::path& path) {
   }
   const bool is_rising = mistakes.empty();
   if (is_rising && sizes.cumulative_volume_fractions.front() != 0.0) {
-    add(rows.front(), "expected the volume fraction to be 0 at the smallest diameter", fractions);
+    add(rows.front(), "expected the volume fraction to be 0 at the smallest diameter, the size that nothing passes",
+        fractions);
   }
   if (is_rising && sizes.cumulative_volume_fractions.back() != 1.0) {
     add(rows.back(), "expected the volume fraction to be 1 at the largest diameter", fractions);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "homogenisation/modulus_errors.hpp"
+#include "homogenisation/box_bounds.hpp"
 #include "homogenisation/run/isotropic_mean.hpp"
 
 namespace breccia {
@@ -48,20 +48,17 @@ bool answers(const TestId& test, const std::vector<TestResult>& tests) {
 }
 
 LargestErrors largest_errors_of(const StageFindings& stage) {
-  std::vector<const TestResult*> answering;
-  for (const auto& test : stage.tests) {
-    if (answers(test.id, stage.tests)) answering.push_back(&test);
-  }
+  std::vector<const TestResult*> preferred;
   LargestErrors errors;
-  for (const auto* test : answering) {
-    if (find_preferred_test(stage.tests, test->id.load, test->id.boundary, test->id.method) != test) continue;
-    const auto share = grid_share_of(*test);
-    if (share) errors.grid = std::max(errors.grid.value_or(0.0), *share);
+  for (const auto& test : stage.tests) {
+    const bool is_answer = answers(test.id, stage.tests);
+    if (find_preferred_test(stage.tests, test.id.load, test.id.boundary, test.id.method) == &test) {
+      auto& largest = is_answer ? errors.grid : errors.grid_of_others;
+      if (const auto share = grid_share_of(test)) largest = std::max(largest.value_or(0.0), *share);
+    }
+    const bool is_replaced = is_replaced_by_mean(test.id, stage.dimensions, stage.tests);
+    if (is_answer && !is_replaced && !has_better(stage.tests, test)) preferred.push_back(&test);
   }
-  auto preferred = answering;
-  std::erase_if(preferred, [&stage](const TestResult* test) {
-    return is_replaced_by_mean(test->id, stage.dimensions, stage.tests) || has_better(stage.tests, *test);
-  });
   errors.whole = largest(preferred, [](const ModulusError& error) { return error.whole(); });
   errors.sample = largest(preferred, [](const ModulusError& error) { return error.sample; });
   return errors;

@@ -12,6 +12,7 @@
 
 #include "homogenisation/box/filler_on_sides.hpp"
 #include "homogenisation/largest_errors.hpp"
+#include "homogenisation/modulus_errors.hpp"
 #include "homogenisation/narrow_gaps.hpp"
 #include "homogenisation/plan/grid_error.hpp"
 #include "io/display.hpp"
@@ -44,7 +45,7 @@ std::optional<BoundsAtTime> worst_crossing(const LoadQuality& load) {
 /// "displacement and traction" for a box that is no window, whose moduli bound nothing but its own.
 std::string name_of_both(const StageQuality& quality, const LoadQuality& shown) {
   const auto& all = quality.loads;
-  const std::string name = quality.filler_on_sides ? "bounds" : "displacement and traction";
+  std::string name = quality.filler_on_sides ? "bounds" : "displacement and traction";
   if (all.size() == 1 || (shown.load.is_isotropic() && all.front().method == all.back().method)) return name;
   const bool is_one_method = std::ranges::all_of(all, [&](const auto& other) { return other.method == shown.method; });
   return fmt::format("{} under {}{}", name, name_of(shown.load),
@@ -102,6 +103,14 @@ std::string words_on_boundary(const StageQuality& quality) {
   return quality.is_periodic && !quality.loads.empty() ? " under the periodic boundary" : "";
 }
 
+/// The error of the grid under the boundaries beside the periodic one.
+std::string words_on_other_grid_error(const StageQuality& quality) {
+  if (!quality.grid_share_of_others) return {};
+  const bool is_known = *quality.grid_share_of_others < 1.0;
+  return fmt::format(", {} under the others",
+                     is_known ? "up to " + words_of(*quality.grid_share_of_others) : "of any size");
+}
+
 /// The error of one grid by a rule, or the reason why no rule gives it.
 std::string words_on_expected_error(const StageQuality& quality) {
   if (!quality.one_grid) return "unknown";
@@ -122,8 +131,10 @@ std::string words_on_grid(const StageQuality& quality) {
   if (quality.grid_share && *quality.grid_share >= 1.0) {
     return "grid: error of any size, since the grids differ too much, or have nearly as many cells";
   }
-  if (quality.grid_share)
-    return fmt::format("grid: error up to {}{}", words_of(*quality.grid_share), words_on_boundary(quality));
+  if (quality.grid_share) {
+    return fmt::format("grid: error up to {}{}{}", words_of(*quality.grid_share), words_on_boundary(quality),
+                       words_on_other_grid_error(quality));
+  }
   if (quality.grids.size() > 1) return "grid: error unknown until every grid is tested";
   return fmt::format("grid: one grid, error {}{}", words_on_expected_error(quality), words_on_second_grid(quality));
 }
@@ -177,6 +188,7 @@ StageQuality quality_of(const Study& study, const Stage& stage, const StageResul
                        .has_films_along_walls = false,
                        .is_periodic = false,
                        .grid_share = {},
+                       .grid_share_of_others = {},
                        .loads = bounds_of_tests(result)};
   quality.anisotropy = anisotropy_of_tests(stage.dimensions(), result.tests);
   quality.space = factor_of_space(study, stage, result);
@@ -184,6 +196,7 @@ StageQuality quality_of(const Study& study, const Stage& stage, const StageResul
       std::ranges::any_of(result.tests, [](const TestResult& test) { return test.id.boundary == Boundary::periodic; });
   const auto errors = largest_errors_of(result);
   quality.grid_share = errors.grid;
+  quality.grid_share_of_others = errors.grid_of_others;
   quality.rules = error_rules_of(study, stage, packed);
   quality.error_asked = study.tests.accuracy;
   quality.error = errors.whole;

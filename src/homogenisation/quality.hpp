@@ -33,9 +33,10 @@ struct StageQuality {
   /// The share of the sides that lies in filler [-], 0 and more for a window in a larger body under displacement or
   /// traction; nothing for another box.
   std::optional<double> filler_on_sides = {};
-  bool has_films_along_walls = false;  ///< whether only the displacement boundary makes sense
-  bool is_periodic = false;            ///< whether a periodic test is finished, which gives no bound
-  std::optional<double> grid_share;    ///< largest half band over the modulus [-]; nothing for a single grid
+  bool has_films_along_walls = false;          ///< whether only the displacement boundary makes sense
+  bool is_periodic = false;                    ///< whether a periodic test is finished, which gives no bound
+  std::optional<double> grid_share;            ///< largest half band over the modulus [-]; nothing for a single grid
+  std::optional<double> grid_share_of_others;  ///< the same of the boundaries beside the periodic one
   /// The error of a single grid to be expected by a rule; nothing for several grids, and for films.
   std::optional<GridPlan> one_grid = {};
   ErrorRules rules = {};

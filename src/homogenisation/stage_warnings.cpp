@@ -152,11 +152,9 @@ struct NarrowestGap {
   }
 };
 
-/// That the error of several grids has the error of gaps in series, which held in 69 of 72 tests of random discs with
-/// gaps down to a twentieth of a cell (docs/verification.md, "How often the error of the grid holds").
-std::string words_on_measured_gaps(const Stage& stage, Mixing mixing) {
-  const bool is_measured = stage.dimensions() == 2 && !stage.has_grains() && mixing == Mixing::series;
-  return is_measured && !stage.coarser_cells.empty() ? ", which the grids of this run measure and their error has" : "";
+/// Where several grids show by how much cells in series err in narrow gaps.
+std::string words_on_several_grids(const Stage& stage) {
+  return stage.coarser_cells.empty() ? "" : "; the difference of the grids shows by how much";
 }
 
 /// Advice on flow through gaps that the cells do not resolve: that the deck may ask for it or, in the plane, where it
@@ -185,8 +183,7 @@ std::optional<std::string> warning_of_narrow_gaps(const Stage& stage, const Stag
   return fmt::format("{}, {}, is {} {} wide{}; below {:g} {} {}{}{}{}", name, display(gap, "m", 4), shown,
                      shown == "1" ? "cell" : "cells",
                      grids.size() > 1 ? fmt::format(" on the coarsest grid, of {} cells a side", grids.front()) : "",
-                     cells_per_gap, cells_per_gap == 1.0 ? "cell" : "cells", consequence,
-                     words_on_measured_gaps(stage, study.tests.mixing),
+                     cells_per_gap, cells_per_gap == 1.0 ? "cell" : "cells", consequence, words_on_several_grids(stage),
                      words_on_finer_grids(grids, std::ceil(cells_per_gap * stage.side / gap * (1.0 - rounding))),
                      study.tests.mixing == Mixing::series ? words_on_flow(study, stage) : "");
 }
@@ -347,8 +344,9 @@ std::optional<std::string> warning_of_other_times(const Measurement& measurement
   }
   const auto points = measurement.points_within(all), compared = measurement.points_within(times);
   if (points.size() == compared.size()) return std::nullopt;
-  return fmt::format("{} of the {} points of the measurement \"{}\" are not compared: {}",
-                     points.size() - compared.size(), points.size(), measurement.label,
+  const auto left_out = points.size() - compared.size();
+  return fmt::format("{} of the {} points of the measurement \"{}\" {} not compared: {}", left_out, points.size(),
+                     measurement.label, left_out == 1 ? "is" : "are",
                      windows({std::ranges::min(points), std::ranges::max(points)}));
 }
 

@@ -71,7 +71,7 @@ std::vector<std::vector<TaskCurve>> stored_curves(const fs::path& directory, con
     if (!stays_in_directory(name)) {
       throw FileError(fmt::format("sweep.json: \"{}\" is not a name that `breccia run` gives to a task", name));
     }
-    curves[task] = read_curves(directory / name, abscissa);
+    curves[task] = read_task_curves(directory / name, abscissa);
   }
   return curves;
 }

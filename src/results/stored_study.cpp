@@ -42,7 +42,7 @@ TestResult& test_in(std::vector<StageFindings>& stages, const std::string& stage
 }
 
 void add_curves(const fs::path& directory, std::vector<StageFindings>& stages) {
-  for (auto& curve : read_curves(directory, Abscissa::time)) {
+  for (auto& curve : read_curves(directory)) {
     const auto stage = std::ranges::find(stages, curve.stage, &StageFindings::name);
     if (stage == stages.end()) refuse((directory / "curves.csv").string(), ": a stage that study.json has not");
     const TestResult empty{.id = curve.test};

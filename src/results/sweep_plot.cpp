@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t most_colours = 7;  // size of the palette
 constexpr std::size_t most_labels = 14;
-constexpr int points_of_series_per_decade = 5;
+constexpr int points_of_series_per_decade = 20;
 
 PlotStyle style_of(const TaskCurve& curve) {
   if (curve.test.boundary == Boundary::traction) return PlotStyle::dashed;
@@ -53,13 +53,17 @@ PlotCurve plotted(const TaskCurve& curve) {
   return plot;
 }
 
-/// The points of a measurement over the abscissa of the tests; without points where it is not known there.
+/// A measurement over the abscissa of the tests: its own points, or a fitted series as a line; without points where it
+/// is not known there.
 PlotCurve plotted(const Measurement& measurement, const Tests& tests) {
-  PlotCurve plot{.label = "measured, " + measurement.label, .style = PlotStyle::points};
   const TimeWindow window{tests.first_time, tests.last_time};
+  auto times = measurement.points_within(window);
+  const bool has_points = !times.empty();
+  PlotCurve plot{.label = "measured, " + measurement.label,
+                 .style = has_points ? PlotStyle::points : PlotStyle::dotted};
   const auto known = measurement.known_within(window);
   if (!known) return plot;
-  auto times = logarithmic_times(*known, points_of_series_per_decade);
+  if (!has_points) times = logarithmic_times(*known, points_of_series_per_decade);
   if (tests.abscissa() == Abscissa::frequency) {
     std::ranges::transform(times, times.begin(), [](double time) { return 1.0 / time; });
     for (const auto& [omega, storage, loss] : measurement.complex_within(window, times)) {
@@ -95,7 +99,7 @@ void write_sweep_plot(const std::filesystem::path& directory, const Sweep& sweep
   std::string stage;
   std::vector<std::string> colours;
   const auto abscissa = sweep.tasks.front().study.tests.abscissa();
-  bool has_tractions = false;
+  bool has_tractions = false, is_bulk = false;
   for (std::size_t task = 0; task < shown.size(); ++task) {
     for (const auto& curve : shown[task].curves) {
       if (curve.in_frequency.empty() && abscissa == Abscissa::frequency) continue;
@@ -109,6 +113,7 @@ void write_sweep_plot(const std::filesystem::path& directory, const Sweep& sweep
       has_tractions = has_tractions || plotted_curve.style == PlotStyle::dashed;
       plot.curves.push_back(std::move(plotted_curve));
       stage = curve.stage;
+      is_bulk = curve.test.load.is_bulk();
       plot.title = fmt::format("{}: {}", sweep.tasks[task].study.title, stage);
     }
   }
@@ -120,7 +125,7 @@ void write_sweep_plot(const std::filesystem::path& directory, const Sweep& sweep
   std::ranges::move(measured(study, stage), std::back_inserter(plot.curves));
   if (has_tractions) plot.title += ", traction dashed";
   if (abscissa == Abscissa::frequency) {
-    plot.quantity = "Absolute value |G*|";
+    plot.quantity = is_bulk ? "Absolute value |K*|" : "Absolute value |G*|";
     plot.abscissa = "Frequency / Hz";
   }
   write_text(directory / "sweep.svg", modulus_plot(plot));

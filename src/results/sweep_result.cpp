@@ -43,8 +43,16 @@ void add_errors(const std::filesystem::path& file, std::vector<TaskCurve>& curve
   const auto table = read_error_table(file);
   for (std::size_t row = 0; row < table.rows(); ++row) {
     auto& curve = curve_of(table, row, curves);
-    if (curve.errors.size() == curve.modulus.size()) refuse(table, row);
+    const auto next = curve.errors.size();
+    const bool is_its = next < curve.modulus.size() && table.numbers("time_s")[row] == curve.modulus[next].time;
+    if (!is_its) refuse(table, row);
     curve.errors.push_back(error_in(table, row).whole());
+  }
+  const auto lacks_errors = [](const TaskCurve& curve) {
+    return !curve.errors.empty() && curve.errors.size() < curve.modulus.size();
+  };
+  if (std::ranges::any_of(curves, lacks_errors)) {
+    throw FileError(fmt::format("{}: not an error for each row of curves.csv", file.string()));
   }
 }
 
@@ -106,7 +114,7 @@ std::vector<TaskCurve> curves_of(const StudyResult& result) {
   return curves;
 }
 
-std::vector<TaskCurve> read_curves(const std::filesystem::path& directory, Abscissa abscissa) {
+std::vector<TaskCurve> read_curves(const std::filesystem::path& directory) {
   const auto table = read_csv(directory / "curves.csv", {"stage", "load", "boundary", "method", "cells"});
   std::vector<TaskCurve> curves;
   for (std::size_t row = 0; row < table.rows(); ++row) {
@@ -114,6 +122,11 @@ std::vector<TaskCurve> read_curves(const std::filesystem::path& directory, Absci
     if (curves.empty() || !curves.back().matches(named)) curves.push_back(named);
     curves.back().modulus.push_back(sample_of(table, row));
   }
+  return curves;
+}
+
+std::vector<TaskCurve> read_task_curves(const std::filesystem::path& directory, Abscissa abscissa) {
+  auto curves = read_curves(directory);
   add_errors(directory / "errors.csv", curves);
   if (abscissa == Abscissa::frequency) add_complex_moduli(directory / "dynamic.csv", curves);
   return curves;

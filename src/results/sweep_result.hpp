@@ -50,9 +50,12 @@ using SweepResult = std::vector<TaskResult>;
 /// The curves of a study.
 std::vector<TaskCurve> curves_of(const StudyResult& result);
 
-/// Reads the curves of an earlier run from its directory, with their errors and, of a study in frequency, with the
-/// complex moduli. Throws FileError or InputError when they cannot be read.
-std::vector<TaskCurve> read_curves(const std::filesystem::path& directory, Abscissa abscissa);
+/// Reads the curves of an earlier run from its directory, without errors and complex moduli. Throws FileError or
+/// InputError when they cannot be read.
+std::vector<TaskCurve> read_curves(const std::filesystem::path& directory);
+
+/// The same with the errors and, of a study in frequency, with the complex moduli.
+std::vector<TaskCurve> read_task_curves(const std::filesystem::path& directory, Abscissa abscissa);
 
 /// The names of the stages that the tasks have tested, in the order of the stages.
 std::vector<std::string> tested_stages(const SweepResult& result);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -140,6 +141,7 @@ void write_all_curves(const std::filesystem::path& file, const Sweep& sweep, con
 void write_all_complex_moduli(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result) {
   CurveColumns curves(sweep);
   std::vector<double> frequencies, storage, loss, loss_tangents;
+  std::vector<std::string> errors;
   for (std::size_t task = 0; task < result.size(); ++task) {
     for (const auto& curve : result[task].curves) {
       for (const auto& sample : curve.in_frequency) {
@@ -148,6 +150,7 @@ void write_all_complex_moduli(const std::filesystem::path& file, const Sweep& sw
         storage.push_back(sample.storage);
         loss.push_back(sample.loss);
         loss_tangents.push_back(sample.loss / sample.storage);
+        errors.push_back(text_if_known(sample.error));
       }
     }
   }
@@ -155,7 +158,8 @@ void write_all_complex_moduli(const std::filesystem::path& file, const Sweep& sw
   table.insert(table.end(), {{"angular_frequency_rad_per_s", frequencies},
                              {"storage_modulus_Pa", storage},
                              {"loss_modulus_Pa", loss},
-                             {"loss_tangent", loss_tangents}});
+                             {"loss_tangent", loss_tangents},
+                             {"error", errors}});
   write_or_remove(file, table, !frequencies.empty());
 }
 
@@ -212,6 +216,18 @@ Json json_of(const Sweep& sweep, const SweepTask& task, const TaskResult& result
   return json;
 }
 
+/// The dimensions of the boxes of all tasks; nothing where they differ.
+std::optional<int> common_dimensions(const Sweep& sweep) {
+  std::optional<int> common;
+  for (const auto& task : sweep.tasks) {
+    for (const auto& stage : task.study.stages) {
+      if (common.value_or(stage.dimensions()) != stage.dimensions()) return std::nullopt;
+      common = stage.dimensions();
+    }
+  }
+  return common;
+}
+
 }  // namespace
 
 void write_sweep_tables(const std::filesystem::path& directory, const Sweep& sweep, const SweepResult& result) {
@@ -243,11 +259,11 @@ void write_sweep_record(const std::filesystem::path& directory, const Sweep& swe
                {"deck", provenance.deck.string()},
                {"deck_text", provenance.deck_text},
                {"overrides", sweep.overrides},
-               {"dimensions", study.stages.empty() ? 2 : study.stages.front().dimensions()},
                {"keys", std::move(keys)},
                {"quantities", std::move(quantities)},
                {"tasks", std::move(tasks)}};
   const auto& tests = study.tests;
+  if (const auto dimensions = common_dimensions(sweep)) json["dimensions"] = *dimensions;
   if (tests.by_frequency) json["frequencies_Hz"] = {hertz_of(tests.last_time), hertz_of(tests.first_time)};
   write_text(directory / "sweep.json", json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }

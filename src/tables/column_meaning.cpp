@@ -295,10 +295,12 @@ std::optional<ColumnMeaning> meaning_of(std::string_view name) {
   constexpr std::size_t longest = 200;
   if (name.size() > longest) return std::nullopt;
   const auto text = without_argument(name);
-  // Sieve analyses have "% passing" and "percent passing".
-  for (const std::string_view percent : {"%", "percent ", "Percent "}) {
-    if (text.starts_with(percent))
-      return meaning_of(StemAndUnit{trimmed(std::string_view(text).substr(percent.size())), "%"});
+  // Sieve analyses have "% passing" and "percent passing [%]".
+  for (const std::string_view percent : {"%", "percent "}) {
+    if (!lower_case(text).starts_with(percent)) continue;
+    const auto rest = trimmed(std::string_view(text).substr(percent.size()));
+    const auto parts = split_at_bracket(rest);
+    return meaning_of(StemAndUnit{parts && parts->unit == "%" ? parts->stem : rest, "%"});
   }
   if (auto meaning = meaning_of(StemAndUnit{trimmed(text), {}})) return meaning;
   const auto parts = split_at_bracket(text);

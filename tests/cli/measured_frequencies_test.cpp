@@ -74,7 +74,7 @@ class MeasuredFrequencies : public ::testing::Test {
     study.write("softer.toml", softer);
   }
 
-  Outcome run(const std::vector<std::string>& more = {}) const {
+  Outcome run(const std::vector<std::string>& more = {}) {
     auto outcome = study.breccia("run", more);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
     return outcome;
@@ -193,7 +193,7 @@ TEST_F(MeasuredFrequencies, WarningsSpeakOfFrequencies) {
 TEST_F(MeasuredFrequencies, PointsBeyondThoseOfTheDeckAreCounted) {
   EXPECT_THAT(
       run({"--quiet"}).errors,
-      HasSubstr("warning: box: 1 of the 11 points of the measurement \"rheometer\" are not compared: it is known "
+      HasSubstr("warning: box: 1 of the 11 points of the measurement \"rheometer\" is not compared: it is known "
                 "from 100 mHz to 215 Hz, and tests.frequencies go from 100 mHz to 100 Hz"));
 }
 
@@ -203,8 +203,9 @@ TEST_F(MeasuredFrequencies, ASweepAnswersInFrequency) {
   EXPECT_THAT(outcome.output,
               AllOf(HasSubstr("Absolute value and phase of the modulus of the last stage"), HasSubstr("frequency"),
                     ContainsRegex("   10 Hz +1.98 MPa +9.04 deg +3.95 MPa +9.04 deg")));
-  const auto table = read_csv(study.result("sweep_dynamic.csv"), {"task", "materials.binder.shear.terms.0.modulus",
-                                                                  "stage", "load", "boundary", "method", "cells"});
+  const auto table = read_csv(
+      study.result("sweep_dynamic.csv"),
+      {"task", "materials.binder.shear.terms.0.modulus", "stage", "load", "boundary", "method", "cells", "error"});
   const auto& omega = table.numbers("angular_frequency_rad_per_s");
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const double x = omega[row] * relaxation_time, size = table.text("task")[row] == "modulus-2-MPa" ? 1.0 : 2.0;

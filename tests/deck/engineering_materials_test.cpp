@@ -97,7 +97,7 @@ TEST_F(EngineeringMaterials, AModulusThatRisesIsFittedWithAWarning) {
   const auto study = directory.study(deck("bulk = \"3 GPa\"\nshear = { measured = \"rising.csv\" }\n"));
   EXPECT_THAT(study.provenance.warnings.at(study.stages.front().name),
               ElementsAre(AllOf(HasSubstr("materials.binder.shear.measured: the fit misses the data of rising.csv by "),
-                                HasSubstr("they are not those of a linear viscoelastic solid"))));
+                                HasSubstr("or are not those of a linear viscoelastic solid"))));
 }
 
 TEST_F(EngineeringMaterials, ASweepOfTemperaturesNeedsItsReference) {

@@ -78,7 +78,7 @@ packing = { method = "lubachevsky-stillinger" })");
 // As laboratories write them: from the coarsest sieve on, in per cent.
 TEST_F(DeckStages, RandomPackingOfASieveAnalysis) {
   for (const auto* head : {"Size (um),Passing (%)", "sieve size [um],% passing", "diameter [um],passing %",
-                           "Particle size [um],Percent passing"}) {
+                           "Particle size [um],Percent passing", "SIZE [um],PERCENT PASSING [%]"}) {
     directory.write("sieves.csv", test::join(head, "\n2000,100\n1000,60\n500,0\n"));
     const auto sizes = filler(R"(filler = { material = "hmx", fraction = 0.5, sizes = "sieves.csv" }
 packing = { method = "lubachevsky-stillinger" })")

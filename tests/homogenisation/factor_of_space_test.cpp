@@ -49,6 +49,15 @@ TEST(FactorOfSpace, IsAboutTheLargestRatioOfSpheresToDiscs) {
   }
 }
 
+// At 100 s nothing is left of a binder of 1 s without equilibrium, and the ratio to it means nothing.
+TEST(FactorOfSpace, IsThatBeforeTheBinderHasFlowedAway) {
+  auto study = study_of<2>(1e10);
+  std::get<Material>(study.stages.front().matrix).shear = PronySeries(0.0, {{1.0, 1e9}});
+  const auto factor = factor_of_space(study, study.stages.front(), moduli_of(study, Boundary::periodic));
+  ASSERT_TRUE(factor);
+  EXPECT_EQ(factor->time, 1e-3);
+}
+
 TEST(FactorOfSpace, IsKnownOfStifferParticlesInPeriodicBoxesOfThePlane) {
   const auto soft = study_of<2>(1e6), spheres = study_of<3>(1e10), discs = study_of<2>(1e10);
   EXPECT_FALSE(factor_of_space(soft, soft.stages.front(), moduli_of(soft, Boundary::periodic)));

@@ -184,7 +184,7 @@ TEST(Quality, BoundsAreComparedAtTheTimesOfBoth) {
 }
 
 TEST(Quality, WarnsOfFewParticlesAndOfAnotherFraction) {
-  const auto stage = random_stage();
+  auto stage = random_stage();
   auto packed = result_of({}, 30).microstructure;
   EXPECT_THAT(warnings_on_packing(stage, packed), IsEmpty());
   packed.box = discs(29);
@@ -201,6 +201,14 @@ TEST(Quality, WarnsOfFewParticlesAndOfAnotherFraction) {
     packed.fraction = fraction;
     EXPECT_THAT(warnings_on_packing(stage, packed), ElementsAre(HasSubstr("where 35 % were asked for"))) << fraction;
   }
+  stage.fillers[0].fraction = 0.1;
+  for (const double fraction : {0.1051, 0.0949}) {
+    packed.fraction = fraction;
+    EXPECT_THAT(warnings_on_packing(stage, packed), ElementsAre(HasSubstr("where 10 % were asked for"))) << fraction;
+  }
+  packed.fraction = 0.1049;
+  EXPECT_THAT(warnings_on_packing(stage, packed), IsEmpty()) << "within a twentieth";
+  stage.fillers[0].fraction = 0.35;
   packed.box = discs(1);
   packed.fraction = 0.35;
   EXPECT_THAT(warnings_on_packing(stage, packed), ElementsAre(HasSubstr("only 1 particle in the box")));
@@ -266,7 +274,8 @@ TEST(Quality, TheErrorsAreThoseOfThePeriodicBoundaryBesideOthers) {
   EXPECT_THAT(summary_of(beside),
               StartsWith("error up to 10 % under the periodic boundary; displacement and traction 20 % "
                          "apart at 10 ms"));
-  EXPECT_THAT(summary_of(beside), HasSubstr("; grid: error up to 10 % under the periodic boundary;"));
+  EXPECT_THAT(summary_of(beside),
+              HasSubstr("; grid: error up to 10 % under the periodic boundary, up to 20 % under the others;"));
   const auto alone = quality_of(Study{}, stage, result_of(others));
   EXPECT_NEAR(alone.grid_share.value(), 0.2, 1e-12) << "of all tests";
   EXPECT_THAT(summary_of(alone), HasSubstr("; grid: error up to 20 %;"));

@@ -22,7 +22,7 @@ class StoredResults : public testing::Test {
  protected:
   [[nodiscard]] std::string refusal_of_curve(const std::string& row) const {
     directory.write("curves.csv", "stage,load,boundary,method,cells,time_s,modulus_Pa\n" + row + "\n");
-    return test::message_of<FileError>([&] { static_cast<void>(read_curves(directory.path(), Abscissa::time)); });
+    return test::message_of<FileError>([&] { static_cast<void>(read_curves(directory.path())); });
   }
   [[nodiscard]] std::string refusal_of_study(const nlohmann::ordered_json& record) const {
     directory.write("study.json", record.dump());
@@ -36,7 +36,7 @@ TEST_F(StoredResults, CurvesAreOfGridsAndHaveNumbers) {
   directory.write("curves.csv",
                   "stage,load,boundary,method,cells,time_s,modulus_Pa\n"
                   "A,shear,traction,quasistatic,12,1,2\nA,shear,traction,quasistatic,extrapolated,1,3\n");
-  EXPECT_EQ(read_curves(directory.path(), Abscissa::time).size(), 2U);
+  EXPECT_EQ(read_curves(directory.path()).size(), 2U);
   for (const auto* row : {"A,shear,traction,quasistatic,many,1,1", "A,shear,traction,quasistatic,99999999999,1,1",
                           "A,shear,traction,quasistatic,12,0,1", "A,shear,traction,quasistatic,12,inf,1",
                           "A,shear,traction,quasistatic,12,1,inf"}) {

@@ -13,9 +13,11 @@
 namespace breccia {
 namespace {
 
+using testing::DoubleNear;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Optional;
 
 const TestId shear{Load::shear, Boundary::displacement, Method::quasistatic, TestGrid(12)};
 
@@ -56,7 +58,7 @@ TEST(TaskCurves, AreReadAsTheyWereWritten) {
       {}};
   const test::TemporaryDirectory directory;
   write_curves(directory.path(), result);
-  const auto written = curves_of(result), read = read_curves(directory.path(), Abscissa::time);
+  const auto written = curves_of(result), read = read_curves(directory.path());
   ASSERT_EQ(read.size(), 3U);
   ASSERT_EQ(written.size(), 3U);
   for (std::size_t i = 0; i < read.size(); ++i) {
@@ -64,6 +66,29 @@ TEST(TaskCurves, AreReadAsTheyWereWritten) {
     EXPECT_EQ(read[i].modulus, written[i].modulus) << i;
   }
   EXPECT_EQ(read[0].modulus, (Curve{{1e-3, 1.0 / 3.0}, {1.0, 0.1}}));
+}
+
+// The whole error is the root of the sum of the squares of its causes.
+TEST(TaskCurves, HaveTheErrorsOfTheirTimes) {
+  const std::string of_test = "A,shear,periodic,quasistatic,12,";
+  const std::string head =
+      "stage,load,boundary,method,cells,time_s,modulus_Pa,error,grid_error,sample_error,solver_error,"
+      "matrix_error\n";
+  const auto first = of_test + "1,2e6,0.05,0.03,0.04,0,0\n", second = of_test + "10,1e6,,0.03,,0,0\n";
+  const test::TemporaryDirectory directory;
+  directory.write("curves.csv",
+                  "stage,load,boundary,method,cells,time_s,modulus_Pa\n" + of_test + "1,2e6\n" + of_test + "10,1e6\n");
+  const auto read = [&] { return read_task_curves(directory.path(), Abscissa::time); };
+  EXPECT_THAT(read().at(0).errors, IsEmpty()) << "an earlier version wrote none";
+  directory.write("errors.csv", head + first + second);
+  const auto curve = read().at(0);
+  EXPECT_THAT(curve.errors, ElementsAre(Optional(DoubleNear(0.05, 1e-15)), std::nullopt));
+  EXPECT_EQ(curve.error_at(2.0), curve.errors[0]) << "nearest in the logarithm";
+  EXPECT_EQ(curve.error_at(5.0), std::nullopt);
+  for (const auto& damaged : {head + first, head + second, head + second + first, head + first + second + second}) {
+    directory.write("errors.csv", damaged);
+    EXPECT_THROW(static_cast<void>(read()), FileError) << damaged;
+  }
 }
 
 TEST(TaskCurves, MatchByStageAndTest) {
@@ -78,14 +103,14 @@ TEST(TaskCurves, MatchByStageAndTest) {
 
 TEST(TaskCurves, AreRefusedFromATableThatIsDamaged) {
   const test::TemporaryDirectory directory;
-  EXPECT_THROW(static_cast<void>(read_curves(directory.path(), Abscissa::time)), FileError) << "no table";
+  EXPECT_THROW(static_cast<void>(read_curves(directory.path())), FileError) << "no table";
   directory.write("curves.csv", "stage,load,boundary,method,cells,time_s\nA,shear,traction,quasistatic,12,1\n");
-  EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(read_curves(directory.path(), Abscissa::time)); }),
+  EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(read_curves(directory.path())); }),
               HasSubstr("modulus_Pa"));
   for (const auto* row : {"A,tension,traction,quasistatic,12,1,1", "A,shear,free,quasistatic,12,1,1",
                           "A,shear,traction,static,12,1,1", "A,shear,traction,quasistatic,-3,1,1"}) {
     directory.write("curves.csv", std::string("stage,load,boundary,method,cells,time_s,modulus_Pa\n") + row + "\n");
-    EXPECT_THAT(test::message_of<FileError>([&] { static_cast<void>(read_curves(directory.path(), Abscissa::time)); }),
+    EXPECT_THAT(test::message_of<FileError>([&] { static_cast<void>(read_curves(directory.path())); }),
                 HasSubstr("curves.csv:2: not as `breccia run` writes it"))
         << row;
   }

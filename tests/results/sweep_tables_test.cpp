@@ -46,6 +46,7 @@ class SweepTables : public testing::Test {
 TEST_F(SweepTables, HoldTheCurvesOfAllTasksThatAreDone) {
   result[1] =
       done_with({{1e-3, 1.0 / 3.0}, {1.0, 0.1}}, {Load::bulk, Boundary::traction, Method::dynamic, TestGrid(24)});
+  result[1].curves[0].errors = {0.02, std::nullopt};
   result[4] = done_with({{1.0, 7.0}});
   write_sweep_tables(directory.path(), sweep, result);
   const auto table = read_csv(file("sweep.csv"), text_columns);
@@ -60,6 +61,7 @@ TEST_F(SweepTables, HoldTheCurvesOfAllTasksThatAreDone) {
   EXPECT_THAT(table.text("cells"), ElementsAre("24", "24", "12"));
   EXPECT_THAT(table.numbers("time_s"), ElementsAre(1e-3, 1.0, 1.0));
   EXPECT_THAT(table.numbers("modulus_Pa"), ElementsAre(1.0 / 3.0, 0.1, 7.0));
+  EXPECT_THAT(table.text("error"), ElementsAre("0.02", "", ""));
 }
 
 TEST_F(SweepTables, HoldTheSpreadOverTheSeeds) {

@@ -117,6 +117,10 @@ function groupsOfStudy() {
   return groupsOfWarnings(warnings, study.stages.map(({name}) => name));
 }
 
+function loadsOf(stage) {
+  return study.stages.find(({name}) => name === stage).tests.map(({load}) => load);
+}
+
 function gridsOf(stage) {
   return study.stages.find(({name}) => name === stage).cells;
 }
@@ -155,7 +159,7 @@ export function showResult(curves) {
   const sentences = moduli.length > 0
     ? [...complexSentences({stage: name, moduli, result, error, binder: complexBinder(stage)}),
       ...sentencesBesideMeasured(curves, moduli, result, measured)]
-    : resultSentences({stage: name, symbol: symbolOf(load), curves: result, error,
+    : resultSentences({stage: name, symbol: symbolOf(load, loadsOf(stage)), curves: result, error,
       binder: isShear ? binderBeside(stage) : undefined, measured});
   const [first, ...others] = [...sentences, onSpace(study, qualityOf(stage))].filter((sentence) => sentence !== "");
   place.append(element("p", {id: "answer"}, element("strong", {}, unbroken(first)), ` ${unbroken(others.join(" "))}`));
@@ -172,7 +176,7 @@ export function showWarnings() {
   list.append(...groups.map((group) => {
     const line = lineOnGroup(group);
     const isWhole = group.texts.length === 1 && line.endsWith(group.texts[0]);
-    if (isWhole) return element("li", {tabIndex: 0}, line);
+    if (isWhole) return element("li", {}, line);
     return element("li", {}, element("details", {}, element("summary", {}, line),
       ...group.texts.map((text) => element("p", {}, text))));
   }));

@@ -84,8 +84,8 @@ function measuredLevels(key, time, measured) {
   const x = extent(key.numbers);
   return measured.map((curve) => ({curve, value: valueAt(curve.x, curve.y, time)}))
     .filter(({value}) => Number.isFinite(value))
-    .map(({curve: {label}, value}) => ({label, isLevel: true, x, y: [value, value],
-      line: {color: currentInks().ink, dash: "dot"}}));
+    .map(({curve: {label, part}, value}) => ({label, isLevel: true, x, y: [value, value],
+      line: {color: currentInks().ink, dash: part === "loss" ? "dashdot" : "dot"}}));
 }
 
 /// A line through all shown curves that differ in the key alone; `indices` are those of the values of the key.
@@ -97,7 +97,7 @@ function linesAgainst(key, time, seen, choice) {
     const direct = curve.y[curve.x.findIndex((x) => Math.abs(x / time - 1) < 1e-6)];
     const y = direct ?? value;
     if (!Number.isFinite(y)) continue;
-    const name = others.map((one) => one.of(curve)).join("|");
+    const name = [curve.part, ...others.map((one) => one.of(curve))].join("|");
     if (!groups.has(name)) groups.set(name, {curve, points: []});
     const index = key.values.indexOf(curve.values[key.path]);
     groups.get(name).points.push([key.numbers[index], y, index]);

@@ -66,8 +66,9 @@ export function listed(words) {
   return words.length < 2 ? words.join("") : `${words.slice(0, -1).join(", ")} and ${words.at(-1)}`;
 }
 
-/// The symbol of the modulus that a load gives.
-export function symbolOf(load) {
+/// The symbol of the modulus that a load gives, one of the loads of its stage.
+export function symbolOf(load, loads = []) {
   if (load === "bulk") return "The bulk modulus K(t)";
+  if (load === "shear" && loads.some((other) => other.startsWith("shear-"))) return "G(t) in shear xy, one of several shears,";
   return ["isotropic", "shear"].includes(load) ? "G(t)" : `G(t) in ${load.replace("-", " ")}`;
 }

@@ -93,8 +93,8 @@ export function onAnisotropy(record, quality) {
 export function onSpace(record, quality) {
   if (quality?.spheres_over_discs === undefined) return "";
   const {ratio, time_s: time} = quality.spheres_over_discs;
-  return `It is that of discs in two dimensions: spheres would have up to about ${shortNumber(ratio, 2)} times as much, at ` +
-    `${instantText(record, time, 2)}.`;
+  return "This is the modulus of discs in two dimensions; that of spheres would be up to about " +
+    `${shortNumber(ratio, 2)} times as large (at ${instantText(record, time, 2)}).`;
 }
 
 /// A sentence on the grids that measure the error of one; empty where none do.

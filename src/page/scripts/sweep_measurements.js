@@ -23,11 +23,13 @@ export function measuredCurves() {
 /// Columns for the table of tasks, [{head, of}]: over each measurement, the modulus of the stage under each boundary, in
 /// frequency its absolute value. `of` gives the text for the number of a task.
 export function ratioColumns(curves) {
-  return measuredCurves().filter(({quantity}) => ["shear", "absolute"].includes(quantity)).flatMap((measured) => {
+  const isComplex = curves.some(({quantity}) => quantity === "absolute");
+  const compared = isComplex ? "absolute" : "shear";
+  return measuredCurves().filter(({quantity}) => quantity === compared).flatMap((measured) => {
     const ofStage = curves.filter((curve) => curve.stage === measured.stage && curve.quantity === measured.quantity);
     const load = mainLoad(ofStage.map((curve) => curve.load));
     const tested = ofStage.filter((curve) => curve.load === load);
-    const symbol = measured.quantity === "absolute" ? "|G*| of " : "";
+    const symbol = isComplex ? "|G*| of " : "";
     return distinct(tested, "boundary").map((boundary) => ({
       head: `${symbol}${measured.stage} over ${measured.label}, ${boundary}`,
       of: (task) => {

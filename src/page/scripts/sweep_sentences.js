@@ -6,10 +6,10 @@ import {listed} from "./names.js";
 import {display, percent, shortNumber} from "./numbers.js";
 import {ratioRange, valueAt} from "./sampling.js";
 
-/// The curves of one test that the sentences are about: the main load, the last stage, under displacement
-/// before others. A task without that test has none.
+/// The curves of one test that the sentences are about: the main load, the last stage, under the periodic boundary, which
+/// comes nearest to the material, before others. A task without that test has none.
 export function curvesOfSentences(curves) {
-  const order = ["displacement", "periodic", "traction"];
+  const order = ["periodic", "displacement", "traction"];
   const load = mainLoad(curves.map((curve) => curve.load));
   const ofLoad = curves.filter((curve) => curve.load === load);
   const {stage, method} = ofLoad.at(-1);
@@ -30,19 +30,29 @@ export function sweepSentences({curves, symbol, xUnit, boundary, tasks, textOnTa
   return measured === undefined ? sentences : [...sentences, ...nearestTo(measured, curves, name, textOnTask)];
 }
 
-/// The sentence on packings that differ in their seeds alone: the mean of a modulus over them, and its standard deviation,
-/// at the first and the last time or frequency. Arguments as above.
-export function seedsSentence({curves, symbol, xUnit, boundary}) {
+/// The sentences on packings that differ in their seeds alone: the mean of a modulus over them and the standard deviation
+/// of one, and the mean beside what was measured. Arguments as above.
+export function seedsSentences({curves, symbol, xUnit, boundary, tasks, measured}) {
   const places = threeTimes(curves);
   const parts = [places[0], places.at(-1)].map((at) => {
-    const values = curves.map(({x, y}) => valueAt(x, y, at)).filter(Number.isFinite);
-    const mean = values.reduce((sum, value) => sum + value, 0) / values.length;
-    const squares = values.reduce((sum, value) => sum + (value - mean) ** 2, 0);
-    return `${display(mean, "Pa")} with a standard deviation of ${percent(Math.sqrt(squares / (values.length - 1)) / mean)} ` +
-      `at ${display(at, xUnit)}`;
+    const {mean, deviation} = meanAt(curves, at);
+    return `${display(mean, "Pa")} with a standard deviation of ${percent(deviation / mean)} at ${display(at, xUnit)}`;
   });
-  return `${symbol} of ${curves[0].stage}, the mean of ${curves.length} packings, ${boundary} boundary: ` +
-    `${listed([...new Set(parts)])}, without the error of the grid.`;
+  const part = curves.length < tasks ? `, ${curves.length} of ${tasks} tasks` : "";
+  const sentences = [`${symbol} of ${curves[0].stage}, the mean of ${curves.length} packings${part}, ${boundary} boundary: ` +
+    `${listed([...new Set(parts)])}.`, "The deviation is that of one packing, without the error of the grid."];
+  const range = measured && ratioRange({x: curves[0].x, y: curves[0].x.map((at) => meanAt(curves, at).mean)}, measured);
+  if (range === undefined) return sentences;
+  const ratios = [...new Set(range.map((ratio) => shortNumber(ratio, 2)))].join(" to ");
+  return [...sentences, `The mean is ${ratios} times what was measured (${measured.name}).`];
+}
+
+/// The mean of the curves that are known at a place, and the standard deviation of one of them.
+function meanAt(curves, at) {
+  const values = curves.map(({x, y}) => valueAt(x, y, at)).filter(Number.isFinite);
+  const mean = values.reduce((sum, value) => sum + value, 0) / values.length;
+  const squares = values.reduce((sum, value) => sum + (value - mean) ** 2, 0);
+  return {mean, deviation: Math.sqrt(squares / (values.length - 1))};
 }
 
 /// "1 MPa (gap 10 um) to 3 MPa (gap 1 um)".

@@ -6,7 +6,7 @@ import {gridName, listed, methodNames, symbolOf} from "./names.js";
 import {display, duration, percent, shortNumber, unbroken} from "./numbers.js";
 import {groupsOf} from "./records.js";
 import {decades, valueAt} from "./sampling.js";
-import {curvesOfSentences, seedsSentence, sweepSentences} from "./sweep_sentences.js";
+import {curvesOfSentences, seedsSentences, sweepSentences} from "./sweep_sentences.js";
 import {labelOfKey, sweptKeys} from "./sweep_curves.js";
 import {measuredCurves, ratioColumns} from "./sweep_measurements.js";
 import {table} from "./table.js";
@@ -23,7 +23,7 @@ export function showSweepSummary(curves) {
     element("ul", {}, ...what.map((text) => element("li", {}, text))));
   if (sweep.dimensions === 2) {
     document.getElementById("summary").append(element("p", {className: "note"}, "Computed in two dimensions (plane strain): " +
-      "particles are cross-sections of cylinders. The pages of the tasks say what spheres would change, and have their warnings."));
+      "particles are cross-sections of cylinders. The pages of the tasks have their warnings."));
   }
   const ofState = (state) => sweep.tasks.filter((task) => task.state === state).length;
   const warnings = [];
@@ -44,7 +44,7 @@ function showResult(curves) {
     tasks: sweep.tasks.filter(({state}) => state === "done").length,
     textOnTask: ({values}) => moving.map(({path, label}) => `${label} ${values[path]}`).join(", ") || "the one task"};
   const isOfSeeds = curves.length > 1 && moving.every(({isSeed}) => isSeed);
-  const [first, ...others] = isOfSeeds ? [seedsSentence(words)] : sweepSentences(words);
+  const [first, ...others] = isOfSeeds ? seedsSentences(words) : sweepSentences(words);
   document.getElementById("summary").append(
     element("p", {id: "answer"}, element("strong", {}, unbroken(first)), ` ${unbroken(others.join(" "))}`));
 }

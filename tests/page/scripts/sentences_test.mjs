@@ -11,7 +11,8 @@ import {deviationsFrom} from "../../../src/page/scripts/deviation.js";
 import {displayRange, percent, shortNumber, withMicroSign} from "../../../src/page/scripts/numbers.js";
 import {mainLoad, shearOf, shearsOf} from "../../../src/page/scripts/loads.js";
 import {binderOf, stagesOfInterest} from "../../../src/page/scripts/stages.js";
-import {curvesOfSentences, seedsSentence, sweepSentences} from "../../../src/page/scripts/sweep_sentences.js";
+import {curvesOfSentences, seedsSentences, sweepSentences} from "../../../src/page/scripts/sweep_sentences.js";
+import {symbolOf} from "../../../src/page/scripts/names.js";
 import {nextStep, onSpace, sentencesOnReliability} from "../../../src/page/scripts/reliability_sentences.js";
 import {groupsOfWarnings, lineOnGroup} from "../../../src/page/scripts/warnings.js";
 
@@ -154,10 +155,15 @@ test("a sweep: its range, and the task that is nearest to the measurement", () =
 
 test("packings that differ in their seeds alone", () => {
   const packing = (factor) => ({...falling("periodic", 1e6 * factor), stage: "mix", load: "shear"});
-  // The deviations are those of 0.9, 1 and 1.1.
-  assert.equal(seedsSentence({curves: [0.9, 1, 1.1].map(packing), symbol: "G(t)", xUnit: "s", boundary: "periodic"}),
+  // The deviations are those of 0.9, 1 and 1.1; the measured values are half the mean.
+  const words = {curves: [0.9, 1, 1.1].map(packing), symbol: "G(t)", xUnit: "s", boundary: "periodic", tasks: 3};
+  const {x, y} = packing(0.5);
+  assert.deepEqual(seedsSentences({...words, measured: {name: "Bennett", x, y}}), [
     "G(t) of mix, the mean of 3 packings, periodic boundary: 1 MPa with a standard deviation of 10 % at 1 ms and 10 kPa " +
-    "with a standard deviation of 10 % at 10 s, without the error of the grid.");
+      "with a standard deviation of 10 % at 10 s.",
+    "The deviation is that of one packing, without the error of the grid.",
+    "The mean is 2 times what was measured (Bennett)."]);
+  assert.ok(seedsSentences({...words, tasks: 4})[0].includes("the mean of 3 packings, 3 of 4 tasks, periodic boundary"));
 });
 
 test("the test of a sweep that its sentence is about", () => {
@@ -166,6 +172,8 @@ test("the test of a sweep that its sentence is about", () => {
     curve("B", "bulk", "displacement")];
   assert.deepEqual(curvesOfSentences(curves), [curves[2]]);
   assert.deepEqual(curvesOfSentences(curves.slice(0, 2)), [curves[1]]);
+  const periodic = curve("B", "shear", "periodic");
+  assert.deepEqual(curvesOfSentences([...curves, periodic]), [periodic]);
 });
 
 test("ranges with their units", () => {
@@ -255,7 +263,7 @@ test("what both apparent moduli say of a larger body", () => {
 test("what two dimensions leave out", () => {
   assert.equal(onSpace({}, {}), "");
   assert.equal(onSpace({}, {spheres_over_discs: {time_s: 1, ratio: 1.52}}),
-    "It is that of discs in two dimensions: spheres would have up to about 1.5 times as much, at 1 s.");
+    "This is the modulus of discs in two dimensions; that of spheres would be up to about 1.5 times as large (at 1 s).");
 });
 
 test("the next step about the error", () => {
@@ -273,4 +281,10 @@ test("the next step about the error", () => {
     'Next: boundaries = ["periodic"] in [tests], whose modulus comes nearest to that of the material.');
   assert.equal(step({}, ["films"]), "");
   assert.equal(step({}), "");
+});
+
+test("a shear among several has its name", () => {
+  assert.equal(symbolOf("shear", ["shear", "bulk"]), "G(t)");
+  assert.equal(symbolOf("shear", ["shear", "shear-xx-yy"]), "G(t) in shear xy, one of several shears,");
+  assert.equal(symbolOf("isotropic", ["shear", "shear-xx-yy", "isotropic"]), "G(t)");
 });
