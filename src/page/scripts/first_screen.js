@@ -102,12 +102,13 @@ function hasWholeError({error}) {
 
 /// The largest errors of curves by their causes: "3.4 % by the grid, 7.9 % by the packing".
 function causesOfErrors(result) {
-  const causes = {grid: "grid", sample: "packing (a rule)", matrix: "matrix", solver: "solver"};
+  const causes = {grid: "grid", sample: "packing", matrix: "matrix", solver: "solver"};
   const least = 1e-3;  // the solver's error is smaller by default
   const largest = Object.entries(causes).map(([cause, name]) =>
     [Math.max(...result.flatMap(({error}) => error[cause])), name]);
   const shown = largest.filter(([share], i) => share >= least || i === 0);
-  return `${shown.map(([share, name]) => `${percent(share)} by the ${name}`).join(", ")}`;
+  const about = (name) => (name === "packing" ? "about " : "");  // by a rule
+  return shown.map(([share, name]) => `${about(name)}${percent(share)} by the ${name}`).join(", ");
 }
 
 /// The warnings of all stages, those of one kind together.
