@@ -8,7 +8,8 @@ document.addEventListener("securitypolicyviolation", (event) => complaints.push(
 for (const level of ["error", "warn"]) console[level] = (...words) => complaints.push(words.join(" "));
 
 const seen = [];
-const see = (what, value) => seen.push(`${what}: ${value}`);
+/// Texts have blanks that break no line (unbroken of numbers.js); what is seen has common ones.
+const see = (what, value) => seen.push(`${what}: ${String(value).replaceAll("\u00a0", " ")}`);
 const wait = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 const at = (id) => document.getElementById(id);
 
