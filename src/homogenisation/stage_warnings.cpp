@@ -342,6 +342,8 @@ std::optional<std::string> warning_of_other_times(const Measurement& measurement
     const auto reason = known ? windows(*known) : "none of its own times is within measurements.times";
     return fmt::format("the measurement \"{}\" is not compared: {}", measurement.label, reason);
   }
+  // A relaxation curve has no points in frequency.
+  if (tests.by_frequency && measurement.dynamic.empty()) return std::nullopt;
   const auto points = measurement.points_within(all), compared = measurement.points_within(times);
   if (points.size() == compared.size()) return std::nullopt;
   const auto left_out = points.size() - compared.size();

@@ -150,6 +150,13 @@ TEST(StageWarnings, OfMeasurementsAtOtherTimes) {
           "measurements.times"));
 }
 
+TEST(StageWarnings, OfNoPointsOfARelaxationCurveInFrequency) {
+  auto study = within(1e-6, 1e-2);
+  study.tests.by_frequency = true;
+  study.measurements = {{"early", "A", Curve{{1e-3, 2.0}, {1.0, 1.0}}}};
+  EXPECT_THAT(warnings(two_discs(0.15e-3), study), IsEmpty());
+}
+
 TEST(StageWarnings, OfTimesNotForAMatrixThatIsAStage) {
   auto study = within(1.0, 100.0);
   study.stages = {two_discs(1e-3)};

@@ -89,7 +89,7 @@ function measuredLevels(key, time, measured) {
 }
 
 /// A line through all shown curves that differ in the key alone; `indices` are those of the values of the key.
-function linesAgainst(key, time, seen, choice) {
+export function linesAgainst(key, time, seen, choice) {
   const others = choice.dimensions.filter(({name}) => name !== key.path);
   const groups = new Map();
   for (const curve of seen) {

@@ -14,9 +14,10 @@ export const sweptKeys = sweep.keys.map((path) => {
   return {path, label: labelOfKey(path), values, isSeed: path.split(".").at(-1) === "seed", ...numbersOf(path, values)};
 });
 
-/// The last part of the path of a key, or all of it if another swept key has the same last part.
+/// The last part of the path of a key, with the name of a list before the number of its element, or all of it if another
+/// swept key has the same last part.
 export function labelOfKey(path) {
-  const last = (text) => text.split(".").at(-1);
+  const last = (text) => text.match(/[^.]+(\.\d+)*$/)[0].replaceAll(".", " ");
   return sweep.keys.filter((other) => last(other) === last(path)).length === 1 ? last(path) : path;
 }
 

@@ -35,7 +35,7 @@ export function ratioColumns(curves) {
       of: (task) => {
         const curve = tested.find((one) => one.task === task && one.boundary === boundary);
         const range = curve && ratioRange(curve, measured);
-        return range === undefined ? "–" : range.map((ratio) => shortNumber(ratio)).join(" to ");
+        return range === undefined ? "–" : [...new Set(range.map((ratio) => shortNumber(ratio)))].join(" to ");
       }}));
   });
 }
