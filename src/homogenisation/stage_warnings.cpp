@@ -152,7 +152,7 @@ struct NarrowestGap {
   }
 };
 
-/// Where several grids show by how much cells in series err in narrow gaps.
+/// A clause that the difference of several grids shows by how much narrow gaps change the modulus; empty for one grid.
 std::string words_on_several_grids(const Stage& stage) {
   return stage.coarser_cells.empty() ? "" : "; the difference of the grids shows by how much";
 }
