@@ -87,7 +87,7 @@ Choice choice_of(const std::vector<std::string>& arguments) {
 }
 
 // Grains in the unit square, whose areas are those of discs of the chosen diameters, parted by films of one thickness.
-breccia::FilmProblem problem_of(const Choice& choice) {
+breccia::FilmProblem<2> problem_of(const Choice& choice) {
   breccia::RandomTessellationRequest request;
   request.side = 1.0;
   request.walls = choice.boundary == Boundary::periodic ? breccia::Walls::periodic : breccia::Walls::hard;
@@ -101,11 +101,11 @@ breccia::FilmProblem problem_of(const Choice& choice) {
           .thickness = choice.film / std::sqrt(area),
           .grain = {.bulk = 13.4e9, .shear = 5.84e9},
           .boundary = choice.boundary,
-          .face_share = choice.face_share};
+          .elements = {.face_share = choice.face_share}};
 }
 
 // Length of the films shorter than five times their thickness over that of all films: there films are not thin.
-double share_of_short_films(const breccia::FilmProblem& problem) {
+double share_of_short_films(const breccia::FilmProblem<2>& problem) {
   double all = 0.0, in_short_films = 0.0;
   for (std::size_t site = 0; site < problem.tessellation.size(); ++site) {
     const auto& cell = problem.tessellation.cell(site);

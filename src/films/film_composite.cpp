@@ -7,23 +7,26 @@
 
 namespace breccia::films {
 
-static_assert(quasistatic::AffineComposite<FilmComposite>);
-static_assert(quasistatic::CompositeSolver<FilmSolver, FilmVector>);
-static_assert(quasistatic::SteppableComposite<FilmComposite>);
-static_assert(quasistatic::StepSolver<FilmSolver, FilmVector>);
+static_assert(quasistatic::AffineComposite<FilmComposite<2>>);
+static_assert(quasistatic::CompositeSolver<FilmSolver<2>, FilmVector>);
+static_assert(quasistatic::SteppableComposite<FilmComposite<2>>);
+static_assert(quasistatic::StepSolver<FilmSolver<2>, FilmVector>);
 
-std::array<PhaseModulus, 2> FilmComposite::parameters() {
+template <int dim>
+std::array<PhaseModulus, 2> FilmComposite<dim>::parameters() {
   const std::string phase(name_of_matrix_phase);
   return {{{phase, ElasticModulus::shear}, {phase, ElasticModulus::bulk}}};
 }
 
-FilmVector FilmComposite::part_forces(std::size_t part, Load load, const FilmVector& displacement) const {
+template <int dim>
+FilmVector FilmComposite<dim>::part_forces(std::size_t part, Load load, const FilmVector& displacement) const {
   return part == shear ? film_operator_.shear_forces(load, displacement)
                        : film_operator_.bulk_forces(load, displacement);
 }
 
-FilmVector FilmComposite::varying_forces(std::span<const double> parameters, Load load,
-                                         const FilmVector& displacement) const {
+template <int dim>
+FilmVector FilmComposite<dim>::varying_forces(std::span<const double> parameters, Load load,
+                                              const FilmVector& displacement) const {
   auto sum = zero();
   for (std::size_t part = 0; part < parameters.size(); ++part) {
     sum.add(parameters[part], part_forces(part, load, displacement));
@@ -31,7 +34,9 @@ FilmVector FilmComposite::varying_forces(std::span<const double> parameters, Loa
   return sum;
 }
 
-FilmVector FilmComposite::forces(std::span<const double> parameters, Load load, const FilmVector& displacement) const {
+template <int dim>
+FilmVector FilmComposite<dim>::forces(std::span<const double> parameters, Load load,
+                                      const FilmVector& displacement) const {
   auto sum = constant_forces(load, displacement);
   for (std::size_t part = 0; part < parameters.size(); ++part) {
     sum.add(parameters[part], part_forces(part, load, displacement));
@@ -47,18 +52,21 @@ constexpr double memory_of_factors = 2e9;
 
 }  // namespace
 
-FilmSolver::FilmSolver(const FilmComposite& composite) : composite_(&composite), factors_(memory_of_factors) {
+template <int dim>
+FilmSolver<dim>::FilmSolver(const FilmComposite<dim>& composite) : composite_(&composite), factors_(memory_of_factors) {
   effort_.unknowns = composite.film_operator().unknowns() + composite.film_operator().pressures();
 }
 
-void FilmSolver::prepare(std::span<const double> parameters) {
+template <int dim>
+void FilmSolver<dim>::prepare(std::span<const double> parameters) {
   std::ranges::copy(parameters, parameters_.begin());
   factors_.factorise(
       [this] { return composite_->film_operator().matrix({.bulk = parameters_[1], .shear = parameters_[0]}); });
   ++effort_.factorisations;
 }
 
-FilmVector FilmSolver::solve_forces(Load /*load*/, const FilmVector& forces, const FilmVector& /*guess*/) {
+template <int dim>
+FilmVector FilmSolver<dim>::solve_forces(Load /*load*/, const FilmVector& forces, const FilmVector& /*guess*/) {
   const auto& film_operator = composite_->film_operator();
   Eigen::VectorXd right_side = Eigen::VectorXd::Zero(film_operator.unknowns() + film_operator.pressures());
   right_side.head(film_operator.unknowns()) = forces.unknowns();
@@ -69,7 +77,8 @@ FilmVector FilmSolver::solve_forces(Load /*load*/, const FilmVector& forces, con
   return solution;
 }
 
-FilmVector FilmSolver::solve(Load load, const FilmVector& guess) {
+template <int dim>
+FilmVector FilmSolver<dim>::solve(Load load, const FilmVector& guess) {
   if (composite_->boundary() == Boundary::traction) return solve_forces(load, composite_->load_forces(load), guess);
   // The forces of the uniform strain include those of its pressures, so that the solution has only the remaining
   // pressures.
@@ -82,9 +91,13 @@ FilmVector FilmSolver::solve(Load load, const FilmVector& guess) {
   return solution;
 }
 
-double FilmSolver::modulus(Load load, const FilmVector& solution) const {
+template <int dim>
+double FilmSolver<dim>::modulus(Load load, const FilmVector& solution) const {
   const double energy = work(composite_->forces(parameters_, load, solution), solution);
   return composite_->boundary() == Boundary::traction ? 1.0 / energy : energy;
 }
+
+template class FilmComposite<2>;
+template class FilmSolver<2>;
 
 }  // namespace breccia::films

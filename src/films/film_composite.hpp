@@ -13,6 +13,7 @@ namespace breccia::films {
 
 /// Grains and films as an affine composite for a reduced basis, with the shear and the bulk modulus of the binder as
 /// parameters.
+template <int dim>
 class FilmComposite {
  public:
   using Vector = FilmVector;
@@ -20,9 +21,9 @@ class FilmComposite {
   static constexpr std::size_t forces_at_hand = 3;   ///< number of parts whose forces are held in memory: all
   static constexpr std::size_t shear = 0, bulk = 1;  ///< indices of the moduli of the binder among the parameters
 
-  explicit FilmComposite(const FilmProblem& problem) : film_operator_(problem) {}
+  explicit FilmComposite(const FilmProblem<dim>& problem) : film_operator_(problem) {}
 
-  [[nodiscard]] const FilmOperator& film_operator() const noexcept { return film_operator_; }
+  [[nodiscard]] const FilmOperator<dim>& film_operator() const noexcept { return film_operator_; }
 
   [[nodiscard]] Boundary boundary() const noexcept { return film_operator_.boundary(); }
   /// Lengths are in sides of the box.
@@ -41,13 +42,14 @@ class FilmComposite {
                                           const FilmVector& displacement) const;
 
  private:
-  FilmOperator film_operator_;
+  FilmOperator<dim> film_operator_;
 };
 
 /// Solves for the displacements of grains and films, which must outlive it, for one binder after the other.
+template <int dim>
 class FilmSolver {
  public:
-  explicit FilmSolver(const FilmComposite& composite);
+  explicit FilmSolver(const FilmComposite<dim>& composite);
 
   /// Factorises the matrix for a binder with these positive moduli [Pa], shear and bulk.
   void prepare(std::span<const double> parameters);
@@ -66,7 +68,7 @@ class FilmSolver {
   void count_from(const LinearEffort& earlier) { effort_ = earlier; }
 
  private:
-  const FilmComposite* composite_;
+  const FilmComposite<dim>* composite_;
   std::array<double, 2> parameters_{};
   SymmetricFactors factors_;
   LinearEffort effort_;

@@ -11,15 +11,16 @@
 
 namespace breccia {
 
-std::vector<std::vector<double>> film_moduli(const FilmProblem& problem, std::span<const Moduli> binders,
+template <int dim>
+std::vector<std::vector<double>> film_moduli(const FilmProblem<dim>& problem, std::span<const Moduli> binders,
                                              std::span<const Load> loads) {
   for (const auto& [bulk, shear] : binders) {
     if (bulk > 0.0 && shear > 0.0 && std::isfinite(bulk) && std::isfinite(shear)) continue;
     throw InputError(fmt::format(
         "films: the moduli of the binder must be positive and finite, got K = {} Pa and G = {} Pa", bulk, shear));
   }
-  const films::FilmComposite composite(problem);
-  films::FilmSolver solver(composite);
+  const films::FilmComposite<dim> composite(problem);
+  films::FilmSolver<dim> solver(composite);
   std::vector<std::vector<double>> moduli;
   for (const auto& binder : binders) {
     solver.prepare(std::array{binder.shear, binder.bulk});
@@ -28,5 +29,8 @@ std::vector<std::vector<double>> film_moduli(const FilmProblem& problem, std::sp
   }
   return moduli;
 }
+
+template std::vector<std::vector<double>> film_moduli(const FilmProblem<2>&, std::span<const Moduli>,
+                                                      std::span<const Load>);
 
 }  // namespace breccia

@@ -11,7 +11,8 @@
 
 namespace breccia {
 
-void require_sound(const FilmProblem& problem) {
+template <int dim>
+void require_sound(const FilmProblem<dim>& problem) {
   std::vector<std::string> mistakes;
   const auto require_positive = [&](double value, const char* name, const char* unit) {
     if (value > 0.0 && std::isfinite(value)) return;
@@ -20,7 +21,12 @@ void require_sound(const FilmProblem& problem) {
   require_positive(problem.thickness, "the thickness of the films", " m");
   require_positive(problem.grain.bulk, "the bulk modulus of the grains", " Pa");
   require_positive(problem.grain.shear, "the shear modulus of the grains", " Pa");
-  require_positive(problem.face_share, "the length of the elements", "");
+  if constexpr (dim == 2) {
+    require_positive(problem.elements.face_share, "the length of the elements", "");
+  } else if (problem.elements.divisions < 1) {
+    mistakes.push_back(
+        fmt::format("the number of elements along an edge must be positive, got {}", problem.elements.divisions));
+  }
   if (problem.layers && *problem.layers < 1) {
     mistakes.push_back(fmt::format("the number of layers across the films must be positive, got {}", *problem.layers));
   }
@@ -29,7 +35,14 @@ void require_sound(const FilmProblem& problem) {
     mistakes.push_back(fmt::format("a {} tessellation does not go with a {} boundary",
                                    is_periodic ? "periodic" : "walled", name_of(problem.boundary)));
   }
+  if (dim == 3 && problem.boundary != Boundary::periodic) {
+    mistakes.emplace_back("in three dimensions the boundary must be periodic");
+  }
+  if (dim == 3 && problem.layers) mistakes.emplace_back("in three dimensions films are thin, without layers");
   if (!mistakes.empty()) throw InputError(fmt::format("films: {}", fmt::join(mistakes, "; ")));
 }
+
+template void require_sound(const FilmProblem<2>&);
+template void require_sound(const FilmProblem<3>&);
 
 }  // namespace breccia

@@ -12,16 +12,16 @@ namespace {
 
 /// Grains and films and the reduced bases that point to them.
 struct SampledFilms {
-  SampledFilms(const FilmProblem& problem, std::span<const Load> loads, const TrainingPath& path)
+  SampledFilms(const FilmProblem<2>& problem, std::span<const Load> loads, const TrainingPath& path)
       : composite(problem), sampling(composite, loads, quasistatic::initial_snapshots(path).front()) {}
 
-  films::FilmComposite composite;
-  quasistatic::GreedySampling<films::FilmComposite> sampling;
+  films::FilmComposite<2> composite;
+  quasistatic::GreedySampling<films::FilmComposite<2>> sampling;
 };
 
 }  // namespace
 
-FilmResponses sample_film_responses(const FilmProblem& problem, std::span<const Load> loads,
+FilmResponses sample_film_responses(const FilmProblem<2>& problem, std::span<const Load> loads,
                                     std::span<const Moduli> training_set, const SamplingOptions& options,
                                     const ProgressObserver& observer, Checkpoint* checkpoint,
                                     const std::optional<TargetCurve>& target) {
@@ -31,7 +31,7 @@ FilmResponses sample_film_responses(const FilmProblem& problem, std::span<const 
   quasistatic::require_complete(loads, path);
   const auto sampled = std::make_shared<SampledFilms>(problem, loads, path);
   auto& sampling = sampled->sampling;
-  films::FilmSolver solver(sampled->composite);
+  films::FilmSolver<2> solver(sampled->composite);
   if (const auto* earlier = checkpoint != nullptr ? checkpoint->earlier() : nullptr) {
     sampling.restore(*earlier);
     solver.count_from(sampling.effort());

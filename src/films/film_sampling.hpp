@@ -35,7 +35,7 @@ struct FilmResponses {
 /// time for a Prony series, coverage(), calibration. With a checkpoint, the state is saved between solutions when that
 /// is due, and an earlier state is resumed. Throws InputError when the problem is not sound or there are no loads or
 /// moduli, NumericalError when a system cannot be solved or the tolerance cannot be met.
-[[nodiscard]] FilmResponses sample_film_responses(const FilmProblem& problem, std::span<const Load> loads,
+[[nodiscard]] FilmResponses sample_film_responses(const FilmProblem<2>& problem, std::span<const Load> loads,
                                                   std::span<const Moduli> training_set,
                                                   const SamplingOptions& options = {},
                                                   const ProgressObserver& observer = {},

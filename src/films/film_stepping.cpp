@@ -9,18 +9,18 @@
 
 namespace breccia {
 
-FilmSteppingResult run_film_stepping(const FilmProblem& problem, const Material& binder, std::span<const Load> loads,
+FilmSteppingResult run_film_stepping(const FilmProblem<2>& problem, const Material& binder, std::span<const Load> loads,
                                      std::span<const double> times, const ProgressObserver& observer,
                                      std::span<const double> field_times, Checkpoint* checkpoint) {
   quasistatic::require_steps(loads, times);
-  const films::FilmComposite composite(problem);
+  const films::FilmComposite<2> composite(problem);
   std::vector<const PronySeries*> series(composite.parameters().size());
-  series[films::FilmComposite::shear] = &binder.shear;
-  series[films::FilmComposite::bulk] = &binder.bulk;
+  series[films::FilmComposite<2>::shear] = &binder.shear;
+  series[films::FilmComposite<2>::bulk] = &binder.bulk;
   quasistatic::LogTimeRuns runs(composite, series, loads, times, field_times);
   // Fields are found when the factors are gone.
   const auto effort = [&] {
-    films::FilmSolver solver(composite);
+    films::FilmSolver<2> solver(composite);
     if (const auto* earlier = checkpoint != nullptr ? checkpoint->earlier() : nullptr) {
       runs.restore(*earlier);
       solver.count_from(read_effort(*earlier, "/effort"));

@@ -20,7 +20,7 @@ class Checkpoint;
 
 /// The body of a quasi-static test: cells in 2 or 3 dimensions, or grains and films, whose boundary is that of the
 /// test. In grains and films only the binder relaxes and varies.
-using QuasistaticComposite = std::variant<Discretisation<2>, Discretisation<3>, FilmProblem>;
+using QuasistaticComposite = std::variant<Discretisation<2>, Discretisation<3>, FilmProblem<2>>;
 
 /// A quasi-static virtual test.
 struct QuasistaticTest {

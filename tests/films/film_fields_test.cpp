@@ -45,14 +45,14 @@ Means means_of(const FilmFields& fields) {
 }
 
 /// Fields with an elastic binder.
-FilmFields elastic_fields(const FilmProblem& problem, const Moduli& binder, Load load) {
-  const FilmComposite composite(problem);
-  FilmSolver solver(composite);
+FilmFields elastic_fields(const FilmProblem<2>& problem, const Moduli& binder, Load load) {
+  const FilmComposite<2> composite(problem);
+  FilmSolver<2> solver(composite);
   solver.prepare(std::array{binder.shear, binder.bulk});
   const auto displacement = solver.solve(load, composite.zero());
   quasistatic::CompositeState<FilmVector> state{displacement, {displacement, displacement}};
-  state.applied[FilmComposite::shear].scale(binder.shear);
-  state.applied[FilmComposite::bulk].scale(binder.bulk);
+  state.applied[FilmComposite<2>::shear].scale(binder.shear);
+  state.applied[FilmComposite<2>::bulk].scale(binder.bulk);
   return fields_of(composite, problem, load, state);
 }
 

@@ -40,9 +40,9 @@ TEST(FilmOperator, AlmostPassesThePatchTestUnderTractions) {
 
 TEST(FilmOperator, GivesTheVoigtModulusForTheUniformStrain) {
   for (const auto boundary : all_boundaries) {
-    const FilmComposite composite(test::voronoi_problem(boundary));
+    const FilmComposite<2> composite(test::voronoi_problem(boundary));
     const auto& film_operator = composite.film_operator();
-    EXPECT_NEAR(film_operator.area(), 1.0, 1e-12);
+    EXPECT_NEAR(film_operator.content(), 1.0, 1e-12);
     const double fraction = grain_fraction(test::voronoi_problem().tessellation, test::film_of_25);
     for (const auto load : all_loads) {
       const auto uniform = composite.uniform_strain(load);
@@ -63,8 +63,8 @@ TEST(FilmOperator, GivesTheVoigtModulusForTheUniformStrain) {
 TEST(FilmOperator, HasTheDerivativesOfTheModulusAsItsParts) {
   constexpr double step = 1e-4;
   for (const auto boundary : all_boundaries) {
-    const FilmComposite composite(test::voronoi_problem(boundary));
-    FilmSolver solver(composite);
+    const FilmComposite<2> composite(test::voronoi_problem(boundary));
+    FilmSolver<2> solver(composite);
     const std::array binder = {1e7, test::binder_bulk};
     const auto modulus_at = [&](double shear_factor, double bulk_factor) {
       solver.prepare(std::array{shear_factor * binder[0], bulk_factor * binder[1]});
@@ -85,7 +85,7 @@ TEST(FilmOperator, HasTheDerivativesOfTheModulusAsItsParts) {
 
 // The held nodes of a traction boundary feel no force.
 TEST(FilmOperator, IsInEquilibriumUnderTractions) {
-  const FilmOperator film_operator(test::voronoi_problem(Boundary::traction));
+  const FilmOperator<2> film_operator(test::voronoi_problem(Boundary::traction));
   for (const auto load : all_loads) {
     const auto forces = film_operator.load_forces(load);
     EXPECT_NEAR(work(forces, film_operator.uniform_strain(load)), 1.0, 1e-12);

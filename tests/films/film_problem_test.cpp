@@ -23,7 +23,7 @@ TEST(FilmProblem, TellsEveryMistake) {
   problem.boundary = Boundary::traction;
   problem.thickness = 0.0;
   problem.grain.shear = -1.0;
-  problem.face_share = std::numeric_limits<double>::quiet_NaN();
+  problem.elements.face_share = std::numeric_limits<double>::quiet_NaN();
   problem.layers = 0;
   expect_error<InputError>([&] { require_sound(problem); }, "thickness", "got 0 m", "shear modulus of the grains",
                            "got -1 Pa", "length of the elements", "layers across the films must be positive, got 0",

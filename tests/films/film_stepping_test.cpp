@@ -22,7 +22,7 @@ using test::all_boundaries;
 using test::all_loads;
 
 /// Five grains of unlike sizes, with few elements.
-FilmProblem five_grains(Boundary boundary) {
+FilmProblem<2> five_grains(Boundary boundary) {
   LaguerreSites<2> sites;
   sites.side = 1e-3;
   sites.walls = boundary == Boundary::periodic ? Walls::periodic : Walls::hard;
@@ -33,7 +33,7 @@ FilmProblem five_grains(Boundary boundary) {
           .thickness = 1e-5,
           .grain = test::hmx,
           .boundary = boundary,
-          .face_share = 0.5};
+          .elements = {.face_share = 0.5}};
 }
 
 // Both methods integrate the same network of springs and dashpots: one by time steps, the other exactly in a basis of a

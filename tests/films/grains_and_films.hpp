@@ -29,7 +29,7 @@ inline Material relaxing_binder() {
 }
 
 /// The 25 sites of the reference, in a periodic box or as a window that the walls cut.
-inline FilmProblem voronoi_problem(Boundary boundary = Boundary::periodic, double thickness = film_of_25) {
+inline FilmProblem<2> voronoi_problem(Boundary boundary = Boundary::periodic, double thickness = film_of_25) {
   auto sites = voronoi_sites_25();
   if (boundary != Boundary::periodic) sites.walls = Walls::hard;
   return {

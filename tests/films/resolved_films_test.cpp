@@ -23,13 +23,13 @@ using test::all_boundaries;
 using test::all_loads;
 using test::modulus_of;
 
-FilmProblem with_layers(FilmProblem problem, int layers) {
+FilmProblem<2> with_layers(FilmProblem<2> problem, int layers) {
   problem.layers = layers;
   return problem;
 }
 
-void expect_one_material(const FilmProblem& problem) {
-  EXPECT_NEAR(FilmOperator(problem).area(), 1.0, 1e-12);
+void expect_one_material(const FilmProblem<2>& problem) {
+  EXPECT_NEAR(FilmOperator<2>(problem).content(), 1.0, 1e-12);
   const auto moduli = film_moduli(problem, std::array{test::hmx}, all_loads).front();
   for (std::size_t l = 0; l < all_loads.size(); ++l) {
     EXPECT_NEAR(moduli[l] / modulus_of(test::hmx, all_loads[l]), 1.0, 1e-10) << name_of(problem.boundary);
@@ -50,7 +50,7 @@ TEST(ResolvedFilms, PassThePatchTestWhereFacesHaveVanished) {
 // Two grains in a box with walls and the film between them, under uniform shear tractions: the compliances add up.
 TEST(ResolvedFilms, AreExactForALaminateInShear) {
   constexpr double thickness = 0.02;
-  const FilmProblem two_grains = {
+  const FilmProblem<2> two_grains = {
       .tessellation = Tessellation<2>({.side = 1.0, .walls = Walls::hard, .sites = {{{0.2, 0.5}}, {{0.8, 0.5}}}}),
       .thickness = thickness,
       .grain = test::hmx,
@@ -63,7 +63,7 @@ TEST(ResolvedFilms, AreExactForALaminateInShear) {
 }
 
 /// The 25 grains with films from half to three times as thick as the thinnest, by pairs of grains.
-FilmProblem with_several_thicknesses(Boundary boundary = Boundary::periodic) {
+FilmProblem<2> with_several_thicknesses(Boundary boundary = Boundary::periodic) {
   auto sites = test::voronoi_sites_25();
   if (boundary != Boundary::periodic) sites.walls = Walls::hard;
   for (std::size_t site = 0; site < sites.sites.size(); ++site) {
@@ -78,7 +78,7 @@ FilmProblem with_several_thicknesses(Boundary boundary = Boundary::periodic) {
 TEST(FilmsOfSeveralThicknesses, PassThePatchTest) {
   for (const auto boundary : all_boundaries) {
     expect_one_material(with_layers(with_several_thicknesses(boundary), 2));
-    EXPECT_NEAR(FilmOperator(with_several_thicknesses(boundary)).area(), 1.0, 1e-12);
+    EXPECT_NEAR(FilmOperator<2>(with_several_thicknesses(boundary)).content(), 1.0, 1e-12);
   }
 }
 
@@ -109,7 +109,7 @@ TEST(ThinFilms, OpenInWallsUnderTractionsAsLayersDo) {
 
 // Mixed cells of the same grains have similar errors with films of one thickness and of several.
 TEST(FilmsOfSeveralThicknesses, ChangeTheModuliOfCellsAsMuch) {
-  const auto by_cells = [](const FilmProblem& problem) {
+  const auto by_cells = [](const FilmProblem<2>& problem) {
     const Material grain = {"hmx", 1850.0, PronySeries(test::hmx.bulk), PronySeries(test::hmx.shear)};
     const Material binder = {"binder", 1480.0, PronySeries(test::binder_bulk), PronySeries(1e7)};
     return apparent_moduli<2>(
@@ -134,8 +134,8 @@ TEST(FilmsOfSeveralThicknesses, ChangeTheModuliOfCellsAsMuch) {
 TEST(ResolvedFilms, MeetAnIndependentSolution) {
   const auto table = read_csv(BRECCIA_REFERENCE_DIRECTORY "/voronoi_films.csv", {"load"});
   constexpr double mega = 1e6;
-  FilmComposite composite(with_layers(test::voronoi_problem(), 4));
-  FilmSolver solver(composite);
+  FilmComposite<2> composite(with_layers(test::voronoi_problem(), 4));
+  FilmSolver<2> solver(composite);
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const double shear = table.numbers("binder_shear_MPa")[row];
     if (shear != 500.0 && shear != 30.0 && shear != 0.7) continue;

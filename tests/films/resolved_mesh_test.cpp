@@ -65,13 +65,13 @@ TEST(GradedDivisions, OfAShortLineAreTwo) {
 }
 
 TEST(NodeMerger, TakesImagesForOneNodeInAPeriodicBox) {
-  NodeMerger periodic(Walls::periodic);
+  NodeMerger<2> periodic(Walls::periodic);
   EXPECT_EQ(periodic.number({0.0, 0.25}), 0U);
   EXPECT_EQ(periodic.number({0.0, 0.75}), 1U);
   EXPECT_EQ(periodic.number({1.0, 0.25}), 0U);
   EXPECT_EQ(periodic.number({1.0 - 1e-15, -0.75}), 0U);
   EXPECT_EQ(periodic.positions().size(), 2U);
-  NodeMerger walled(Walls::hard);
+  NodeMerger<2> walled(Walls::hard);
   EXPECT_EQ(walled.number({0.0, 0.25}), 0U);
   EXPECT_EQ(walled.number({1.0, 0.25}), 1U);
   EXPECT_EQ(walled.number({1e-12, 0.25}), 0U);

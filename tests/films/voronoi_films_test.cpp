@@ -26,7 +26,7 @@ struct Comparison {
 std::vector<Comparison> compare(double face_share) {
   const auto table = read_csv(BRECCIA_REFERENCE_DIRECTORY "/voronoi_films.csv", {"load"});
   auto problem = test::voronoi_problem();
-  problem.face_share = face_share;
+  problem.elements.face_share = face_share;
   std::vector<Moduli> binders;
   for (const double shear : table.numbers("binder_shear_MPa")) binders.push_back({test::binder_bulk, mega * shear});
   const auto moduli = film_moduli(problem, binders, test::all_loads);
@@ -61,7 +61,7 @@ TEST(VoronoiFilms, OfOtherThicknessesErrMoreTheThickerTheFilms) {
   for (const auto& [thickness, modulus, tolerance] :
        {Case{0.0046875, 1043.9, 5e-3}, Case{0.009375, 272.9, 6e-3}, Case{0.01875, 44.2, 1.8e-2}}) {
     auto problem = test::voronoi_problem(Boundary::periodic, thickness);
-    problem.face_share = 0.15;
+    problem.elements.face_share = 0.15;
     const std::array binder = {Moduli{test::binder_bulk, 0.7 * mega}};
     const auto found = film_moduli(problem, binder, std::array{Load::shear}).front().front() / mega;
     EXPECT_NEAR(found / modulus, 1.0, tolerance) << thickness;

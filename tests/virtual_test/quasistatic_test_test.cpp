@@ -82,9 +82,9 @@ TEST(RunQuasistaticTest, BothSolversAgreeOnGrainsAndFilms) {
   }
   const auto& particle = composites::particle;
   QuasistaticTest test = {
-      .composite = FilmProblem{.tessellation = Tessellation<2>(sites),
-                               .thickness = 0.1e-3,
-                               .grain = {.bulk = particle.bulk.unrelaxed(), .shear = particle.shear.unrelaxed()}},
+      .composite = FilmProblem<2>{.tessellation = Tessellation<2>(sites),
+                                  .thickness = 0.1e-3,
+                                  .grain = {.bulk = particle.bulk.unrelaxed(), .shear = particle.shear.unrelaxed()}},
       .materials = {composites::binder, particle},
       .varying = {{0, "matrix"}},
       .boundary = Boundary::periodic,

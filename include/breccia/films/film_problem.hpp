@@ -8,18 +8,35 @@
 
 namespace breccia {
 
-/// The model of grains and films in plane strain (theory, section 17): elastic grains, the cells of a tessellation of a
-/// plane, with films of binder between them that have one thickness, or one for each pair of grains
-/// (LaguerreSites::film_shares). A periodic boundary requires a periodic tessellation; the other boundaries require
-/// hard walls. Walls cut grains and films like a window in a larger body; no film runs along a wall.
-struct FilmProblem {
-  Tessellation<2> tessellation;
-  double thickness = 0.0;  ///< thickness of the films [m]; where they have shares, of a film with a mean share of one
-  Moduli grain = {};       ///< moduli of the grains [Pa]
-  Boundary boundary = Boundary::periodic;
+/// Sizes of the elements of grains and films.
+template <int dim>
+struct FilmElements;
+
+template <>
+struct FilmElements<2> {
   /// Ratio of the longest element along a face to the square root of the area of the smaller grain beside it [-]. With
   /// 0.3 most faces have two elements.
   double face_share = 0.3;
+};
+
+template <>
+struct FilmElements<3> {
+  int divisions = 2;  ///< number of elements along each edge of a grain
+};
+
+/// The model of grains and films (theory, sections 17 and 17a): elastic grains, the cells of a tessellation, with films
+/// of binder between them. In the plane, in plane strain, the films have one thickness, or one for each pair of grains
+/// (LaguerreSites::film_shares); a periodic boundary requires a periodic tessellation, the other boundaries require
+/// hard walls, which cut grains and films like a window in a larger body; no film runs along a wall. In space the films
+/// have nearly one thickness, the grains have the fraction that they would have between films of this thickness, and
+/// the boundary is periodic.
+template <int dim>
+struct FilmProblem {
+  Tessellation<dim> tessellation;
+  double thickness = 0.0;  ///< thickness of the films [m]; where they have shares, of a film with a mean share of one
+  Moduli grain = {};       ///< moduli of the grains [Pa]
+  Boundary boundary = Boundary::periodic;
+  FilmElements<dim> elements = {};
   /// Number of layers of elements that resolve the binder across every film (theory, Eq. 66a). If absent, films are
   /// thin and have one row of elements each.
   std::optional<int> layers = {};
@@ -27,6 +44,7 @@ struct FilmProblem {
 
 /// Throws InputError with all mistakes: a thickness, a share, a modulus or a number of layers that is not positive, or
 /// a boundary that does not fit the walls of the tessellation.
-void require_sound(const FilmProblem& problem);
+template <int dim>
+void require_sound(const FilmProblem<dim>& problem);
 
 }  // namespace breccia

@@ -11,14 +11,15 @@ std::vector<GrainMesh> meshes_of(const FilmNetwork& network) {
   return meshes;
 }
 
-FilmNetwork network_of(const FilmProblem& problem) {
+FilmNetwork network_of(const FilmProblem<2>& problem) {
   require_sound(problem);
-  return film_network(problem.tessellation, problem.thickness / problem.tessellation.side(), problem.face_share);
+  return film_network(problem.tessellation, problem.thickness / problem.tessellation.side(),
+                      problem.elements.face_share);
 }
 
 }  // namespace
 
-FilmMesh::FilmMesh(const FilmProblem& problem)
+FilmMesh::FilmMesh(const FilmProblem<2>& problem)
     : network_(network_of(problem)), grains_(meshes_of(network_)), unknowns_(network_, grains_, problem.boundary) {}
 
 std::vector<NodeImage> FilmMesh::nodes_of(const Junction& junction) const {

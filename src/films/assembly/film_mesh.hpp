@@ -25,7 +25,7 @@ struct NodeImage {
 /// Grains, films and junctions as elements, and the numbers of their unknowns. Lengths are in sides of the box.
 class FilmMesh {
  public:
-  explicit FilmMesh(const FilmProblem& problem);
+  explicit FilmMesh(const FilmProblem<2>& problem);
 
   [[nodiscard]] const FilmNetwork& network() const noexcept { return network_; }
   [[nodiscard]] const std::vector<GrainMesh>& grains() const noexcept { return grains_; }

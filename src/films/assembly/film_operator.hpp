@@ -14,19 +14,21 @@ namespace breccia::films {
 
 /// The stiffness of grains and films in its parts, K = K_0 + G K_G + K K_K (theory, Eq. 65): the grains, and the films
 /// for a unit shear and a unit bulk modulus of the binder.
+template <int dim>
 class FilmOperator {
  public:
-  using Sparse = FilmMatrices::Sparse;
+  using Matrices = FilmMatrices<dim>;
+  using Sparse = typename Matrices::Sparse;
 
-  explicit FilmOperator(const FilmProblem& problem);
+  explicit FilmOperator(const FilmProblem<dim>& problem);
 
   [[nodiscard]] Boundary boundary() const noexcept { return boundary_; }
   [[nodiscard]] int unknowns() const noexcept {
-    return static_cast<int>(matrices_.grains.rows()) - FilmMatrices::macroscopic;
+    return static_cast<int>(matrices_.grains.rows()) - Matrices::macroscopic;
   }
   [[nodiscard]] int pressures() const noexcept { return static_cast<int>(matrices_.volume.rows()); }
-  /// Area of grains and binder in a box of area 1.
-  [[nodiscard]] double area() const noexcept { return matrices_.area; }
+  /// Area, in space volume, of grains and binder in a box of 1.
+  [[nodiscard]] double content() const noexcept { return matrices_.content; }
 
   [[nodiscard]] FilmVector zero() const { return {0.0, Eigen::VectorXd::Zero(unknowns())}; }
   /// The uniform strain of a load, without flow in the films.
@@ -51,14 +53,14 @@ class FilmOperator {
   [[nodiscard]] Sparse matrix(const Moduli& binder) const;
 
  private:
-  /// A patch test: throws NumericalError where the shear energy of a uniform strain is not that of the areas of grains
-  /// and binder.
+  /// A patch test: throws NumericalError where the shear energy of a uniform strain is not that of the content of
+  /// grains and binder.
   void require_patch(double grain_shear) const;
   [[nodiscard]] Eigen::VectorXd extended(Load load, const FilmVector& displacement) const;
   [[nodiscard]] FilmVector reduced(Load load, const Eigen::VectorXd& forces) const;
 
   Boundary boundary_;
-  FilmMatrices matrices_;
+  Matrices matrices_;
   Eigen::SimplicialLLT<Sparse> volume_factors_;
 };
 

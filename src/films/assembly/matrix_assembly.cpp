@@ -12,28 +12,34 @@ Eigen::Matrix<double, 2, 3> traction_on(const Eigen::Vector2d& line) {
   return force;
 }
 
-MatrixAssembly::MatrixAssembly(int unknowns, int pressures)
+template <int dim>
+MatrixAssembly<dim>::MatrixAssembly(int unknowns, int pressures)
     : unknowns_(unknowns), pressures_(pressures), grains_(unknowns), shear_(unknowns) {
-  result_.tractions.setZero(unknowns, 3);
-  result_.by_gradient.setZero(unknowns, 4);
+  result_.tractions.setZero(unknowns, Matrices::macroscopic);
+  result_.by_gradient.setZero(unknowns, dim * dim);
 }
 
-void MatrixAssembly::add_grain(const ElementUnknowns& unknowns, const Eigen::MatrixXd& stiffness) {
+template <int dim>
+void MatrixAssembly<dim>::add_grain(const ElementUnknowns<dim>& unknowns, const Eigen::MatrixXd& stiffness) {
   add_symmetric(grains_, unknowns, stiffness);
 }
 
-void MatrixAssembly::add_shear(const ElementUnknowns& unknowns, const Eigen::MatrixXd& stiffness) {
+template <int dim>
+void MatrixAssembly<dim>::add_shear(const ElementUnknowns<dim>& unknowns, const Eigen::MatrixXd& stiffness) {
   add_symmetric(shear_, unknowns, stiffness);
 }
 
-void MatrixAssembly::add_resistance(int unknown, double stiffness) {
+template <int dim>
+void MatrixAssembly<dim>::add_resistance(int unknown, double stiffness) {
   shear_.entries.emplace_back(unknown, unknown, stiffness);
 }
 
 /// Adds the lower triangle of an element's matrix, and its rows of the macroscopic strains.
-void MatrixAssembly::add_symmetric(Part& part, const ElementUnknowns& unknowns, const Eigen::MatrixXd& matrix) {
+template <int dim>
+void MatrixAssembly<dim>::add_symmetric(Part& part, const ElementUnknowns<dim>& unknowns,
+                                        const Eigen::MatrixXd& matrix) {
   const auto& numbers = unknowns.numbers;
-  const Eigen::Matrix<double, Eigen::Dynamic, 3> of_strains = matrix * unknowns.macroscopic;
+  const typename Matrices::ByStrain of_strains = matrix * unknowns.macroscopic;
   part.of_both += unknowns.macroscopic.transpose() * of_strains;
   for (std::size_t b = 0; b < numbers.size(); ++b) {
     const auto column = static_cast<Eigen::Index>(b);
@@ -49,26 +55,29 @@ void MatrixAssembly::add_symmetric(Part& part, const ElementUnknowns& unknowns, 
   if (part.entries.size() > many) part.add_up();
 }
 
-void MatrixAssembly::add_dilatation(std::span<const int> pressures, const ElementUnknowns& unknowns,
-                                    const Eigen::MatrixXd& matrix) {
-  const Eigen::Matrix<double, Eigen::Dynamic, 3> of_strains = matrix * unknowns.macroscopic;
+template <int dim>
+void MatrixAssembly<dim>::add_dilatation(std::span<const int> pressures, const ElementUnknowns<dim>& unknowns,
+                                         const Eigen::MatrixXd& matrix) {
+  const typename Matrices::ByStrain of_strains = matrix * unknowns.macroscopic;
   for (std::size_t p = 0; p < pressures.size(); ++p) {
     const auto row = static_cast<Eigen::Index>(p);
     for (std::size_t b = 0; b < unknowns.numbers.size(); ++b) {
       if (unknowns.numbers[b] == held) continue;
       dilatation_.emplace_back(pressures[p], unknowns.numbers[b], matrix(row, static_cast<Eigen::Index>(b)));
     }
-    for (int i = 0; i < FilmMatrices::macroscopic; ++i) {
+    for (int i = 0; i < Matrices::macroscopic; ++i) {
       dilatation_.emplace_back(pressures[p], unknowns_ + i, of_strains(row, i));
     }
   }
 }
 
-void MatrixAssembly::add_outflow(int pressure, int unknown, double volume) {
+template <int dim>
+void MatrixAssembly<dim>::add_outflow(int pressure, int unknown, double volume) {
   dilatation_.emplace_back(pressure, unknown, volume);
 }
 
-void MatrixAssembly::add_volume(std::span<const int> pressures, const Eigen::MatrixXd& matrix) {
+template <int dim>
+void MatrixAssembly<dim>::add_volume(std::span<const int> pressures, const Eigen::MatrixXd& matrix) {
   for (std::size_t a = 0; a < pressures.size(); ++a) {
     for (std::size_t b = 0; b < pressures.size(); ++b) {
       if (pressures[a] < pressures[b]) continue;
@@ -78,56 +87,66 @@ void MatrixAssembly::add_volume(std::span<const int> pressures, const Eigen::Mat
   }
 }
 
-void MatrixAssembly::add_traction(int unknown, const Eigen::RowVector3d& forces) {
+template <int dim>
+void MatrixAssembly<dim>::add_traction(int unknown, const Eigen::Matrix<double, 1, Matrices::macroscopic>& forces) {
   if (unknown != held) result_.tractions.row(unknown) += forces;
 }
 
-void MatrixAssembly::set_position(int unknown, int component, const Eigen::Vector2d& position) {
-  if (unknown != held) result_.by_gradient.row(unknown).segment<2>(2 * component) = position.transpose();
+template <int dim>
+void MatrixAssembly<dim>::set_position(int unknown, int component, const Position& position) {
+  if (unknown != held) result_.by_gradient.row(unknown).template segment<dim>(dim * component) = position.transpose();
 }
 
-MatrixAssembly::Part::Part(int unknowns)
-    : sum(unknowns + FilmMatrices::macroscopic, unknowns + FilmMatrices::macroscopic) {
-  of_strains.setZero(unknowns, FilmMatrices::macroscopic);
+template <int dim>
+MatrixAssembly<dim>::Part::Part(int unknowns)
+    : sum(unknowns + Matrices::macroscopic, unknowns + Matrices::macroscopic) {
+  of_strains.setZero(unknowns, Matrices::macroscopic);
+  of_both.setZero();
 }
 
-void MatrixAssembly::Part::add_up() {
-  FilmMatrices::Sparse further(sum.rows(), sum.cols());
+template <int dim>
+void MatrixAssembly<dim>::Part::add_up() {
+  Sparse further(sum.rows(), sum.cols());
   further.setFromTriplets(entries.begin(), entries.end());
   entries.clear();
   if (sum.nonZeros() == 0) {
     sum.swap(further);
   } else {
-    sum = FilmMatrices::Sparse(sum + further);
+    sum = Sparse(sum + further);
   }
 }
 
-FilmMatrices::Sparse MatrixAssembly::Part::finish() {
+template <int dim>
+typename MatrixAssembly<dim>::Sparse MatrixAssembly<dim>::Part::finish() {
   const auto unknowns = static_cast<int>(of_strains.rows());
-  for (int j = 0; j < FilmMatrices::macroscopic; ++j) {
+  for (int j = 0; j < Matrices::macroscopic; ++j) {
     for (int unknown = 0; unknown < unknowns; ++unknown) {
       if (of_strains(unknown, j) != 0.0) entries.emplace_back(unknowns + j, unknown, of_strains(unknown, j));
     }
-    for (int i = j; i < FilmMatrices::macroscopic; ++i) entries.emplace_back(unknowns + i, unknowns + j, of_both(i, j));
+    for (int i = j; i < Matrices::macroscopic; ++i) entries.emplace_back(unknowns + i, unknowns + j, of_both(i, j));
   }
   add_up();
   entries = {};
-  FilmMatrices::Sparse whole;
+  Sparse whole;
   whole.swap(sum);
   return whole;
 }
 
-FilmMatrices MatrixAssembly::finish() {
-  const auto make = [](FilmMatrices::Sparse& matrix, int rows, int columns, Entries& entries) {
+template <int dim>
+FilmMatrices<dim> MatrixAssembly<dim>::finish() {
+  const auto make = [](Sparse& matrix, int rows, int columns, Entries& entries) {
     matrix.resize(rows, columns);
     matrix.setFromTriplets(entries.begin(), entries.end());
     entries = {};
   };
   result_.grains = grains_.finish();
   result_.shear = shear_.finish();
-  make(result_.dilatation, pressures_, unknowns_ + FilmMatrices::macroscopic, dilatation_);
+  make(result_.dilatation, pressures_, unknowns_ + Matrices::macroscopic, dilatation_);
   make(result_.volume, pressures_, pressures_, volume_);
   return std::move(result_);
 }
+
+template class MatrixAssembly<2>;
+template class MatrixAssembly<3>;
 
 }  // namespace breccia::films

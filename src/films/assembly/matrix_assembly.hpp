@@ -14,35 +14,42 @@ namespace breccia::films {
 [[nodiscard]] Eigen::Matrix<double, 2, 3> traction_on(const Eigen::Vector2d& line);
 
 /// Unknowns of an element: their numbers, and the value of each of them in each macroscopic strain.
+template <int dim>
 struct ElementUnknowns {
   std::vector<int> numbers;
-  Eigen::Matrix<double, Eigen::Dynamic, 3> macroscopic;
+  typename FilmMatrices<dim>::ByStrain macroscopic;
 };
 
 /// Adds up the matrices of elements of any kind. Entries of an unknown that is held are left out.
+template <int dim>
 class MatrixAssembly {
  public:
+  using Matrices = FilmMatrices<dim>;
+  using Position = Eigen::Matrix<double, dim, 1>;
+
   MatrixAssembly(int unknowns, int pressures);
 
-  void add_grain(const ElementUnknowns& unknowns, const Eigen::MatrixXd& stiffness);
-  void add_shear(const ElementUnknowns& unknowns, const Eigen::MatrixXd& stiffness);
+  void add_grain(const ElementUnknowns<dim>& unknowns, const Eigen::MatrixXd& stiffness);
+  void add_shear(const ElementUnknowns<dim>& unknowns, const Eigen::MatrixXd& stiffness);
   /// Adds a resistance to a single unknown, for a unit shear modulus.
   void add_resistance(int unknown, double stiffness);
-  void add_dilatation(std::span<const int> pressures, const ElementUnknowns& unknowns, const Eigen::MatrixXd& matrix);
+  void add_dilatation(std::span<const int> pressures, const ElementUnknowns<dim>& unknowns,
+                      const Eigen::MatrixXd& matrix);
   /// Adds the volume that a single unknown takes from a pressure.
   void add_outflow(int pressure, int unknown, double volume);
   void add_volume(std::span<const int> pressures, const Eigen::MatrixXd& matrix);
-  void add_area(double area) { result_.area += area; }
-  /// Adds the forces of the stresses xx, yy and xy on an unknown.
-  void add_traction(int unknown, const Eigen::RowVector3d& forces);
+  void add_content(double content) { result_.content += content; }
+  /// Adds the forces of the stresses, in Voigt's order, on an unknown.
+  void add_traction(int unknown, const Eigen::Matrix<double, 1, Matrices::macroscopic>& forces);
   /// Sets the position, relative to the first node, of the node to whose displacement component an unknown belongs.
-  void set_position(int unknown, int component, const Eigen::Vector2d& position);
+  void set_position(int unknown, int component, const Position& position);
   /// Sets the position, relative to the first node, of the node that a traction boundary holds against rotation.
-  void set_farthest_held(const Eigen::Vector2d& position) { result_.farthest_held = position; }
+  void set_farthest_held(const Position& position) { result_.farthest_held = position; }
 
-  [[nodiscard]] FilmMatrices finish();
+  [[nodiscard]] Matrices finish();
 
  private:
+  using Sparse = typename Matrices::Sparse;
   using Entries = std::vector<Eigen::Triplet<double>>;
 
   /// A symmetric matrix that is added up: its sum so far, and further entries of its lower triangle; the forces of the
@@ -50,18 +57,18 @@ class MatrixAssembly {
   struct Part {
     explicit Part(int unknowns);
     void add_up();
-    [[nodiscard]] FilmMatrices::Sparse finish();
+    [[nodiscard]] Sparse finish();
 
-    FilmMatrices::Sparse sum;
+    Sparse sum;
     Entries entries;
-    Eigen::Matrix<double, Eigen::Dynamic, FilmMatrices::macroscopic> of_strains;
-    Eigen::Matrix3d of_both = Eigen::Matrix3d::Zero();
+    typename Matrices::ByStrain of_strains;
+    Eigen::Matrix<double, Matrices::macroscopic, Matrices::macroscopic> of_both;
   };
 
-  static void add_symmetric(Part& part, const ElementUnknowns& unknowns, const Eigen::MatrixXd& matrix);
+  static void add_symmetric(Part& part, const ElementUnknowns<dim>& unknowns, const Eigen::MatrixXd& matrix);
 
   int unknowns_, pressures_;
-  FilmMatrices result_;
+  Matrices result_;
   Part grains_, shear_;
   Entries dilatation_, volume_;
 };

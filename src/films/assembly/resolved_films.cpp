@@ -105,7 +105,7 @@ class ResolvedFilms {
     for (const auto& element : mesh_.grains) {
       const auto triangle = quadratic_triangle(element.positions);
       sum_.add_grain(unknowns_of(element), triangle_stiffness(triangle, elasticity));
-      sum_.add_area(triangle.area);
+      sum_.add_content(triangle.area);
     }
   }
 
@@ -130,14 +130,14 @@ class ResolvedFilms {
     sum_.set_farthest_held(mesh_.nodes[unknowns_.farthest_held()] - first);
   }
 
-  [[nodiscard]] FilmMatrices finish() { return sum_.finish(); }
+  [[nodiscard]] FilmMatrices<2> finish() { return sum_.finish(); }
 
  private:
   /// The displacements of the nodes of an element; the macroscopic motion is relative to its first node, as for thin
   /// films.
   template <std::size_t corners, std::size_t count>
-  [[nodiscard]] ElementUnknowns unknowns_of(const MeshElement<corners, count>& element) const {
-    ElementUnknowns unknowns;
+  [[nodiscard]] ElementUnknowns<2> unknowns_of(const MeshElement<corners, count>& element) const {
+    ElementUnknowns<2> unknowns;
     unknowns.macroscopic.resize(static_cast<Eigen::Index>(2 * count), 3);
     const auto positions = positions_of(element);
     for (std::size_t n = 0; n < count; ++n) {
@@ -156,7 +156,7 @@ class ResolvedFilms {
     sum_.add_shear(unknowns, matrices.shear);
     sum_.add_dilatation(pressures, unknowns, matrices.dilatation);
     sum_.add_volume(pressures, matrices.volume);
-    sum_.add_area(matrices.volume.sum());
+    sum_.add_content(matrices.volume.sum());
   }
 
   template <std::size_t corners, std::size_t count>
@@ -177,12 +177,12 @@ class ResolvedFilms {
 
   const ResolvedMesh& mesh_;
   ResolvedUnknowns unknowns_;
-  MatrixAssembly sum_;
+  MatrixAssembly<2> sum_;
 };
 
 }  // namespace
 
-FilmMatrices resolved_films(const FilmProblem& problem) {
+FilmMatrices<2> resolved_films(const FilmProblem<2>& problem) {
   const auto mesh = resolved_mesh(problem);
   ResolvedFilms films(mesh, problem.boundary);
   films.add_grains(problem.grain);

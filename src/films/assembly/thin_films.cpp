@@ -41,7 +41,7 @@ class ThinFilms {
             quadratic_triangle({positions[triangle[0]], positions[triangle[1]], positions[triangle[2]]});
         sum_.add_grain(unknowns_of(nodes, {}), triangle_stiffness(functions, elasticity));
       }
-      sum_.add_area(films::area(network_.grains[g].corners));
+      sum_.add_content(films::area(network_.grains[g].corners));
     }
   }
 
@@ -69,7 +69,7 @@ class ThinFilms {
       sum_.add_shear(unknowns, element.shear);
       sum_.add_dilatation(pressures, unknowns, element.dilatation);
       sum_.add_volume(pressures, Eigen::MatrixXd::Constant(1, 1, std::abs(element.area)));
-      sum_.add_area(element.area);
+      sum_.add_content(element.area);
     }
   }
 
@@ -102,14 +102,14 @@ class ThinFilms {
     sum_.set_farthest_held(unknowns_.farthest_held() - first);
   }
 
-  [[nodiscard]] FilmMatrices finish() { return sum_.finish(); }
+  [[nodiscard]] FilmMatrices<2> finish() { return sum_.finish(); }
 
  private:
   /// The unknowns of an element: the displacements of nodes, and flows. The macroscopic motion is relative to the first
   /// node: a translation does no work on an element, and the motion relative to the origin of the box would add its
   /// rounding to the element's forces.
-  [[nodiscard]] ElementUnknowns unknowns_of(std::span<const NodeImage> nodes, std::span<const int> flows) const {
-    ElementUnknowns unknowns;
+  [[nodiscard]] ElementUnknowns<2> unknowns_of(std::span<const NodeImage> nodes, std::span<const int> flows) const {
+    ElementUnknowns<2> unknowns;
     unknowns.macroscopic.setZero(static_cast<Eigen::Index>(2 * nodes.size() + flows.size()), 3);
     for (std::size_t n = 0; n < nodes.size(); ++n) {
       unknowns.macroscopic.middleRows<2>(2 * static_cast<Eigen::Index>(n)) =
@@ -130,7 +130,7 @@ class ThinFilms {
     sum_.add_shear(unknowns, matrices.shear);
     sum_.add_dilatation(pressures, unknowns, matrices.dilatation);
     sum_.add_volume(pressures, matrices.volume);
-    sum_.add_area(matrices.volume.sum());
+    sum_.add_content(matrices.volume.sum());
   }
 
   [[nodiscard]] int flow_at(std::size_t film, std::size_t end) const {
@@ -175,12 +175,12 @@ class ThinFilms {
   const std::vector<GrainMesh>& meshes_;
   Boundary boundary_;
   const Unknowns& unknowns_;
-  MatrixAssembly sum_;
+  MatrixAssembly<2> sum_;
 };
 
 }  // namespace
 
-FilmMatrices thin_films(const FilmProblem& problem) {
+FilmMatrices<2> thin_films(const FilmProblem<2>& problem) {
   const FilmMesh mesh(problem);
   ThinFilms films(mesh, problem.boundary);
   films.add_grains(problem.grain);

@@ -8,6 +8,6 @@ namespace breccia::films {
 
 /// The matrices of grains separated by thin films. A film is a row of elements, whose flows are unknowns of their own
 /// (theory, Eqs. 60 to 64). Throws InputError when the films take up a whole grain.
-[[nodiscard]] FilmMatrices thin_films(const FilmProblem& problem);
+[[nodiscard]] FilmMatrices<2> thin_films(const FilmProblem<2>& problem);
 
 }  // namespace breccia::films

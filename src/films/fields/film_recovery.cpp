@@ -55,17 +55,17 @@ std::array<double, 4> stress_of(const Eigen::Vector3d& deviator, double pressure
 
 class Recovery {
  public:
-  Recovery(const FilmComposite& composite, const FilmProblem& problem, Load load,
+  Recovery(const FilmComposite<2>& composite, const FilmProblem<2>& problem, Load load,
            const quasistatic::CompositeState<FilmVector>& state)
       : mesh_(problem),
         grain_(problem.grain),
         side_(problem.tessellation.side()),
         boundary_(problem.boundary),
-        strain_(strain_of(load)),
+        strain_(strain_of<2>(load)),
         displacement_(&state.displacement),
-        shear_(&state.applied[FilmComposite::shear]),
+        shear_(&state.applied[FilmComposite<2>::shear]),
         volumetric_strain_(composite.film_operator().volumetric_strains(load, state.displacement)),
-        negative_pressure_(composite.film_operator().volumetric_strains(load, state.applied[FilmComposite::bulk])),
+        negative_pressure_(composite.film_operator().volumetric_strains(load, state.applied[FilmComposite<2>::bulk])),
         inflow_(mesh_.network().junctions.size(), Eigen::Vector3d::Zero()) {}
 
   FilmFields fields() {
@@ -324,7 +324,7 @@ class Recovery {
 
 }  // namespace
 
-FilmFields fields_of(const FilmComposite& composite, const FilmProblem& problem, Load load,
+FilmFields fields_of(const FilmComposite<2>& composite, const FilmProblem<2>& problem, Load load,
                      const quasistatic::CompositeState<FilmVector>& state) {
   if (problem.layers) throw InputError("films: there are no fields of resolved films, only of thin ones");
   return Recovery(composite, problem, load, state).fields();

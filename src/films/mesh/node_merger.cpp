@@ -4,24 +4,35 @@
 
 namespace breccia::films {
 
-std::size_t NodeMerger::number(const Eigen::Vector2d& position) {
+template <int dim>
+std::size_t NodeMerger<dim>::number(const Position& position) {
   constexpr double tolerance = 1e-10, square = 1e-6;
-  Eigen::Vector2d in_box = position;
+  Position in_box = position;
   if (is_periodic_) in_box -= (position.array() + tolerance).floor().matrix();
-  const auto row_of = [](double x) { return static_cast<std::int64_t>(std::floor(x / square)); };
-  for (auto i = row_of(in_box.x() - tolerance); i <= row_of(in_box.x() + tolerance); ++i) {
-    for (auto j = row_of(in_box.y() - tolerance); j <= row_of(in_box.y() + tolerance); ++j) {
-      const auto found = in_square_.find({i, j});
-      if (found == in_square_.end()) continue;
+  const auto square_of = [&](double offset) {
+    Square at;
+    for (int axis = 0; axis < dim; ++axis) {
+      at[static_cast<std::size_t>(axis)] = static_cast<std::int64_t>(std::floor((in_box[axis] + offset) / square));
+    }
+    return at;
+  };
+  const auto first = square_of(-tolerance), last = square_of(tolerance);
+  auto at = first;
+  for (std::size_t axis = 0; axis < at.size();) {
+    if (const auto found = in_square_.find(at); found != in_square_.end()) {
       for (const std::size_t node : found->second) {
         if ((in_box_[node] - in_box).cwiseAbs().maxCoeff() < tolerance) return node;
       }
     }
+    for (axis = 0; axis < at.size() && ++at[axis] > last[axis]; ++axis) at[axis] = first[axis];
   }
-  in_square_[{row_of(in_box.x()), row_of(in_box.y())}].push_back(positions_.size());
+  in_square_[square_of(0.0)].push_back(positions_.size());
   positions_.push_back(position);
   in_box_.push_back(in_box);
   return positions_.size() - 1;
 }
+
+template class NodeMerger<2>;
+template class NodeMerger<3>;
 
 }  // namespace breccia::films

@@ -82,7 +82,7 @@ class MeshBuilder {
     return quadrilateral;
   }
 
-  NodeMerger nodes_;
+  NodeMerger<2> nodes_;
   ResolvedMesh mesh_;
 };
 
@@ -125,10 +125,10 @@ void add_junction(MeshBuilder& mesh, const FilmNetwork& network, const Junction&
 
 }  // namespace
 
-ResolvedMesh resolved_mesh(const FilmProblem& problem) {
+ResolvedMesh resolved_mesh(const FilmProblem<2>& problem) {
   const double thickness = problem.thickness / problem.tessellation.side();
   const int layers = *problem.layers;
-  const auto network = film_network(problem.tessellation, thickness, problem.face_share);
+  const auto network = film_network(problem.tessellation, thickness, problem.elements.face_share);
   const auto across = layers_across(layers);
   const double shortest = across[1] * thickness;
   MeshBuilder mesh(problem.tessellation.walls());

@@ -32,6 +32,6 @@ struct ResolvedMesh {
 /// The mesh of a problem with layers. Across a film elements are thinner at its faces, and along it shorter at its
 /// ends, where corners of grains concentrate the shear (theory, section 17). Throws InputError when a grain vanishes in
 /// its films or a junction has a shape that cannot be meshed.
-[[nodiscard]] ResolvedMesh resolved_mesh(const FilmProblem& problem);
+[[nodiscard]] ResolvedMesh resolved_mesh(const FilmProblem<2>& problem);
 
 }  // namespace breccia::films

@@ -123,12 +123,12 @@ QuasistaticTest make_quasistatic_test(const Study& study, const Stage& stage, co
 QuasistaticTest make_film_test(const Study& study, const Stage& stage, const Material& matrix, const Grains<2>& grains,
                                Boundary boundary, int threads) {
   const auto& material = stage.fillers.front().material;
-  FilmProblem problem = {.tessellation = Tessellation<2>(grains.sites),
-                         .thickness = grains.statistics.film,
-                         .grain = {.bulk = material.bulk.unrelaxed(), .shear = material.shear.unrelaxed()},
-                         .boundary = boundary,
-                         .face_share = study.tests.films.face_share,
-                         .layers = study.tests.films.layers};
+  FilmProblem<2> problem = {.tessellation = Tessellation<2>(grains.sites),
+                            .thickness = grains.statistics.film,
+                            .grain = {.bulk = material.bulk.unrelaxed(), .shear = material.shear.unrelaxed()},
+                            .boundary = boundary,
+                            .elements = {.face_share = study.tests.films.face_share},
+                            .layers = study.tests.films.layers};
   auto test = test_without_fields(study, stage, matrix, std::move(problem), boundary, threads);
   if (has_fields(study.tests, stage)) test.field_times = study.tests.field_times;
   return test;
