@@ -98,6 +98,8 @@ double FilmSolver<dim>::modulus(Load load, const FilmVector& solution) const {
 }
 
 template class FilmComposite<2>;
+template class FilmComposite<3>;
 template class FilmSolver<2>;
+template class FilmSolver<3>;
 
 }  // namespace breccia::films

@@ -32,5 +32,7 @@ std::vector<std::vector<double>> film_moduli(const FilmProblem<dim>& problem, st
 
 template std::vector<std::vector<double>> film_moduli(const FilmProblem<2>&, std::span<const Moduli>,
                                                       std::span<const Load>);
+template std::vector<std::vector<double>> film_moduli(const FilmProblem<3>&, std::span<const Moduli>,
+                                                      std::span<const Load>);
 
 }  // namespace breccia

@@ -9,6 +9,7 @@
 #include "films/assembly/macroscopic.hpp"
 #include "films/assembly/resolved_films.hpp"
 #include "films/assembly/thin_films.hpp"
+#include "films/space/films_in_space.hpp"
 
 namespace breccia::films {
 namespace {
@@ -24,6 +25,10 @@ StrainVector<dim> stress_of(Load load) {
 
 FilmMatrices<2> matrices_of(const FilmProblem<2>& problem) {
   return problem.layers ? resolved_films(problem) : thin_films(problem);
+}
+
+FilmMatrices<3> matrices_of(const FilmProblem<3>& problem) {
+  return films_in_space(problem);
 }
 
 /// The displacement gradient of the unit strain of a load under a traction boundary: it has this symmetric part and is
@@ -134,5 +139,6 @@ typename FilmOperator<dim>::Sparse FilmOperator<dim>::matrix(const Moduli& binde
 }
 
 template class FilmOperator<2>;
+template class FilmOperator<3>;
 
 }  // namespace breccia::films

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+
+#include <Eigen/Core>
+
+#include "films/space/wedge.hpp"
+
+namespace breccia::films {
+
+/// Matrices of a triangle of a film in space (theory, Eq. 70b). Its unknowns are the displacements of six nodes on the
+/// first side, then on the second side, three components each; then the flows at the three corners, two components each
+/// along `axes`. Its six pressures are those of the nodes.
+struct FilmWedge {
+  static constexpr int displacements = 36, flows = 6, pressures = 6, unknowns = displacements + flows;
+
+  Eigen::Matrix<double, unknowns, unknowns> shear;        ///< stiffness of a unit shear modulus
+  Eigen::Matrix<double, pressures, unknowns> dilatation;  ///< volume change, weighted by the functions of the pressure
+  Eigen::Matrix<double, pressures, pressures> volume;     ///< integrals of products of these functions
+  Eigen::Matrix<double, 3, 2> axes;                       ///< directions in the middle of the film, of length 1
+};
+
+/// `is_at_rim`: the edge from the second to the third corner is the end of the film, where its flow bends into a
+/// channel.
+[[nodiscard]] FilmWedge film_wedge(const Wedge& wedge, bool is_at_rim);
+
+}  // namespace breccia::films

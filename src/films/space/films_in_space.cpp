@@ -1,0 +1,114 @@
+#include "films/space/films_in_space.hpp"
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "films/assembly/macroscopic.hpp"
+#include "films/assembly/matrix_assembly.hpp"
+#include "films/space/film_wedge.hpp"
+#include "films/space/solid_elements.hpp"
+#include "films/space/space_mesh.hpp"
+
+namespace breccia::films {
+namespace {
+
+/// Adds up the matrices of grains, films, channels and junctions.
+class SpaceAssembly {
+ public:
+  explicit SpaceAssembly(const SpaceMesh& mesh)
+      : mesh_(mesh), sum_(mesh.unknowns(), static_cast<int>(mesh.sheets().nodes.size())) {}
+
+  void add_grains(const Moduli& moduli) {
+    const auto& solids = mesh_.grains().solids();
+    for (std::size_t g = 0; g < solids.size(); ++g) {
+      for (const auto& tetrahedron : solids[g].tetrahedra) {
+        std::vector<SolidNode> nodes;
+        for (const auto node : tetrahedron) nodes.push_back({g, node, Eigen::Vector3i::Zero()});
+        const std::array corners = {position(nodes[0]), position(nodes[1]), position(nodes[2]), position(nodes[3])};
+        sum_.add_grain(unknowns_of(nodes, {}), tetrahedron_stiffness(corners, moduli));
+        sum_.add_content((corners[1] - corners[0]).cross(corners[2] - corners[0]).dot(corners[3] - corners[0]) / 6.0);
+      }
+    }
+  }
+
+  void add_films() {
+    for (std::size_t t = 0; t < mesh_.sheets().triangles.size(); ++t) {
+      const auto nodes = mesh_.nodes_of_film(t);
+      const auto element = film_wedge(mesh_.film(t), mesh_.sheets().triangles[t].is_at_rim);
+      std::array<int, FilmWedge::flows> flows{};
+      for (std::size_t i = 0; i < flows.size(); ++i) flows[i] = mesh_.flow(t) + static_cast<int>(i);
+      const auto unknowns = unknowns_of(nodes, flows);
+      const auto pressures = pressures_of(mesh_.sheets().triangles[t].nodes);
+      sum_.add_shear(unknowns, element.shear);
+      sum_.add_dilatation(pressures, unknowns, element.dilatation);
+      sum_.add_volume(pressures, element.volume);
+      sum_.add_content(element.volume.sum());
+    }
+  }
+
+  void add_channels() {
+    for (std::size_t s = 0; s < mesh_.sheets().segments.size(); ++s) {
+      add(channel_element(mesh_.channel(s)), mesh_.nodes_of_channel(s), mesh_.sheets().segments[s].nodes);
+    }
+  }
+
+  void add_corners() {
+    for (std::size_t p = 0; p < mesh_.sheets().points.size(); ++p) {
+      const auto nodes = mesh_.nodes_of_corner(p);
+      const std::array corners = {position(nodes[0]), position(nodes[1]), position(nodes[2]), position(nodes[3])};
+      add(corner_element(corners), nodes, std::span(&mesh_.sheets().points[p], 1));
+    }
+  }
+
+  [[nodiscard]] FilmMatrices<3> finish() { return sum_.finish(); }
+
+ private:
+  [[nodiscard]] Eigen::Vector3d position(const SolidNode& node) const { return mesh_.grains().position(node); }
+
+  /// The unknowns of an element. The macroscopic motion is relative to its first node.
+  [[nodiscard]] ElementUnknowns<3> unknowns_of(std::span<const SolidNode> nodes, std::span<const int> flows) const {
+    ElementUnknowns<3> unknowns;
+    unknowns.macroscopic.setZero(static_cast<Eigen::Index>(3 * nodes.size() + flows.size()), 6);
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      unknowns.macroscopic.middleRows<3>(3 * static_cast<Eigen::Index>(n)) =
+          affine_motion_in_space(position(nodes[n]) - position(nodes[0]));
+      for (int i = 0; i < 3; ++i) unknowns.numbers.push_back(mesh_.displacement(nodes[n], i));
+    }
+    unknowns.numbers.insert(unknowns.numbers.end(), flows.begin(), flows.end());
+    return unknowns;
+  }
+
+  [[nodiscard]] static std::vector<int> pressures_of(std::span<const SheetNode> nodes) {
+    std::vector<int> pressures;
+    for (const auto& node : nodes) pressures.push_back(static_cast<int>(node.number));
+    return pressures;
+  }
+
+  void add(const BinderElement& element, std::span<const SolidNode> nodes, std::span<const SheetNode> pressure_nodes) {
+    const auto unknowns = unknowns_of(nodes, {});
+    const auto pressures = pressures_of(pressure_nodes);
+    sum_.add_shear(unknowns, element.shear);
+    sum_.add_dilatation(pressures, unknowns, element.dilatation);
+    sum_.add_volume(pressures, element.volume);
+    sum_.add_content(element.volume.sum());
+  }
+
+  const SpaceMesh& mesh_;
+  MatrixAssembly<3> sum_;
+};
+
+}  // namespace
+
+FilmMatrices<3> films_in_space(const FilmProblem<3>& problem) {
+  const SpaceMesh mesh(problem);
+  SpaceAssembly films(mesh);
+  films.add_grains(problem.grain);
+  films.add_films();
+  films.add_channels();
+  films.add_corners();
+  return films.finish();
+}
+
+}  // namespace breccia::films

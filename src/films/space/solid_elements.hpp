@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+
+#include <Eigen/Core>
+
+#include "breccia/discretisation/moduli.hpp"
+
+namespace breccia::films {
+
+/// Matrices of an element of binder of any kind, whose unknowns are displacements of nodes, three components each.
+struct BinderElement {
+  Eigen::MatrixXd shear;       ///< stiffness of a unit shear modulus
+  Eigen::MatrixXd dilatation;  ///< volume change, weighted by the functions of the pressures
+  Eigen::MatrixXd volume;      ///< integrals of products of these functions
+};
+
+/// Stiffness of a tetrahedron with straight edges and quadratic displacements, of an isotropic material.
+[[nodiscard]] Eigen::Matrix<double, 30, 30> tetrahedron_stiffness(const std::array<Eigen::Vector3d, 4>& corners,
+                                                                  const Moduli& moduli);
+
+/// The channel along an edge of the cells between three grains (theory, Eq. 70c). `ends` are, for each grain, the start
+/// and the end of its edge. The nodes are the start, the middle and the end of the edge of the first grain, then of the
+/// second and the third one; the pressures are at start, middle and end.
+[[nodiscard]] BinderElement channel_element(const std::array<std::array<Eigen::Vector3d, 2>, 3>& ends);
+
+/// The tetrahedron between the corners of four grains, with linear displacements and one pressure (theory, Eq. 70d).
+[[nodiscard]] BinderElement corner_element(const std::array<Eigen::Vector3d, 4>& corners);
+
+}  // namespace breccia::films

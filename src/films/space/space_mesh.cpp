@@ -1,0 +1,77 @@
+#include "films/space/space_mesh.hpp"
+
+#include "films/assembly/film_matrices.hpp"
+
+namespace breccia::films {
+namespace {
+
+std::vector<ShrunkGrain> grains_of(const FilmProblem<3>& problem, const CellComplex& complex) {
+  return shrunk_grains(problem.tessellation, complex, grain_fraction(problem.tessellation, problem.thickness));
+}
+
+}  // namespace
+
+SpaceMesh::SpaceMesh(const FilmProblem<3>& problem)
+    : complex_(cell_complex(problem.tessellation)),
+      sheets_(sheet_mesh(complex_, problem.elements.divisions)),
+      solids_(complex_, sheets_, grains_of(problem, complex_)) {
+  int nodes = 0;
+  for (const auto& solid : solids_.solids()) {
+    first_node_.push_back(nodes);
+    nodes += static_cast<int>(solid.nodes.size());
+  }
+  first_flow_ = 3 * (nodes - 1);
+}
+
+int SpaceMesh::displacement(const SolidNode& node, int component) const noexcept {
+  const int number = first_node_[node.grain] + static_cast<int>(node.number) - 1;
+  return number < 0 ? held : 3 * number + component;
+}
+
+std::array<SolidNode, 12> SpaceMesh::nodes_of_film(std::size_t triangle) const {
+  const auto& [number, nodes, is_at_rim] = sheets_.triangles[triangle];
+  const auto& face = complex_.faces[number];
+  std::array<SolidNode, 12> found;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    found[i] = solids_.beside({face.first, Eigen::Vector3i::Zero()}, nodes[i]);
+    found[nodes.size() + i] = solids_.beside(face.second, nodes[i]);
+  }
+  return found;
+}
+
+Wedge SpaceMesh::film(std::size_t triangle) const {
+  const auto nodes = nodes_of_film(triangle);
+  Wedge wedge;
+  for (std::size_t side = 0; side < 2; ++side) {
+    for (std::size_t k = 0; k < 3; ++k) wedge.triangles[side][k] = solids_.position(nodes[6 * side + k]);
+  }
+  return wedge;
+}
+
+std::array<SolidNode, 9> SpaceMesh::nodes_of_channel(std::size_t segment) const {
+  const auto& [number, nodes] = sheets_.segments[segment];
+  const auto& cells = complex_.edges[number].cells;
+  std::array<SolidNode, 9> found;
+  for (std::size_t grain = 0; grain < cells.size(); ++grain) {
+    for (std::size_t k = 0; k < nodes.size(); ++k) found[3 * grain + k] = solids_.beside(cells[grain], nodes[k]);
+  }
+  return found;
+}
+
+std::array<std::array<Eigen::Vector3d, 2>, 3> SpaceMesh::channel(std::size_t segment) const {
+  const auto nodes = nodes_of_channel(segment);
+  std::array<std::array<Eigen::Vector3d, 2>, 3> ends;
+  for (std::size_t grain = 0; grain < ends.size(); ++grain) {
+    ends[grain] = {solids_.position(nodes[3 * grain]), solids_.position(nodes[3 * grain + 2])};
+  }
+  return ends;
+}
+
+std::array<SolidNode, 4> SpaceMesh::nodes_of_corner(std::size_t point) const {
+  const auto& cells = complex_.points[point].cells;
+  const auto& node = sheets_.points[point];
+  return {solids_.beside(cells[0], node), solids_.beside(cells[1], node), solids_.beside(cells[2], node),
+          solids_.beside(cells[3], node)};
+}
+
+}  // namespace breccia::films

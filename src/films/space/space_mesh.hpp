@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "breccia/films/film_problem.hpp"
+
+#include "films/space/cell_complex.hpp"
+#include "films/space/grain_solids.hpp"
+#include "films/space/sheet_mesh.hpp"
+#include "films/space/shrunk_grains.hpp"
+#include "films/space/wedge.hpp"
+
+namespace breccia::films {
+
+/// Grains, films, channels and junctions in space as elements, and the numbers of their unknowns: the fluctuations of
+/// the displacements of the nodes of the grains, then the flows of the triangles of the films, six each. The pressures
+/// are at the nodes of the sheets. The first node of the first grain is held. Lengths are in sides of the box.
+class SpaceMesh {
+ public:
+  explicit SpaceMesh(const FilmProblem<3>& problem);
+
+  [[nodiscard]] const SheetMesh& sheets() const noexcept { return sheets_; }
+  [[nodiscard]] const GrainSolids& grains() const noexcept { return solids_; }
+
+  [[nodiscard]] int unknowns() const noexcept { return first_flow_ + 6 * static_cast<int>(sheets_.triangles.size()); }
+  /// The number of a displacement component of a node, or `held`.
+  [[nodiscard]] int displacement(const SolidNode& node, int component) const noexcept;
+  /// The number of the first flow of a triangle of a film.
+  [[nodiscard]] int flow(std::size_t triangle) const noexcept { return first_flow_ + 6 * static_cast<int>(triangle); }
+
+  /// The nodes of a triangle of a film on its first side, then on its second side.
+  [[nodiscard]] std::array<SolidNode, 12> nodes_of_film(std::size_t triangle) const;
+  [[nodiscard]] Wedge film(std::size_t triangle) const;
+  /// The nodes of an element of a channel: start, middle and end beside the first grain, then the second and the third.
+  [[nodiscard]] std::array<SolidNode, 9> nodes_of_channel(std::size_t segment) const;
+  /// The start and the end of an element of a channel beside each grain.
+  [[nodiscard]] std::array<std::array<Eigen::Vector3d, 2>, 3> channel(std::size_t segment) const;
+  /// The corners of the grains around a point of the complex.
+  [[nodiscard]] std::array<SolidNode, 4> nodes_of_corner(std::size_t point) const;
+
+ private:
+  CellComplex complex_;
+  SheetMesh sheets_;
+  GrainSolids solids_;
+  std::vector<int> first_node_;  ///< number of nodes before those of each grain
+  int first_flow_ = 0;
+};
+
+}  // namespace breccia::films
