@@ -15,8 +15,6 @@ namespace breccia {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 void require_positive(double value, const char* what, const char* unit) {
   if (value > 0.0 && std::isfinite(value)) return;
   throw InputError(fmt::format("size distribution: {} must be positive and finite, got {}{}", what, value, unit));
@@ -63,7 +61,7 @@ SizeDistribution SizeDistribution::lognormal_mixture(std::vector<LognormalCompon
   }
   require_positive(total, "the sum of the weights", "");
   for (auto& component : components) component.weight /= total;
-  return {std::move(components), 0.0, infinity};
+  return {std::move(components), 0.0, std::numeric_limits<double>::infinity()};
 }
 
 SizeDistribution SizeDistribution::tabulated(std::vector<double> diameters, std::vector<double> cumulative) {

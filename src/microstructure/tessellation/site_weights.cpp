@@ -22,7 +22,7 @@ namespace breccia {
 
 namespace {
 
-constexpr int most_steps = 200;
+constexpr int most_newton_steps = 200;
 constexpr double shortest_step = 1e-9;  // shortest share of a Newton step
 
 /// The cells with the present weights: their volumes, and the derivatives of these with respect to the weights.
@@ -162,7 +162,7 @@ SiteWeights weights_for_volumes(const LaguerreSites<dim>& sites, std::span<const
   const double smallest = 0.5 * std::min(asked.minCoeff(), cells.volumes().minCoeff());
   int steps = 0;
   const auto largest_error = [&] { return largest_share(missing_volumes(cells.volumes(), asked), asked); };
-  for (; largest_error() > tolerance && steps < most_steps; ++steps) {
+  for (; largest_error() > tolerance && steps < most_newton_steps; ++steps) {
     const Eigen::VectorXd before = cells.weights();
     const Eigen::VectorXd missing = missing_volumes(cells.volumes(), asked);
     const Eigen::VectorXd step = newton_step(cells.derivatives(), missing);
