@@ -187,7 +187,7 @@ TEST(DeckWarnings, AWindowHasBoundsOfItsPeriodicModulus) {
   EXPECT_THAT(run.output, HasSubstr("A, this box: bounds "));
 
   // The order is a theorem right after the step: Hazanov and Huet (1994).
-  const auto first_modulus = [&study](const std::string& boundary) {
+  const auto first_modulus = [](const std::string& boundary) {
     const StudyDirectory one(replaced(std::string(good_deck), "walls = true", "walls = false"));
     const auto with = one.breccia("run", {"--set", "tests.boundaries=[\"" + boundary + "\"]"});
     EXPECT_EQ(with.exit_code, 0) << with.errors;

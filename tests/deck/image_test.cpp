@@ -197,7 +197,7 @@ TEST_F(DeckImage, MistakesInAThreshold) {
               AllOf(HasSubstr("packing.labels.bright: missing"), HasSubstr("unknown key \"light\"")));
   EXPECT_THAT(with(", threshold = 60", R"({ dark = "binder", bright = "hmxx" })"),
               HasSubstr("packing.labels.bright: unknown material \"hmxx\", did you mean \"hmx\"?"));
-  const auto otsu = "pixel = \"1 um\", threshold = \"otsu\"";
+  const auto otsu = R"(pixel = "1 um", threshold = "otsu")";
   write("flat.npy", {2, 2}, {40, 40, 40, 40});
   EXPECT_THAT(mistakes(keys("flat.npy", otsu, two_sides), "cells = 2"),
               HasSubstr("packing.threshold: all pixels have the grey value 40"));
