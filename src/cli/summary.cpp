@@ -160,7 +160,8 @@ std::string describe_fillers(const Stage& stage) {
 /// The grid of a stage, or of the labels of grains that are computed with films.
 std::string describe_grid(const Stage& stage, Model model) {
   if (model == Model::films) {
-    return fmt::format("    model    grains and films; {} x {} cells for labels alone\n", stage.cells, stage.cells);
+    return fmt::format("    model    grains and films; {} cells for labels alone\n",
+                       cells_in_words(stage, stage.cells));
   }
   const auto grids = stage.coarser_cells.empty() ? ""
                                                  : fmt::format("             and one of {} cells per side\n",
@@ -227,6 +228,15 @@ std::string describe(Mixing mixing) {
   return fmt::format("    cells    {} where an interface crosses them\n", how());
 }
 
+std::string describe(const FilmOptions& films, int dimensions) {
+  if (dimensions == 3) {
+    return fmt::format("    films    {} element{} along each edge of a grain\n", films.divisions,
+                       films.divisions == 1 ? "" : "s");
+  }
+  return fmt::format("    films    elements along the faces up to {:.4g} of a grain{}\n", films.face_share,
+                     films.layers ? fmt::format(", {} layers across", *films.layers) : "");
+}
+
 std::string describe(const Study& study) {
   const auto& tests = study.tests;
   std::vector<std::string> loads, boundaries;
@@ -246,8 +256,7 @@ std::string describe(const Study& study) {
     text += fmt::format("    fields   at {}\n", fmt::join(times, ", "));
   }
   if (tests.model == Model::films) {
-    text += fmt::format("    films    elements along the faces up to {:.4g} of a grain{}\n", tests.films.face_share,
-                        tests.films.layers ? fmt::format(", {} layers across", *tests.films.layers) : "");
+    text += describe(tests.films, study.stages.front().dimensions());
   }
   text += describe(tests.mixing);
   for (const auto method : tests.methods) {

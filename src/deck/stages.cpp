@@ -108,8 +108,8 @@ bool needs_no_cells(const Section& section, Model model) {
   return packing && has_method(*packing, PackingName::laguerre);
 }
 
-/// Cells per side of the labels of grains that are computed with films.
-constexpr int cells_of_labels = 512;
+/// Cells per side of the labels of grains that are computed with films, in the plane and in space.
+constexpr int cells_of_labels = 512, cells_of_labels_in_space = 96;
 
 /// Reads the grids of a stage whose box is known. Leaves 0 cells where they are to be chosen.
 void read_grid(const Section& section, Model model, Stage& stage) {
@@ -121,7 +121,7 @@ void read_grid(const Section& section, Model model, Stage& stage) {
   } else if (names_cells(section)) {
     stage.cells = read_cells(section, stage.side);
   } else if (needs_no_cells(section, model)) {
-    stage.cells = cells_of_labels;
+    stage.cells = stage.dimensions() == 3 ? cells_of_labels_in_space : cells_of_labels;
   } else if (stage.has_image()) {
     stage.cells = cells_of_points(section, stage);
   }

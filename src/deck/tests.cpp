@@ -115,6 +115,23 @@ std::vector<Boundary> default_boundaries(const std::vector<Stage>& stages) {
   return {Boundary::displacement, Boundary::traction};
 }
 
+/// Reads the elements of grains and films: those of the plane or of space.
+FilmOptions read_films(const Section& section, const std::vector<Stage>& stages) {
+  FilmOptions films;
+  const bool is_in_space = !stages.empty() && stages.front().dimensions() == 3;
+  if (is_in_space) {
+    section.refuse({"face_share"}, "it is of two dimensions; in three, divisions are the elements along an edge");
+    films.divisions =
+        static_cast<int>(section.optional_integer("divisions", allowed::divisions).value_or(films.divisions));
+  } else {
+    section.refuse({"divisions"}, "it is of three dimensions; in two, face_share is the length of the elements");
+    films.face_share = section.optional_number("face_share", allowed::face_share).value_or(films.face_share);
+  }
+  const auto layers = section.optional_integer("layers", allowed::layers);
+  if (layers) films.layers = static_cast<int>(*layers);
+  return films;
+}
+
 /// Reads the loads. Those that the box does not have are reported and left out.
 std::vector<TestLoad> read_loads(const Section& section, const std::vector<Stage>& stages) {
   if (section.kind("loads") == Kind::text) {
@@ -141,10 +158,7 @@ Tests read_tests(const Section& deck, const std::vector<Stage>& stages, const St
   if (tests.model == Model::films) {
     tests.quasistatic.sampling.tolerance = coarse_tolerance;
     if (const auto films = section.optional_section("films")) {
-      tests.films.face_share =
-          films->optional_number("face_share", allowed::face_share).value_or(tests.films.face_share);
-      const auto layers = films->optional_integer("layers", allowed::layers);
-      if (layers) tests.films.layers = static_cast<int>(*layers);
+      tests.films = read_films(*films, stages);
     }
   } else {
     section.refuse({"films"}, R"(it belongs to model = "films")");

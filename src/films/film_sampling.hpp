@@ -25,7 +25,7 @@ struct FilmResponses {
 
   std::vector<ReducedResponse> responses;  ///< responses by load
   LinearEffort effort;
-  Recovery fields;  ///< function that computes fields; it owns the vectors of the basis
+  Recovery fields;  ///< function that computes fields and owns the vectors of the basis; empty in space
 };
 
 /// Builds a reduced response of grains and films for each load, as sample_responses() does for cells; the moduli of the
@@ -35,7 +35,8 @@ struct FilmResponses {
 /// time for a Prony series, coverage(), calibration. With a checkpoint, the state is saved between solutions when that
 /// is due, and an earlier state is resumed. Throws InputError when the problem is not sound or there are no loads or
 /// moduli, NumericalError when a system cannot be solved or the tolerance cannot be met.
-[[nodiscard]] FilmResponses sample_film_responses(const FilmProblem<2>& problem, std::span<const Load> loads,
+template <int dim>
+[[nodiscard]] FilmResponses sample_film_responses(const FilmProblem<dim>& problem, std::span<const Load> loads,
                                                   std::span<const Moduli> training_set,
                                                   const SamplingOptions& options = {},
                                                   const ProgressObserver& observer = {},

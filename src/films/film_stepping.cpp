@@ -9,18 +9,20 @@
 
 namespace breccia {
 
-FilmSteppingResult run_film_stepping(const FilmProblem<2>& problem, const Material& binder, std::span<const Load> loads,
-                                     std::span<const double> times, const ProgressObserver& observer,
-                                     std::span<const double> field_times, Checkpoint* checkpoint) {
+template <int dim>
+FilmSteppingResult run_film_stepping(const FilmProblem<dim>& problem, const Material& binder,
+                                     std::span<const Load> loads, std::span<const double> times,
+                                     const ProgressObserver& observer, std::span<const double> field_times,
+                                     Checkpoint* checkpoint) {
   quasistatic::require_steps(loads, times);
-  const films::FilmComposite<2> composite(problem);
+  const films::FilmComposite<dim> composite(problem);
   std::vector<const PronySeries*> series(composite.parameters().size());
-  series[films::FilmComposite<2>::shear] = &binder.shear;
-  series[films::FilmComposite<2>::bulk] = &binder.bulk;
+  series[films::FilmComposite<dim>::shear] = &binder.shear;
+  series[films::FilmComposite<dim>::bulk] = &binder.bulk;
   quasistatic::LogTimeRuns runs(composite, series, loads, times, field_times);
   // Fields are found when the factors are gone.
   const auto effort = [&] {
-    films::FilmSolver<2> solver(composite);
+    films::FilmSolver<dim> solver(composite);
     if (const auto* earlier = checkpoint != nullptr ? checkpoint->earlier() : nullptr) {
       runs.restore(*earlier);
       solver.count_from(read_effort(*earlier, "/effort"));
@@ -30,10 +32,19 @@ FilmSteppingResult run_film_stepping(const FilmProblem<2>& problem, const Materi
     return solver.effort();
   }();
   FilmSteppingResult result = {runs.responses(), {}, effort};
-  for (const auto& [time, state] : runs.kept()) {
-    result.fields.push_back({time, films::fields_of(composite, problem, loads.front(), state)});
+  if constexpr (dim == 2) {
+    for (const auto& [time, state] : runs.kept()) {
+      result.fields.push_back({time, films::fields_of(composite, problem, loads.front(), state)});
+    }
   }
   return result;
 }
+
+template FilmSteppingResult run_film_stepping(const FilmProblem<2>&, const Material&, std::span<const Load>,
+                                              std::span<const double>, const ProgressObserver&, std::span<const double>,
+                                              Checkpoint*);
+template FilmSteppingResult run_film_stepping(const FilmProblem<3>&, const Material&, std::span<const Load>,
+                                              std::span<const double>, const ProgressObserver&, std::span<const double>,
+                                              Checkpoint*);
 
 }  // namespace breccia

@@ -17,7 +17,7 @@ class Checkpoint;
 
 struct FilmSteppingResult {
   std::vector<SteppedResponse> responses;  ///< responses by load
-  std::vector<TimedFilmFields> fields;     ///< fields of the first load
+  std::vector<TimedFilmFields> fields;     ///< fields of the first load; none in space
   LinearEffort effort;
 };
 
@@ -25,7 +25,8 @@ struct FilmSteppingResult {
 /// reference for the reduced response (sample_film_responses). Each step makes new factors. Throws InputError when the
 /// problem is not sound, there are no loads, or the times [s] are not positive and rising; NumericalError when a linear
 /// system cannot be solved.
-[[nodiscard]] FilmSteppingResult run_film_stepping(const FilmProblem<2>& problem, const Material& binder,
+template <int dim>
+[[nodiscard]] FilmSteppingResult run_film_stepping(const FilmProblem<dim>& problem, const Material& binder,
                                                    std::span<const Load> loads, std::span<const double> times,
                                                    const ProgressObserver& observer = {},
                                                    std::span<const double> field_times = {},

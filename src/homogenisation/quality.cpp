@@ -127,7 +127,10 @@ std::string words_on_second_grid(const StageQuality& quality) {
 }
 
 std::string words_on_grid(const StageQuality& quality) {
-  if (quality.grids.empty()) return "films: error of the mesh unknown (tests.films.face_share = 0.15 halves it)";
+  if (quality.grids.empty()) {
+    return fmt::format("films: error of the mesh unknown ({} shows it)",
+                       quality.dimensions == 3 ? "tests.films.divisions = 3" : "tests.films.face_share = 0.15");
+  }
   if (quality.grid_share && *quality.grid_share >= 1.0) {
     return "grid: error of any size, since the grids differ too much, or have nearly as many cells";
   }

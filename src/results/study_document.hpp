@@ -88,6 +88,7 @@ struct QuasistaticEntry {
   Solver solver = Solver::reduced;
   std::optional<double> face_share = {};
   std::optional<int> layers = {};
+  std::optional<int> divisions = {};
   std::optional<Volumetric> volumetric = {};
   std::optional<Mixing> mixing = {};
   std::optional<double> error_estimate = {};  ///< nothing where it is not known
@@ -102,10 +103,10 @@ struct QuasistaticEntry {
 template <>
 inline constexpr auto fields<QuasistaticEntry> = std::tuple(
     field("solver", &QuasistaticEntry::solver), field_if_any("face_share", &QuasistaticEntry::face_share),
-    field_if_any("layers", &QuasistaticEntry::layers), field_if_any("volumetric", &QuasistaticEntry::volumetric),
-    field_if_any("mixing", &QuasistaticEntry::mixing), field("error_estimate", &QuasistaticEntry::error_estimate),
-    field("linear", &QuasistaticEntry::linear), field("wall_time_s", &QuasistaticEntry::seconds),
-    field_if_any("fit_error", &QuasistaticEntry::fit_error),
+    field_if_any("layers", &QuasistaticEntry::layers), field_if_any("divisions", &QuasistaticEntry::divisions),
+    field_if_any("volumetric", &QuasistaticEntry::volumetric), field_if_any("mixing", &QuasistaticEntry::mixing),
+    field("error_estimate", &QuasistaticEntry::error_estimate), field("linear", &QuasistaticEntry::linear),
+    field("wall_time_s", &QuasistaticEntry::seconds), field_if_any("fit_error", &QuasistaticEntry::fit_error),
     field_if_any("steps_per_decade", &QuasistaticEntry::steps_per_decade),
     field_if_any("tolerance", &QuasistaticEntry::tolerance), field_if_any("range", &QuasistaticEntry::range),
     field_if_any("snapshots", &QuasistaticEntry::snapshots));

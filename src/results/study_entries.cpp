@@ -63,6 +63,7 @@ DomainEntry entry_of(const TimeDomain& domain, std::size_t points) {
 struct RecordEntry {
   const Tests& options;
   Mixing mixing;  ///< the one that the stage has
+  int dimensions;
   const TestResult& test;
   std::size_t points;  ///< number of material points of the grid
   TestEntry& entry;
@@ -80,7 +81,8 @@ struct RecordEntry {
                            .seconds = test.seconds,
                            .fit_error = record.fit_error};
     if (test.id.grid.is_films()) {
-      found.face_share = options.films.face_share;
+      if (dimensions == 2) found.face_share = options.films.face_share;
+      if (dimensions == 3) found.divisions = options.films.divisions;
       found.layers = options.films.layers;
     } else {
       found.volumetric = options.volumetric;
@@ -116,7 +118,8 @@ TestEntry entry_of(const TestResult& test, const Study& study, const Stage& stag
                    const StageRecord& record) {
   const auto cells = test.id.grid.cells();
   TestEntry entry{.id = test.id, .fields = record.fields_of(test.id)};
-  std::visit(RecordEntry{study.tests, mixing, test, cells ? point_count(stage, *cells) : 0, entry}, test.record);
+  std::visit(RecordEntry{study.tests, mixing, stage.dimensions(), test, cells ? point_count(stage, *cells) : 0, entry},
+             test.record);
   return entry;
 }
 

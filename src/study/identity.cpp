@@ -247,8 +247,10 @@ class Content {
     static_cast<void>(lists_field_times);
   }
   void add(const FilmOptions& options) {
-    const auto& [face_share, layers] = options;
+    const auto& [face_share, layers, divisions] = options;
     add_all(face_share, layers);
+    // A study with the default number is what it was before there was this option.
+    if (divisions != FilmOptions{}.divisions) add(divisions);
   }
   void add(const VariedMaterial& material) {
     const auto& [name, shear, bulk] = material;

@@ -57,11 +57,18 @@ std::vector<std::string> lacking_in_films(const Tests& tests, const Stage& stage
   };
   const auto& grains = stage.fillers.front().material;
   if (!grains.shear.is_elastic() || !grains.bulk.is_elastic()) lacks("expected grains that are elastic");
+  if (stage.dimensions() == 3 && !stage.is_periodic()) {
+    lacks("in three dimensions: expected a periodic box (packing.walls = false)");
+    return mistakes;
+  }
   if (stage.has_films_along_walls()) {
     lacks(R"(expected packing.walls = "cut" or false; no film of this model runs along a wall)");
   }
   if (const auto expected = expected_boundaries(tests, stage)) {
-    lacks(*expected + (stage.is_periodic() ? R"(, or packing.walls = "cut")" : ", or packing.walls = false"));
+    const auto other_box = stage.dimensions() == 3 ? ""
+                           : stage.is_periodic()   ? R"(, or packing.walls = "cut")"
+                                                   : ", or packing.walls = false";
+    lacks(*expected + other_box);
   }
   if (!stage.coarser_cells.empty()) lacks("expected one number of cells, that of the labels, or none");
   return mistakes;
@@ -88,14 +95,14 @@ std::vector<std::string> lacking_in_films(const Study& study) {
     mistakes.emplace_back(
         "films.layers: films that are resolved leave no fields: expected no times of fields, or thin films");
   }
+  const bool is_in_space = has_grains && study.stages.front().dimensions() == 3;
+  if (is_in_space && tests.films.layers) {
+    mistakes.emplace_back("films.layers: films in three dimensions are thin: expected no layers");
+  }
+  if (is_in_space && tests.lists_field_times) {
+    mistakes.emplace_back(R"(model "films" in three dimensions leaves no fields: expected no times of fields)");
+  }
   return mistakes;
-}
-
-/// The requests that tests in three dimensions do not support, a line each.
-std::vector<std::string> lacking_in_space(const Study& study) {
-  if (study.stages.empty() || study.stages.front().dimensions() == 2) return {};
-  if (study.tests.model == Model::films) return {R"(three dimensions: expected model "cells")"};
-  return {};
 }
 
 /// A mistake where moduli vary without a reduced basis, since no other solver samples over moduli.
@@ -213,7 +220,7 @@ std::vector<std::string> mistakes_of_loads(const std::vector<TestLoad>& loads, i
 
 bool has_fields(const Tests& tests, const Stage& stage) {
   if (tests.field_times.empty()) return false;
-  return model_of(tests, stage) != Model::films || !tests.films.layers;
+  return model_of(tests, stage) != Model::films || (stage.dimensions() == 2 && !tests.films.layers);
 }
 
 std::vector<std::string> obstacles_to_flow(const Study& study) {
@@ -246,7 +253,6 @@ Mixing default_mixing(const Study& study) {
 std::vector<std::string> contradictions(const Study& study) {
   auto mistakes = films_along_walls(study);
   std::ranges::move(lacking_in_films(study), std::back_inserter(mistakes));
-  std::ranges::move(lacking_in_space(study), std::back_inserter(mistakes));
   if (!study.stages.empty()) {
     std::ranges::move(mistakes_of_loads(study.tests.loads, study.stages.front().dimensions()),
                       std::back_inserter(mistakes));

@@ -87,13 +87,15 @@ TrainingPath training_set(const QuasistaticTest& test, const std::vector<Materia
 }
 
 /// The problem of grains and films under the boundary of the test.
-FilmProblem<2> problem_of(const QuasistaticTest& test, FilmProblem<2> films) {
+template <int dim>
+FilmProblem<dim> problem_of(const QuasistaticTest& test, FilmProblem<dim> films) {
   films.boundary = test.boundary;
   return films;
 }
 
 /// Samples the reduced responses of grains and films by load, and takes the fields of the first load.
-std::vector<ReducedResponse> sample(const FilmProblem<2>& films, const QuasistaticTest& test,
+template <int dim>
+std::vector<ReducedResponse> sample(const FilmProblem<dim>& films, const QuasistaticTest& test,
                                     const std::vector<Material>& materials, const TrainingPath& path,
                                     const ProgressObserver& follow, Checkpoint* checkpoint,
                                     QuasistaticTestResult& result) {
@@ -186,7 +188,8 @@ double worst_from(std::size_t first, const std::vector<double>& data, const FitQ
 }
 
 /// Steps grains and films through time, and takes the fields of the first load.
-std::vector<SteppedResponse> step(const FilmProblem<2>& films, const QuasistaticTest& test,
+template <int dim>
+std::vector<SteppedResponse> step(const FilmProblem<dim>& films, const QuasistaticTest& test,
                                   const std::vector<double>& steps, const std::vector<double>& field_steps,
                                   const ProgressObserver& follow, Checkpoint* checkpoint,
                                   QuasistaticTestResult& result) {
@@ -258,7 +261,8 @@ QuasistaticTestResult run_quasistatic_test(const QuasistaticTest& test, const Pr
                                            Checkpoint* checkpoint) {
   require_times("quasi-static test", test.times, test.points_per_decade, test.field_times);
   if (test.loads.empty()) throw InputError("quasi-static test: no loads");
-  const bool has_films = std::holds_alternative<FilmProblem<2>>(test.composite);
+  const bool has_films =
+      std::holds_alternative<FilmProblem<2>>(test.composite) || std::holds_alternative<FilmProblem<3>>(test.composite);
   if (test.options.solver == Solver::reduced || has_films) require_varying_phases(test);
   if (has_films) require_test_of_films(test);
   if (checkpoint != nullptr && checkpoint->is_finished()) return read_quasistatic_result(*checkpoint->earlier());

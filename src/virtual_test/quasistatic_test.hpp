@@ -18,9 +18,9 @@ namespace breccia {
 
 class Checkpoint;
 
-/// The body of a quasi-static test: cells in 2 or 3 dimensions, or grains and films, whose boundary is that of the
-/// test. In grains and films only the binder relaxes and varies.
-using QuasistaticComposite = std::variant<Discretisation<2>, Discretisation<3>, FilmProblem<2>>;
+/// The body of a quasi-static test: cells or grains and films in 2 or 3 dimensions; the latter's boundary is that of
+/// the test. In grains and films only the binder relaxes and varies.
+using QuasistaticComposite = std::variant<Discretisation<2>, Discretisation<3>, FilmProblem<2>, FilmProblem<3>>;
 
 /// A quasi-static virtual test.
 struct QuasistaticTest {

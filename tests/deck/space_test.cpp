@@ -221,8 +221,6 @@ TEST_F(DeckInSpace, PointsFromAPictureOfParticlesToImages) {
 TEST_F(DeckInSpace, RefusesWhatIsFlat) {
   EXPECT_THAT(mistakes(one_size, R"(method = "hexagons")"),
               AllOf(HasSubstr("\"lubachevsky-stillinger\""), HasSubstr("\"random-sequential\"")));
-  EXPECT_THAT(mistakes(one_size, R"(method = "laguerre", film = "10 um")", "model = \"films\"\n"),
-              HasSubstr("three dimensions: expected model \"cells\""));
 }
 
 TEST_F(DeckInSpace, HasBothMethods) {

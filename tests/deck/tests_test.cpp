@@ -104,6 +104,33 @@ TEST_F(DeckTests, GrainsComputedWithFilmsNeedNoCells) {
   EXPECT_EQ(directory.study(stepping).tests.quasistatic.solver, Solver::stepping);
 }
 
+TEST_F(DeckTests, FilmsInSpaceHaveDivisions) {
+  const auto deck_of = [&](std::string_view stage, std::string_view lines) {
+    return "dimensions = 3\n" + test::join(test::materials, stage, "[tests]\n", times, "model = \"films\"\n", lines);
+  };
+  const auto study = directory.study(deck_of(grains, "films = { divisions = 3 }\n"));
+  EXPECT_EQ(study.tests.films.divisions, 3);
+  EXPECT_EQ(study.stages.front().cells, 96) << "of the labels";
+  EXPECT_FALSE(has_fields(study.tests, study.stages.front()));
+  EXPECT_EQ(directory.study(deck_of(grains, "")).tests.films.divisions, 2);
+  EXPECT_THAT(directory.mistakes(deck_of(grains, "films = { divisions = 9 }\n")),
+              HasSubstr("expected an integer from 1 to 8, got 9"));
+  EXPECT_THAT(directory.mistakes(deck_of(grains, "films = { divisions = 1.5 }\n")), HasSubstr("integer"));
+  EXPECT_THAT(directory.mistakes(deck_of(grains, "films = { face_share = 0.3 }\n")), HasSubstr("of two dimensions"));
+  EXPECT_THAT(directory.mistakes(deck_of(grains, "films = { layers = 2 }\n")), HasSubstr("expected no layers"));
+  EXPECT_THAT(directory.mistakes(deck_of(grains, "fields = [\"1 us\"]\n")), HasSubstr("leaves no fields"));
+  EXPECT_THAT(directory.mistakes(deck_of(grains, "boundaries = [\"traction\"]\n")),
+              HasSubstr("expected the boundary \"periodic\""));
+  const auto walled = test::replaced(std::string(grains), "\"laguerre\"", "\"laguerre\", walls = \"cut\"");
+  EXPECT_THAT(directory.mistakes(deck_of(walled, "")), HasSubstr("in three dimensions: expected a periodic box"));
+}
+
+TEST_F(DeckTests, DivisionsAreOfSpaceAlone) {
+  const auto deck =
+      test::join(test::materials, grains, "[tests]\n", times, "model = \"films\"\n", "films = { divisions = 2 }\n");
+  EXPECT_THAT(directory.mistakes(deck), HasSubstr("of three dimensions"));
+}
+
 TEST_F(DeckTests, FilmsMayBeResolvedByLayers) {
   const auto deck_of = [&](std::string_view lines) {
     return test::join(test::materials, grains, "[tests]\n", times, "model = \"films\"\n", lines);

@@ -105,7 +105,7 @@ TEST(Quality, SaysOfFilmsWhichKeyHalvesTheirMesh) {
   films.fraction = 0.9;
   films.gap_cells = std::numeric_limits<double>::infinity();
   EXPECT_THAT(summary_of(films),
-              HasSubstr("films: error of the mesh unknown (tests.films.face_share = 0.15 halves it)"));
+              HasSubstr("films: error of the mesh unknown (tests.films.face_share = 0.15 shows it)"));
 }
 
 TEST(Quality, TellsDistancesWithTwoDigits) {

@@ -24,7 +24,7 @@ struct FilmElements<3> {
   int divisions = 2;  ///< number of elements along each edge of a grain
 };
 
-/// The model of grains and films (theory, sections 17 and 17a): elastic grains, the cells of a tessellation, with films
+/// The model of grains and films (theory, section 17): elastic grains, the cells of a tessellation, with films
 /// of binder between them. In the plane, in plane strain, the films have one thickness, or one for each pair of grains
 /// (LaguerreSites::film_shares); a periodic boundary requires a periodic tessellation, the other boundaries require
 /// hard walls, which cut grains and films like a window in a larger body; no film runs along a wall. In space the films

@@ -40,12 +40,13 @@ enum class Abscissa { time, frequency };
 
 /// Settings of the model of grains and films.
 struct FilmOptions {
-  /// Length of the longest element along a face, over the square root of the area of the smaller of the two grains
-  /// beside it [-].
+  /// In the plane, length of the longest element along a face, over the square root of the area of the smaller of the
+  /// two grains beside it [-].
   double face_share = 0.3;
   /// Number of layers of elements that resolve the binder across every film. If absent, films are thin and have one row
   /// of elements each.
   std::optional<int> layers = {};
+  int divisions = 2;  ///< in space, number of elements along each edge of a grain
 };
 
 /// The virtual tests of every stage.

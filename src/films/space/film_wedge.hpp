@@ -8,7 +8,7 @@
 
 namespace breccia::films {
 
-/// Matrices of a triangle of a film in space (theory, Eq. 70b). Its unknowns are the displacements of six nodes on the
+/// Matrices of a triangle of a film in space (theory, Eq. 69c). Its unknowns are the displacements of six nodes on the
 /// first side, then on the second side, three components each; then the flows at the three corners, two components each
 /// along `axes`. Its six pressures are those of the nodes.
 struct FilmWedge {

@@ -1,34 +1,111 @@
 #include "films/space/grain_solids.hpp"
 
+#include <algorithm>
+#include <ranges>
+#include <span>
+#include <tuple>
+
 namespace breccia::films {
 namespace {
 
-using SurfaceTriangle = std::array<std::size_t, 6>;
+using Corners = std::array<std::size_t, 3>;  ///< corners of a triangle, counter-clockwise from outside
 
-/// Adds the centre, the middles of the edges that lead to it, and the tetrahedra. The triangles are counter-clockwise
-/// from outside.
-void fill(GrainSolid& solid, const std::vector<SurfaceTriangle>& surface) {
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  const auto on_surface = solid.nodes.size();
-  for (const auto& node : solid.nodes) centre += node / static_cast<double>(on_surface);
-  solid.nodes.push_back(centre);
-  std::map<std::size_t, std::size_t> middles;
-  const auto middle = [&](std::size_t corner) {
-    const auto [found, is_new] = middles.try_emplace(corner, solid.nodes.size());
-    if (is_new) solid.nodes.emplace_back(0.5 * (solid.nodes[corner] + centre));
-    return found->second;
-  };
-  for (const auto& [a, b, c, ab, bc, ca] : surface) {
-    // Seen from the centre, the triangle is clockwise.
-    solid.tetrahedra.push_back({a, c, b, on_surface, ca, bc, ab, middle(a), middle(c), middle(b)});
+/// Fills a grain with tetrahedra of ten nodes, from the triangles of its surface inwards.
+class Filling {
+ public:
+  explicit Filling(GrainSolid& solid) : solid_(solid) {
+    for (const auto& node : solid.nodes) centre_ += node / static_cast<double>(solid.nodes.size());
   }
+
+  /// Sets the middle of an edge of the surface, which is a node already.
+  void set_middle(std::size_t a, std::size_t b, std::size_t middle) { middles_[std::minmax(a, b)] = middle; }
+
+  /// Adds a shell of tetrahedra below triangles, down to a share of their distance from the centre. Returns the
+  /// triangles below.
+  std::vector<Corners> add_shell(const std::vector<Corners>& outside, double share) {
+    std::map<std::size_t, std::size_t> below;
+    for (const auto corner : outside | std::views::join) {
+      const auto [found, is_new] = below.try_emplace(corner, solid_.nodes.size());
+      if (is_new) solid_.nodes.emplace_back(centre_ + share * (solid_.nodes[corner] - centre_));
+    }
+    std::vector<Corners> inside;
+    for (auto [a, b, c] : outside) {
+      // The diagonal of each side of the wedge begins at its outer corner with the smaller number.
+      while (a > b || a > c) std::tie(a, b, c) = std::tuple(b, c, a);
+      const auto under_a = below.at(a), under_b = below.at(b), under_c = below.at(c);
+      add({a, under_a, under_b, under_c});
+      if (b < c) {
+        add({a, b, c, under_c});
+        add({a, b, under_b, under_c});
+      } else {
+        add({a, b, c, under_b});
+        add({a, c, under_b, under_c});
+      }
+      inside.push_back({under_a, under_b, under_c});
+    }
+    return inside;
+  }
+
+  /// Adds a star of tetrahedra from triangles to the centre.
+  void add_star(const std::vector<Corners>& outside) {
+    const auto centre = solid_.nodes.size();
+    solid_.nodes.push_back(centre_);
+    for (const auto& [a, b, c] : outside) add({a, b, c, centre});
+  }
+
+ private:
+  void add(std::array<std::size_t, 4> corners) {
+    const auto at = [&](std::size_t i) -> const Eigen::Vector3d& { return solid_.nodes[corners[i]]; };
+    const double volume = (at(1) - at(0)).cross(at(2) - at(0)).dot(at(3) - at(0));
+    if (volume < 0.0) std::swap(corners[1], corners[2]);
+    const auto& [a, b, c, d] = corners;
+    solid_.tetrahedra.push_back(
+        {a, b, c, d, middle(a, b), middle(b, c), middle(c, a), middle(a, d), middle(b, d), middle(c, d)});
+  }
+
+  std::size_t middle(std::size_t a, std::size_t b) {
+    const auto [found, is_new] = middles_.try_emplace(std::minmax(a, b), solid_.nodes.size());
+    if (is_new) solid_.nodes.emplace_back(0.5 * (solid_.nodes[a] + solid_.nodes[b]));
+    return found->second;
+  }
+
+  GrainSolid& solid_;
+  Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> middles_;
+};
+
+/// Fills a grain of which the nodes of the surface are known: shells, and the star inside them.
+void fill(GrainSolid& solid, const std::vector<std::array<std::size_t, 6>>& surface, std::span<const double> shells) {
+  Filling filling(solid);
+  std::vector<Corners> triangles;
+  for (const auto& [a, b, c, ab, bc, ca] : surface) {
+    filling.set_middle(a, b, ab);
+    filling.set_middle(b, c, bc);
+    filling.set_middle(c, a, ca);
+    triangles.push_back({a, b, c});
+  }
+  double scale = 1.0;
+  for (const double shell : shells) {
+    triangles = filling.add_shell(triangles, shell / scale);
+    scale = shell;
+  }
+  filling.add_star(triangles);
+}
+
+/// The shells of a grain, as shares of the distance of its surface from its centre. With one and two elements along an
+/// edge a star without shells is fine enough; its error and that of the films are of opposite signs.
+std::vector<double> shells_of(int divisions) {
+  constexpr double depth = 0.8;
+  std::vector<double> shares;
+  for (int shell = 1; shell + 1 < divisions; ++shell) shares.push_back(1.0 - depth * shell / (divisions - 1));
+  return shares;
 }
 
 }  // namespace
 
 GrainSolids::GrainSolids(const CellComplex& complex, const SheetMesh& sheets, const std::vector<ShrunkGrain>& grains)
     : solids_(grains.size()), number_(grains.size()) {
-  std::vector<std::vector<SurfaceTriangle>> surfaces(grains.size());
+  std::vector<std::vector<std::array<std::size_t, 6>>> surfaces(grains.size());
   const auto node_of = [&](std::size_t grain, const SheetNode& node) {
     const Key key = {node.number, {node.image.x(), node.image.y(), node.image.z()}};
     auto& nodes = solids_[grain].nodes;
@@ -38,7 +115,7 @@ GrainSolids::GrainSolids(const CellComplex& complex, const SheetMesh& sheets, co
   };
   for (const auto& triangle : sheets.triangles) {
     const auto& face = complex.faces[triangle.face];
-    SurfaceTriangle of_first{}, of_second{};
+    std::array<std::size_t, 6> of_first{}, of_second{};
     constexpr std::array<std::size_t, 6> reversed = {0, 2, 1, 5, 4, 3};
     for (std::size_t i = 0; i < of_first.size(); ++i) {
       of_first[i] = node_of(face.first, triangle.nodes[i]);
@@ -48,7 +125,8 @@ GrainSolids::GrainSolids(const CellComplex& complex, const SheetMesh& sheets, co
     surfaces[face.first].push_back(of_first);
     surfaces[face.second.cell].push_back(of_second);
   }
-  for (std::size_t grain = 0; grain < grains.size(); ++grain) fill(solids_[grain], surfaces[grain]);
+  const auto shells = shells_of(sheets.divisions);
+  for (std::size_t grain = 0; grain < grains.size(); ++grain) fill(solids_[grain], surfaces[grain], shells);
 }
 
 SolidNode GrainSolids::beside(const CellImage& grain, const SheetNode& node) const {

@@ -35,6 +35,7 @@ class Mesher {
   void add_point(const SharedPoint& point) { mesh_.points.push_back(node_at(complex_.position(point.vertex))); }
 
   [[nodiscard]] SheetMesh take() {
+    mesh_.divisions = divisions_;
     mesh_.nodes = merger_.positions();
     return std::move(mesh_);
   }

@@ -33,6 +33,7 @@ struct SheetSegment {
 /// The faces and edges of a complex of cells as elements with straight edges, which meet along whole edges. Both sides
 /// of a film and its pressures have these nodes. Lengths are in sides of the box.
 struct SheetMesh {
+  int divisions = 1;  ///< number of elements along each edge
   std::vector<Eigen::Vector3d> nodes;
   std::vector<SheetTriangle> triangles;
   std::vector<SheetSegment> segments;

@@ -19,12 +19,12 @@ struct BinderElement {
 [[nodiscard]] Eigen::Matrix<double, 30, 30> tetrahedron_stiffness(const std::array<Eigen::Vector3d, 4>& corners,
                                                                   const Moduli& moduli);
 
-/// The channel along an edge of the cells between three grains (theory, Eq. 70c). `ends` are, for each grain, the start
+/// The channel along an edge of the cells between three grains (theory, Eq. 69d). `ends` are, for each grain, the start
 /// and the end of its edge. The nodes are the start, the middle and the end of the edge of the first grain, then of the
 /// second and the third one; the pressures are at start, middle and end.
 [[nodiscard]] BinderElement channel_element(const std::array<std::array<Eigen::Vector3d, 2>, 3>& ends);
 
-/// The tetrahedron between the corners of four grains, with linear displacements and one pressure (theory, Eq. 70d).
+/// The tetrahedron between the corners of four grains, with linear displacements and one pressure (theory, Eq. 69d).
 [[nodiscard]] BinderElement corner_element(const std::array<Eigen::Vector3d, 4>& corners);
 
 }  // namespace breccia::films

@@ -19,10 +19,11 @@
 namespace breccia {
 namespace {
 
-/// Areas of the cells of a stage, scaled so that they fill the unit square; the cells of listed sites have equal areas
-/// here.
+/// Areas of the cells of a stage, in space volumes, scaled so that they fill the unit box; the cells of listed sites
+/// have equal ones here.
+template <int dim>
 std::vector<double> shares_of_cells(const Stage& stage) {
-  const auto& method = *stage.packed_by<LaguerrePacking<2>>();
+  const auto& method = *stage.packed_by<LaguerrePacking<dim>>();
   if (!method.is_random()) {
     std::vector<double> equal(method.sites.size(), 1.0 / static_cast<double>(method.sites.size()));
     return equal;
@@ -30,10 +31,10 @@ std::vector<double> shares_of_cells(const Stage& stage) {
   const auto& filler = stage.fillers.front();
   const auto distribution = distribution_of(filler);
   constexpr double whole_box = 1.0 - 1e-12;
-  auto shares = distribution ? draw_diameters<2>(*distribution, whole_box, stage.side)
+  auto shares = distribution ? draw_diameters<dim>(*distribution, whole_box, stage.side)
                              : std::get<ListedSizes>(filler.sizes.value()).diameters;
   double sum = 0.0;
-  for (double& share : shares) sum += share *= share;
+  for (double& share : shares) sum += share = times_power<dim>(1.0, share);
   for (double& share : shares) share /= sum;
   return shares;
 }
@@ -61,6 +62,13 @@ double elements_along(const Tests& tests, double film) {
   return 1.0 + 2.0 * (std::log1p(0.5 * in_growing / first) / std::log(growth) + (half - in_growing) / longest);
 }
 
+/// The unknowns of a polyhedron with 14 faces, in their mean, and of half of its films: they grow with the triangles of
+/// the faces.
+double unknowns_of_polyhedron(const FilmOptions& films) {
+  constexpr double of_triangles = 870.0;
+  return of_triangles * films.divisions * films.divisions;
+}
+
 double unknowns_of_grain(const Tests& tests, double film) {
   if (!tests.films.layers) {
     // Each element along a face adds its part of the rings of triangles inside the grain.
@@ -74,39 +82,50 @@ double unknowns_of_grain(const Tests& tests, double film) {
   return of_junction_rows * layers * layers + elements_along(tests, film) * (of_layer * layers + of_grain);
 }
 
+/// Memory of matrices and factors in the plane [B]; the solver keeps factors in files if they took more than some size.
+double system_in_the_plane(double unknowns) {
+  namespace costs = measured_costs;
+  const bool are_in_files = costs::film_factors * unknowns > costs::most_factors;
+  return unknowns * (are_in_files ? costs::films_in_files : costs::films_in_memory);
+}
+
 }  // namespace
 
 FilmedGrains expected_grains(const Stage& stage) {
-  const auto shares = name_errors(stage.name, [&stage] { return shares_of_cells(stage); });
+  const bool is_in_space = stage.dimensions() == 3;
+  const auto shares =
+      name_errors(stage.name, [&] { return is_in_space ? shares_of_cells<3>(stage) : shares_of_cells<2>(stage); });
   const auto count = static_cast<double>(shares.size());
+  if (is_in_space) return {.count = count, .dimensions = 3};
   const auto& asked = stage.packed_by<LaguerrePacking<2>>()->film;
   const double film =
       asked ? *asked / stage.side : film_between_hexagons(shares, stage.fillers.front().fraction.value_or(1.0));
-  return {count, film * std::sqrt(count)};
+  return {.count = count, .film = film * std::sqrt(count)};
 }
 
 FilmedGrains placed_grains(const Stage& stage, const GrainStatistics& grains) {
   const auto count = static_cast<double>(grains.count);
-  return {count, grains.film / stage.side * std::sqrt(count)};
+  return {count, grains.film / stage.side * std::sqrt(count), stage.dimensions()};
 }
 
 double film_unknowns(const Tests& tests, const FilmedGrains& grains) {
-  return grains.count * unknowns_of_grain(tests, grains.film);
+  const bool is_in_space = grains.dimensions == 3;
+  return grains.count * (is_in_space ? unknowns_of_polyhedron(tests.films) : unknowns_of_grain(tests, grains.film));
 }
 
 double film_memory(const Study& study, const Stage& stage, const FilmedGrains& grains) {
   namespace costs = measured_costs;
   const double unknowns = film_unknowns(study.tests, grains);
   const auto loads = static_cast<double>(loads_of(study, stage).size());
-  // Matrices and factors; the solver keeps factors in files if they took more than this.
-  const bool are_in_files = costs::film_factors * unknowns > costs::most_factors;
-  const double bytes = are_in_files ? costs::films_in_files : costs::films_in_memory;
+  const double system = grains.dimensions == 3
+                            ? costs::films_in_space * std::pow(unknowns, costs::power_of_films_in_space)
+                            : system_in_the_plane(unknowns);
   // Displacements and two forces for each snapshot, or a vector for each term in fine and in coarse steps.
   const bool is_reduced = study.tests.quasistatic.solver == Solver::reduced;
   const auto matrix = expected_matrix(study, stage);
   const auto terms = static_cast<double>(matrix.shear.terms().size() + matrix.bulk.terms().size());
   const double vectors = is_reduced ? 3.0 * expected_snapshots(study, stage) : 2.0 * terms;
-  const double solution = costs::program + unknowns * (bytes + sizeof(double) * loads * vectors);
+  const double solution = costs::program + system + unknowns * sizeof(double) * loads * vectors;
   // Fields are written when the factors are gone.
   if (!has_fields(study.tests, stage)) return solution;
   const auto times = static_cast<double>(study.tests.field_times.size());
@@ -117,6 +136,10 @@ double film_memory(const Study& study, const Stage& stage, const FilmedGrains& g
 double film_time(const Study& study, const Stage& stage, const FilmedGrains& grains) {
   namespace costs = measured_costs;
   const double unknowns = film_unknowns(study.tests, grains);
+  if (grains.dimensions == 3) {
+    const double size = unknowns / costs::unknowns_of_space_snapshot;
+    return expected_snapshots(study, stage) * std::pow(size, costs::power_of_space_snapshot);
+  }
   const double size = std::max(1.0, unknowns / costs::unknowns_of_film_snapshot);
   return expected_snapshots(study, stage) * costs::film_snapshot * unknowns *
          std::pow(size, costs::power_of_film_snapshot);

@@ -8,7 +8,8 @@ namespace breccia {
 /// The properties of grains and films on which the cost of a test depends (model "films").
 struct FilmedGrains {
   double count = 0.0;
-  double film = 0.0;  ///< thickness of the films over the square root of the mean area of the cells [-]
+  double film = 0.0;  ///< in the plane, thickness of the films over the square root of the mean area of the cells [-]
+  int dimensions = 2;
 };
 
 /// The expected grains of a stage that is not packed yet, with the films that hexagons of their sizes would have.

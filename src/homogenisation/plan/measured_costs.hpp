@@ -75,5 +75,9 @@ inline constexpr double film_factors = 1.55e3, films_in_memory = 2.0e3, films_in
 inline constexpr double field_files = 100e6, fields_of_grain = 9e4, fields_of_grain_and_time = 1e4;
 /// Time of a snapshot for each unknown, with 1e5 unknowns [s]; it grows with this power of the number of unknowns.
 inline constexpr double film_snapshot = 5e-6, unknowns_of_film_snapshot = 1e5, power_of_film_snapshot = 0.2;
+/// Grains and films in space: memory of matrices and factors with one unknown [B], and the power of the number of
+/// unknowns with which it grows; the number of unknowns with which a snapshot takes one second, and the power.
+inline constexpr double films_in_space = 350.0, power_of_films_in_space = 4.0 / 3.0;
+inline constexpr double unknowns_of_space_snapshot = 2.35e4, power_of_space_snapshot = 1.7;
 
 }  // namespace breccia::measured_costs

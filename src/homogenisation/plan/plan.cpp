@@ -157,7 +157,7 @@ std::vector<std::string> lacking_for_films(const Study& study, const Stage& stag
   // Larger factors are in files, so that the needed memory does not grow steadily with the number of grains.
   double fitting = grains.count;
   constexpr double fewer = 0.999;
-  while (fitting >= 1.0 && film_memory(study, stage, {fitting, grains.film}) > available) {
+  while (fitting >= 1.0 && film_memory(study, stage, {fitting, grains.film, grains.dimensions}) > available) {
     fitting = std::floor(fewer * fitting);
   }
   return {fmt::format("{}: {:.0f} grains and films take about {:.3g} GB, and {:.3g} GB are left{}", stage.name,

@@ -40,8 +40,7 @@ class StageSolution {
 
   void run(int threads) {
     if (model_of(study_.tests, stage_) == Model::films) {
-      const auto& grains = std::get<Grains<2>>(std::get<Box<2>>(done_.microstructure.box));
-      const StageFilms films{&study_, &stage_, &grains, threads};
+      const StageFilms films{&study_, &stage_, &done_.microstructure, threads};
       for (const auto boundary : study_.tests.boundaries) run(films, boundary);
     } else {
       run_on_grids(threads);

@@ -25,7 +25,7 @@ struct StageGrid {
 struct StageFilms {
   const Study* study = nullptr;
   const Stage* stage = nullptr;
-  const Grains<2>* grains = nullptr;
+  const StageMicrostructure* grains = nullptr;
   int threads = 0;  ///< 0: all cores
 };
 

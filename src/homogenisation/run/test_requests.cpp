@@ -120,15 +120,34 @@ QuasistaticTest make_quasistatic_test(const Study& study, const Stage& stage, co
   return test;
 }
 
-QuasistaticTest make_film_test(const Study& study, const Stage& stage, const Material& matrix, const Grains<2>& grains,
-                               Boundary boundary, int threads) {
+namespace {
+
+template <int dim>
+FilmElements<dim> elements_of(const FilmOptions& options) {
+  if constexpr (dim == 2) {
+    return {.face_share = options.face_share};
+  } else {
+    return {.divisions = options.divisions};
+  }
+}
+
+template <int dim>
+FilmProblem<dim> film_problem(const Tests& tests, const Stage& stage, const StageMicrostructure& microstructure) {
+  const auto& grains = std::get<Grains<dim>>(std::get<Box<dim>>(microstructure.box));
   const auto& material = stage.fillers.front().material;
-  FilmProblem<2> problem = {.tessellation = Tessellation<2>(grains.sites),
-                            .thickness = grains.statistics.film,
-                            .grain = {.bulk = material.bulk.unrelaxed(), .shear = material.shear.unrelaxed()},
-                            .boundary = boundary,
-                            .elements = {.face_share = study.tests.films.face_share},
-                            .layers = study.tests.films.layers};
+  return {.tessellation = Tessellation<dim>(grains.sites),
+          .thickness = grains.statistics.film,
+          .grain = {.bulk = material.bulk.unrelaxed(), .shear = material.shear.unrelaxed()},
+          .elements = elements_of<dim>(tests.films),
+          .layers = tests.films.layers};
+}
+
+}  // namespace
+
+QuasistaticTest make_film_test(const Study& study, const Stage& stage, const Material& matrix,
+                               const StageMicrostructure& grains, Boundary boundary, int threads) {
+  auto problem = stage.dimensions() == 3 ? QuasistaticComposite(film_problem<3>(study.tests, stage, grains))
+                                         : QuasistaticComposite(film_problem<2>(study.tests, stage, grains));
   auto test = test_without_fields(study, stage, matrix, std::move(problem), boundary, threads);
   if (has_fields(study.tests, stage)) test.field_times = study.tests.field_times;
   return test;

@@ -21,8 +21,8 @@ QuasistaticTest make_quasistatic_test(const Study& study, const Stage& stage, co
                                       const StageDiscretisation& discretisation, Boundary boundary, int threads);
 /// The quasi-static test of the grains of a stage and the films between them, under one boundary and all loads of the
 /// stage.
-QuasistaticTest make_film_test(const Study& study, const Stage& stage, const Material& matrix, const Grains<2>& grains,
-                               Boundary boundary, int threads);
+QuasistaticTest make_film_test(const Study& study, const Stage& stage, const Material& matrix,
+                               const StageMicrostructure& grains, Boundary boundary, int threads);
 
 /// The criteria by which the sampling of the reduced bases of a study ends.
 SamplingOptions sampling_of(const Tests& tests);
