@@ -229,12 +229,12 @@ std::string describe(Mixing mixing) {
 }
 
 std::string describe(const FilmOptions& films, int dimensions) {
+  const auto layers = films.layers ? fmt::format(", {} layers across", *films.layers) : "";
   if (dimensions == 3) {
-    return fmt::format("    films    {} element{} along each edge of a grain\n", films.divisions,
-                       films.divisions == 1 ? "" : "s");
+    return fmt::format("    films    {} element{} along each edge of a grain{}\n", films.divisions,
+                       films.divisions == 1 ? "" : "s", layers);
   }
-  return fmt::format("    films    elements along the faces up to {:.4g} of a grain{}\n", films.face_share,
-                     films.layers ? fmt::format(", {} layers across", *films.layers) : "");
+  return fmt::format("    films    elements along the faces up to {:.4g} of a grain{}\n", films.face_share, layers);
 }
 
 std::string describe(const Study& study) {

@@ -38,7 +38,6 @@ void require_sound(const FilmProblem<dim>& problem) {
   if (dim == 3 && problem.boundary != Boundary::periodic) {
     mistakes.emplace_back("in three dimensions the boundary must be periodic");
   }
-  if (dim == 3 && problem.layers) mistakes.emplace_back("in three dimensions films are thin, without layers");
   if (!mistakes.empty()) throw InputError(fmt::format("films: {}", fmt::join(mistakes, "; ")));
 }
 

@@ -117,7 +117,7 @@ TEST_F(DeckTests, FilmsInSpaceHaveDivisions) {
               HasSubstr("expected an integer from 1 to 8, got 9"));
   EXPECT_THAT(directory.mistakes(deck_of(grains, "films = { divisions = 1.5 }\n")), HasSubstr("integer"));
   EXPECT_THAT(directory.mistakes(deck_of(grains, "films = { face_share = 0.3 }\n")), HasSubstr("of two dimensions"));
-  EXPECT_THAT(directory.mistakes(deck_of(grains, "films = { layers = 2 }\n")), HasSubstr("expected no layers"));
+
   EXPECT_THAT(directory.mistakes(deck_of(grains, "fields = [\"1 us\"]\n")), HasSubstr("leaves no fields"));
   EXPECT_THAT(directory.mistakes(deck_of(grains, "boundaries = [\"traction\"]\n")),
               HasSubstr("expected the boundary \"periodic\""));

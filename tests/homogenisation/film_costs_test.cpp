@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -55,6 +56,30 @@ TEST(FilmCosts, AreNotLessThanThoseOfMeasuredRuns) {
     const auto grains = expected_grains(study.stages.front());
     EXPECT_GT(film_unknowns(study.tests, grains), 0.9 * unknowns) << side;
     EXPECT_GT(film_memory(study, study.stages.front(), grains), 0.95 * bytes) << side;
+  }
+}
+
+/// Five solutions of all shears of equal grains in space at 93.7 %, without a basis.
+struct MeasuredFilmsInSpace {
+  double grains;
+  int divisions;
+  double unknowns, bytes;
+};
+
+const std::vector<MeasuredFilmsInSpace> measured_films_in_space = {
+    {27.0, 1, 23549, 329e6}, {64.0, 1, 56373, 797e6}, {125.0, 1, 108621, 1855e6}, {27.0, 2, 93589, 1199e6}};
+
+TEST(FilmCosts, InSpaceAreNotLessThanThoseOfMeasuredRuns) {
+  for (const auto& [count, divisions, unknowns, bytes] : measured_films_in_space) {
+    auto study = study_of_grains(1e-4 * std::cbrt(std::numbers::pi / 6.0 * count));
+    study.stages.front().packing = LaguerrePacking<3>{};
+    study.tests.films.divisions = divisions;
+    const auto grains = expected_grains(study.stages.front());
+    EXPECT_EQ(grains.count, count);
+    EXPECT_NEAR(film_unknowns(study.tests, grains) / unknowns, 1.0, 0.1) << count;
+    const double estimate = film_memory(study, study.stages.front(), grains);
+    EXPECT_GT(estimate, 0.95 * bytes) << count;
+    EXPECT_LT(estimate, 1.5 * bytes) << count;
   }
 }
 

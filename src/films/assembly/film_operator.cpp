@@ -10,6 +10,7 @@
 #include "films/assembly/resolved_films.hpp"
 #include "films/assembly/thin_films.hpp"
 #include "films/space/films_in_space.hpp"
+#include "films/space/resolved_in_space.hpp"
 
 namespace breccia::films {
 namespace {
@@ -28,7 +29,7 @@ FilmMatrices<2> matrices_of(const FilmProblem<2>& problem) {
 }
 
 FilmMatrices<3> matrices_of(const FilmProblem<3>& problem) {
-  return films_in_space(problem);
+  return problem.layers ? resolved_in_space(problem) : films_in_space(problem);
 }
 
 /// The displacement gradient of the unit strain of a load under a traction boundary: it has this symmetric part and is

@@ -28,7 +28,7 @@ class SpaceAssembly {
         for (const auto node : tetrahedron) nodes.push_back({g, node, Eigen::Vector3i::Zero()});
         const std::array corners = {position(nodes[0]), position(nodes[1]), position(nodes[2]), position(nodes[3])};
         sum_.add_grain(unknowns_of(nodes, {}), tetrahedron_stiffness(corners, moduli));
-        sum_.add_content((corners[1] - corners[0]).cross(corners[2] - corners[0]).dot(corners[3] - corners[0]) / 6.0);
+        sum_.add_content(volume_of(corners));
       }
     }
   }
@@ -56,9 +56,7 @@ class SpaceAssembly {
 
   void add_corners() {
     for (std::size_t p = 0; p < mesh_.sheets().points.size(); ++p) {
-      const auto nodes = mesh_.nodes_of_corner(p);
-      const std::array corners = {position(nodes[0]), position(nodes[1]), position(nodes[2]), position(nodes[3])};
-      add(corner_element(corners), nodes, std::span(&mesh_.sheets().points[p], 1));
+      add(corner_element(mesh_.corner(p)), mesh_.nodes_of_corner(p), std::span(&mesh_.sheets().points[p], 1));
     }
   }
 

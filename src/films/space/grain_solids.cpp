@@ -8,7 +8,7 @@
 namespace breccia::films {
 namespace {
 
-using Corners = std::array<std::size_t, 3>;  ///< corners of a triangle, counter-clockwise from outside
+using TriangleCorners = std::array<std::size_t, 3>;  ///< corners of a triangle, counter-clockwise from outside
 
 /// Fills a grain with tetrahedra of ten nodes, from the triangles of its surface inwards.
 class Filling {
@@ -22,13 +22,13 @@ class Filling {
 
   /// Adds a shell of tetrahedra below triangles, down to a share of their distance from the centre. Returns the
   /// triangles below.
-  std::vector<Corners> add_shell(const std::vector<Corners>& outside, double share) {
+  std::vector<TriangleCorners> add_shell(const std::vector<TriangleCorners>& outside, double share) {
     std::map<std::size_t, std::size_t> below;
     for (const auto corner : outside | std::views::join) {
       const auto [found, is_new] = below.try_emplace(corner, solid_.nodes.size());
       if (is_new) solid_.nodes.emplace_back(centre_ + share * (solid_.nodes[corner] - centre_));
     }
-    std::vector<Corners> inside;
+    std::vector<TriangleCorners> inside;
     for (auto [a, b, c] : outside) {
       // The diagonal of each side of the wedge begins at its outer corner with the smaller number.
       while (a > b || a > c) std::tie(a, b, c) = std::tuple(b, c, a);
@@ -47,7 +47,7 @@ class Filling {
   }
 
   /// Adds a star of tetrahedra from triangles to the centre.
-  void add_star(const std::vector<Corners>& outside) {
+  void add_star(const std::vector<TriangleCorners>& outside) {
     const auto centre = solid_.nodes.size();
     solid_.nodes.push_back(centre_);
     for (const auto& [a, b, c] : outside) add({a, b, c, centre});
@@ -77,7 +77,7 @@ class Filling {
 /// Fills a grain of which the nodes of the surface are known: shells, and the star inside them.
 void fill(GrainSolid& solid, const std::vector<std::array<std::size_t, 6>>& surface, std::span<const double> shells) {
   Filling filling(solid);
-  std::vector<Corners> triangles;
+  std::vector<TriangleCorners> triangles;
   for (const auto& [a, b, c, ab, bc, ca] : surface) {
     filling.set_middle(a, b, ab);
     filling.set_middle(b, c, bc);

@@ -8,9 +8,9 @@ namespace breccia::films {
 namespace {
 
 /// Gives points their nodes, and makes the elements of faces and edges.
-class Mesher {
+class SheetMesher {
  public:
-  Mesher(const CellComplex& complex, int divisions) : complex_(complex), divisions_(divisions) {}
+  SheetMesher(const CellComplex& complex, int divisions) : complex_(complex), divisions_(divisions) {}
 
   void add_face(std::size_t face) {
     const auto& corners = complex_.faces[face].corners;
@@ -75,7 +75,7 @@ class Mesher {
 }  // namespace
 
 SheetMesh sheet_mesh(const CellComplex& complex, int divisions) {
-  Mesher mesher(complex, divisions);
+  SheetMesher mesher(complex, divisions);
   for (std::size_t face = 0; face < complex.faces.size(); ++face) mesher.add_face(face);
   for (std::size_t edge = 0; edge < complex.edges.size(); ++edge) mesher.add_edge(edge);
   for (const auto& point : complex.points) mesher.add_point(point);

@@ -1,9 +1,10 @@
 #include "films/space/solid_elements.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
-#include <Eigen/LU>
+#include <Eigen/Geometry>
 
 #include "films/assembly/quadrature.hpp"
 #include "films/space/solid_strain.hpp"
@@ -12,44 +13,68 @@
 namespace breccia::films {
 namespace {
 
-/// The gradients of the barycentric coordinates of a tetrahedron, and its volume.
-struct Barycentric {
+/// The gradients of the barycentric coordinates of a tetrahedron times six times its volume.
+Eigen::Matrix<double, 3, 4> scaled_gradients(const TetrahedronCorners& corners) {
+  const Eigen::Vector3d a = corners[1] - corners[0], b = corners[2] - corners[0], c = corners[3] - corners[0];
   Eigen::Matrix<double, 3, 4> gradients;
-  double volume;
+  gradients.rightCols<3>() << b.cross(c), c.cross(a), a.cross(b);
+  gradients.col(0) = -gradients.rightCols<3>().rowwise().sum();
+  return gradients;
+}
+
+/// A point of integration in a tetrahedron: its barycentric coordinates and the gradients of the quadratic functions.
+struct TetrahedronPoint {
+  Eigen::Vector4d barycentric;
+  SolidGradients gradients;
 };
 
-Barycentric barycentric(const std::array<Eigen::Vector3d, 4>& corners) {
-  Eigen::Matrix3d edges;
-  for (int i = 0; i < 3; ++i) edges.col(i) = corners[static_cast<std::size_t>(i) + 1] - corners[0];
-  Barycentric found{{}, edges.determinant() / 6.0};
-  found.gradients.rightCols<3>() = edges.inverse().transpose();
-  found.gradients.col(0) = -found.gradients.rightCols<3>().rowwise().sum();
-  return found;
+/// Four points of equal weights, exact to the second order (Hammer, Marlowe and Stroud 1956).
+std::array<TetrahedronPoint, 4> integration_points(const TetrahedronCorners& corners) {
+  const Eigen::Matrix<double, 3, 4> linear_gradients = scaled_gradients(corners) / (6.0 * volume_of(corners));
+  const double near = (5.0 + 3.0 * std::sqrt(5.0)) / 20.0, far = (5.0 - std::sqrt(5.0)) / 20.0;
+  std::array<TetrahedronPoint, 4> points;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    auto& [l, gradients] = points[p];
+    l.setConstant(far);
+    l[static_cast<Eigen::Index>(p)] = near;
+    gradients.resize(3, 10);
+    for (int i = 0; i < 4; ++i) gradients.col(i) = (4.0 * l[i] - 1.0) * linear_gradients.col(i);
+    for (std::size_t e = 0; e < edges_of_tetrahedron.size(); ++e) {
+      const auto i = static_cast<Eigen::Index>(edges_of_tetrahedron[e][0]);
+      const auto j = static_cast<Eigen::Index>(edges_of_tetrahedron[e][1]);
+      gradients.col(4 + static_cast<Eigen::Index>(e)) =
+          4.0 * (l[i] * linear_gradients.col(j) + l[j] * linear_gradients.col(i));
+    }
+  }
+  return points;
 }
 
 }  // namespace
 
-Eigen::Matrix<double, 30, 30> tetrahedron_stiffness(const std::array<Eigen::Vector3d, 4>& corners,
-                                                    const Moduli& moduli) {
-  constexpr std::array<std::array<int, 2>, 6> edges = {{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
-  const auto [gradients, volume] = barycentric(corners);
+double volume_of(const TetrahedronCorners& corners) {
+  return (corners[1] - corners[0]).cross(corners[2] - corners[0]).dot(corners[3] - corners[0]) / 6.0;
+}
+
+Eigen::Matrix<double, 30, 30> tetrahedron_stiffness(const TetrahedronCorners& corners, const Moduli& moduli) {
   const auto elasticity = isotropic_stiffness(moduli);
-  // Four points, exact to the second order (Hammer, Marlowe and Stroud 1956).
-  const double near = (5.0 + 3.0 * std::sqrt(5.0)) / 20.0, far = (5.0 - std::sqrt(5.0)) / 20.0;
   Eigen::Matrix<double, 30, 30> stiffness = Eigen::Matrix<double, 30, 30>::Zero();
-  for (int point = 0; point < 4; ++point) {
-    Eigen::Vector4d l = Eigen::Vector4d::Constant(far);
-    l[point] = near;
-    SolidGradients of_nodes(3, 10);
-    for (int i = 0; i < 4; ++i) of_nodes.col(i) = (4.0 * l[i] - 1.0) * gradients.col(i);
-    for (int e = 0; e < 6; ++e) {
-      const auto [i, j] = edges[static_cast<std::size_t>(e)];
-      of_nodes.col(4 + e) = 4.0 * (l[i] * gradients.col(j) + l[j] * gradients.col(i));
-    }
-    const auto strain = solid_strain_rows(of_nodes);
-    stiffness += volume / 4.0 * strain.transpose() * elasticity * strain;
+  for (const auto& point : integration_points(corners)) {
+    const auto strain = solid_strain_rows(point.gradients);
+    stiffness += volume_of(corners) / 4.0 * strain.transpose() * elasticity * strain;
   }
   return stiffness;
+}
+
+BinderElement taylor_hood_element(const TetrahedronCorners& corners) {
+  const double volume = volume_of(corners);
+  BinderElement element{tetrahedron_stiffness(corners, {.bulk = 0.0, .shear = 1.0}), Eigen::MatrixXd::Zero(4, 30),
+                        Eigen::MatrixXd::Constant(4, 4, volume / 20.0)};
+  element.volume.diagonal().array() += volume / 20.0;
+  for (const auto& [barycentric, gradients] : integration_points(corners)) {
+    const auto strain = solid_strain_rows(gradients);
+    element.dilatation += volume / 4.0 * barycentric * strain.topRows<3>().colwise().sum();
+  }
+  return element;
 }
 
 BinderElement channel_element(const std::array<std::array<Eigen::Vector3d, 2>, 3>& ends) {
@@ -75,11 +100,16 @@ BinderElement channel_element(const std::array<std::array<Eigen::Vector3d, 2>, 3
   return element;
 }
 
-BinderElement corner_element(const std::array<Eigen::Vector3d, 4>& corners) {
-  const auto [gradients, volume] = barycentric(corners);
-  const auto strain = solid_strain_rows(gradients);
+BinderElement corner_element(const TetrahedronCorners& corners) {
+  const auto strain = solid_strain_rows(scaled_gradients(corners));
   const auto deviatoric = isotropic_stiffness({.bulk = 0.0, .shear = 1.0});
-  return {std::abs(volume) * strain.transpose() * deviatoric * strain, volume * strain.topRows<3>().colwise().sum(),
+  const double volume = volume_of(corners);
+  double size = 0.0;
+  for (const auto& corner : corners) size = std::max(size, (corner - corners[0]).norm());
+  // Between grains that are all but vanished four corners may be almost in a plane, or the tetrahedron inverted.
+  constexpr double least_share = 1e-6;
+  const double positive = std::max(std::abs(volume), least_share * size * size * size);
+  return {strain.transpose() * deviatoric * strain / (36.0 * positive), strain.topRows<3>().colwise().sum() / 6.0,
           Eigen::MatrixXd::Constant(1, 1, std::abs(volume))};
 }
 

@@ -74,4 +74,10 @@ std::array<SolidNode, 4> SpaceMesh::nodes_of_corner(std::size_t point) const {
           solids_.beside(cells[3], node)};
 }
 
+std::array<Eigen::Vector3d, 4> SpaceMesh::corner(std::size_t point) const {
+  const auto nodes = nodes_of_corner(point);
+  return {solids_.position(nodes[0]), solids_.position(nodes[1]), solids_.position(nodes[2]),
+          solids_.position(nodes[3])};
+}
+
 }  // namespace breccia::films

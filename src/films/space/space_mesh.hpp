@@ -41,6 +41,7 @@ class SpaceMesh {
   [[nodiscard]] std::array<std::array<Eigen::Vector3d, 2>, 3> channel(std::size_t segment) const;
   /// The corners of the grains around a point of the complex.
   [[nodiscard]] std::array<SolidNode, 4> nodes_of_corner(std::size_t point) const;
+  [[nodiscard]] std::array<Eigen::Vector3d, 4> corner(std::size_t point) const;
 
  private:
   CellComplex complex_;

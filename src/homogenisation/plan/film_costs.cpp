@@ -62,11 +62,15 @@ double elements_along(const Tests& tests, double film) {
   return 1.0 + 2.0 * (std::log1p(0.5 * in_growing / first) / std::log(growth) + (half - in_growing) / longest);
 }
 
-/// The unknowns of a polyhedron with 14 faces, in their mean, and of half of its films: they grow with the triangles of
-/// the faces.
+/// The unknowns of a polyhedron with 14 faces, in their mean, and of its share of films, channels and junctions. Most
+/// grow with the triangles of the faces.
 double unknowns_of_polyhedron(const FilmOptions& films) {
-  constexpr double of_triangles = 870.0;
-  return of_triangles * films.divisions * films.divisions;
+  constexpr double star = 540.0, shell = 864.0, thin_films = 330.0, layer = 216.0, pressures = 18.0;
+  const double divisions = films.divisions, triangles = divisions * divisions;
+  const double solid = triangles * (star + shell * std::max(0.0, divisions - 2.0));
+  if (!films.layers) return solid + triangles * thin_films;
+  const double layers = *films.layers, of_channels = 75.0 * layers * layers * (1.0 + 0.75 * divisions);
+  return solid + triangles * (layer * (2.0 * layers - 1.0) + pressures * (layers + 1.0)) + of_channels;
 }
 
 double unknowns_of_grain(const Tests& tests, double film) {

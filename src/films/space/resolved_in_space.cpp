@@ -1,0 +1,75 @@
+#include "films/space/resolved_in_space.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "films/assembly/macroscopic.hpp"
+#include "films/assembly/matrix_assembly.hpp"
+#include "films/space/resolved_solids.hpp"
+#include "films/space/solid_elements.hpp"
+
+namespace breccia::films {
+namespace {
+
+/// Numbers of the pressures by node; `held` for nodes without one: those inside grains and the middles of edges.
+std::vector<int> numbers_of_pressures(const ResolvedSolids& mesh) {
+  std::vector<int> numbers(mesh.nodes.size(), held);
+  int next = 0;
+  for (const auto& tetrahedron : mesh.binder) {
+    for (std::size_t corner = 0; corner < tetrahedron.corners.size(); ++corner) {
+      int& number = numbers[tetrahedron.nodes[corner]];
+      if (number == held) number = next++;
+    }
+  }
+  return numbers;
+}
+
+Eigen::Vector3d middle_of(const std::array<Eigen::Vector3d, 4>& corners, const std::array<std::size_t, 2>& edge) {
+  return 0.5 * (corners[edge[0]] + corners[edge[1]]);
+}
+
+/// The unknowns of an element: its displacements, where the first node of the mesh is held. The macroscopic motion is
+/// relative to its first corner.
+ElementUnknowns<3> unknowns_of(const QuadraticTetrahedron& tetrahedron) {
+  const auto& corners = tetrahedron.corners;
+  ElementUnknowns<3> unknowns;
+  unknowns.macroscopic.resize(30, 6);
+  for (std::size_t n = 0; n < tetrahedron.nodes.size(); ++n) {
+    const Eigen::Vector3d position = n < 4 ? corners[n] : middle_of(corners, edges_of_tetrahedron[n - 4]);
+    unknowns.macroscopic.middleRows<3>(3 * static_cast<Eigen::Index>(n)) =
+        affine_motion_in_space(position - corners[0]);
+    for (int i = 0; i < 3; ++i) {
+      const int before = static_cast<int>(tetrahedron.nodes[n]) - 1;
+      unknowns.numbers.push_back(before < 0 ? held : 3 * before + i);
+    }
+  }
+  return unknowns;
+}
+
+}  // namespace
+
+FilmMatrices<3> resolved_in_space(const FilmProblem<3>& problem) {
+  const auto mesh = resolved_solids(SpaceMesh(problem), *problem.layers);
+  const auto numbers = numbers_of_pressures(mesh);
+  const auto pressures = static_cast<int>(std::ranges::count_if(numbers, [](int number) { return number != held; }));
+  MatrixAssembly<3> sum(3 * (static_cast<int>(mesh.nodes.size()) - 1), pressures);
+  for (const auto& tetrahedron : mesh.grains) {
+    sum.add_grain(unknowns_of(tetrahedron), tetrahedron_stiffness(tetrahedron.corners, problem.grain));
+    sum.add_content(volume_of(tetrahedron.corners));
+  }
+  for (const auto& tetrahedron : mesh.binder) {
+    const auto element = taylor_hood_element(tetrahedron.corners);
+    const auto unknowns = unknowns_of(tetrahedron);
+    std::array<int, 4> of_corners{};
+    for (std::size_t i = 0; i < of_corners.size(); ++i) of_corners[i] = numbers[tetrahedron.nodes[i]];
+    sum.add_shear(unknowns, element.shear);
+    sum.add_dilatation(of_corners, unknowns, element.dilatation);
+    sum.add_volume(of_corners, element.volume);
+    sum.add_content(element.volume.sum());
+  }
+  return sum.finish();
+}
+
+}  // namespace breccia::films

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "films/space/space_mesh.hpp"
+
+namespace breccia::films {
+
+/// A tetrahedron with straight edges and ten nodes: four corners, of a positive volume, then the middles of the edges
+/// 0-1, 1-2, 2-0, 0-3, 1-3 and 2-3. Positions are in the image of the box in which the element is.
+struct QuadraticTetrahedron {
+  std::array<std::size_t, 10> nodes;
+  std::array<Eigen::Vector3d, 4> corners;  ///< positions of the corners
+};
+
+/// A periodic box of grains and binder in space as conforming tetrahedra. Lengths are in sides of the box.
+struct ResolvedSolids {
+  std::vector<Eigen::Vector3d> nodes;
+  std::vector<QuadraticTetrahedron> grains, binder;
+};
+
+/// The mesh of grains whose films, channels and junctions are cut into a number of layers across every film. Layers are
+/// thinner at the faces (theory, section 17).
+[[nodiscard]] ResolvedSolids resolved_solids(const SpaceMesh& mesh, int layers);
+
+}  // namespace breccia::films
