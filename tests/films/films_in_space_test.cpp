@@ -84,6 +84,29 @@ TEST(FilmsInSpace, HaveFacesEdgesAndPointsOfAPeriodicBox) {
   EXPECT_EQ(dodecahedra.edges.size(), 32U);
 }
 
+/// Cubes, of which eight meet at each corner.
+FilmProblem<3> cubes(int along_edge) {
+  LaguerreSites<3> sites;
+  sites.side = 1.0;
+  for (int i = 0; i < along_edge * along_edge * along_edge; ++i) {
+    const auto place = [&](int index) { return (index % along_edge + 0.5) / along_edge; };
+    sites.sites.push_back({{place(i), place(i / along_edge), place(i / along_edge / along_edge)}});
+  }
+  const Tessellation<3> tessellation(sites);
+  return {.tessellation = tessellation,
+          .thickness = film_thickness(tessellation, 0.9),
+          .grain = hmx,
+          .elements = {.divisions = 1}};
+}
+
+TEST(FilmsInSpace, OfCubesDoNotDependOnTheirNumber) {
+  const std::array binders = {hmx, Moduli{.bulk = binder_bulk, .shear = 1e7}};
+  const std::array loads = {Load::shear, Load::diagonal_shear, Load::bulk};
+  const auto of_eight = film_moduli(cubes(2), binders, loads), of_many = film_moduli(cubes(3), binders, loads);
+  EXPECT_NEAR(of_eight[0][0] / hmx.shear, 1.0, 1e-9);
+  for (std::size_t l = 0; l < loads.size(); ++l) EXPECT_NEAR(of_many[1][l] / of_eight[1][l], 1.0, 1e-6);
+}
+
 TEST(FilmsInSpace, HaveNearlyOneThicknessAndLeaveTheFractionToTheGrains) {
   const auto problem = random_grains(27, 2.0, 1);
   const auto complex = cell_complex(problem.tessellation);
