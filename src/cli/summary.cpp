@@ -229,7 +229,8 @@ std::string describe(Mixing mixing) {
 }
 
 std::string describe(const FilmOptions& films, int dimensions) {
-  const auto layers = films.layers ? fmt::format(", {} layers across", *films.layers) : "";
+  const auto layers =
+      films.layers ? fmt::format(", {} layer{} across", *films.layers, *films.layers == 1 ? "" : "s") : "";
   if (dimensions == 3) {
     return fmt::format("    films    {} element{} along each edge of a grain{}\n", films.divisions,
                        films.divisions == 1 ? "" : "s", layers);
@@ -258,7 +259,8 @@ std::string describe(const Study& study) {
   if (tests.model == Model::films) {
     text += describe(tests.films, study.stages.front().dimensions());
   }
-  text += describe(tests.mixing);
+  const auto has_cells = [&tests](const Stage& stage) { return model_of(tests, stage) == Model::cells; };
+  if (std::ranges::any_of(study.stages, has_cells)) text += describe(tests.mixing);
   for (const auto method : tests.methods) {
     text += method == Method::dynamic ? describe(tests.dynamic, tests.volumetric)
                                       : describe(tests.quasistatic, tests.varied, tests.volumetric);

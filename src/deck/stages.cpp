@@ -218,7 +218,7 @@ std::vector<Stage> read_stages(const Section& deck, const std::vector<ShiftedMat
     }
     check_fit(section, stage);
     const bool takes_choice = stage.has_seed() && !stage.fillers.empty();
-    if (!takes_choice && !is_image && !names_cells(section)) {
+    if (!takes_choice && !is_image && !names_cells(section) && !needs_no_cells(section, defaults.model)) {
       section.report("cells", "missing, expected cells or resolution: they are chosen for a random packing alone");
     }
     stages.push_back(std::move(stage));

@@ -35,6 +35,12 @@ void require_sound(const FilmProblem<dim>& problem) {
     mistakes.push_back(fmt::format("a {} tessellation does not go with a {} boundary",
                                    is_periodic ? "periodic" : "walled", name_of(problem.boundary)));
   }
+  if (dim == 3 && !problem.tessellation.sites().film_shares.empty()) {
+    mistakes.emplace_back("in three dimensions the films have nearly one thickness, without shares of the sites");
+  }
+  if (dim == 3 && problem.tessellation.size() < 2) {
+    mistakes.emplace_back("in three dimensions there must be two grains at least");
+  }
   if (dim == 3 && problem.boundary != Boundary::periodic) {
     mistakes.emplace_back("in three dimensions the boundary must be periodic");
   }

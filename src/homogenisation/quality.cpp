@@ -128,8 +128,10 @@ std::string words_on_second_grid(const StageQuality& quality) {
 
 std::string words_on_grid(const StageQuality& quality) {
   if (quality.grids.empty()) {
-    return fmt::format("films: error of the mesh unknown ({} shows it)",
-                       quality.dimensions == 3 ? "tests.films.divisions = 3" : "tests.films.face_share = 0.15");
+    const auto finer = quality.dimensions == 3
+                           ? fmt::format("divisions = {}", quality.divisions > 1 ? quality.divisions - 1 : 2)
+                           : std::string("face_share = 0.15");
+    return fmt::format("films: error of the mesh unknown (tests.films.{} shows it)", finer);
   }
   if (quality.grid_share && *quality.grid_share >= 1.0) {
     return "grid: error of any size, since the grids differ too much, or have nearly as many cells";
@@ -212,6 +214,7 @@ StageQuality quality_of(const Study& study, const Stage& stage, const StageResul
   const bool is_of_films = std::ranges::any_of(result.tests, [](const auto& test) { return test.id.grid.is_films(); });
   if (is_of_films) {
     quality.grids.clear();
+    quality.divisions = study.tests.films.divisions;
     quality.gap_cells = std::numeric_limits<double>::infinity();
   } else if (stage.grids().size() == 1) {
     quality.one_grid = plan_of_grid(study, stage, packed);

@@ -249,8 +249,9 @@ class Content {
   void add(const FilmOptions& options) {
     const auto& [face_share, layers, divisions] = options;
     add_all(face_share, layers);
-    // A study with the default number is what it was before there was this option.
-    if (divisions != FilmOptions{}.divisions) add(divisions);
+    // A study with the default number is what it was before there was this option; a name keeps another number apart
+    // from what follows.
+    if (divisions != FilmOptions{}.divisions) add_all(std::string("divisions"), divisions);
   }
   void add(const VariedMaterial& material) {
     const auto& [name, shear, bulk] = material;

@@ -57,6 +57,12 @@ std::vector<std::string> lacking_in_films(const Tests& tests, const Stage& stage
   };
   const auto& grains = stage.fillers.front().material;
   if (!grains.shear.is_elastic() || !grains.bulk.is_elastic()) lacks("expected grains that are elastic");
+  if (const auto* method = stage.packed_by<LaguerrePacking<3>>(); method != nullptr && !method->is_random()) {
+    if (!method->film_shares.empty()) {
+      lacks("in three dimensions films have nearly one thickness: expected sites without film_share");
+    }
+    if (method->sites.size() < 2) lacks("in three dimensions: expected two sites and more");
+  }
   if (stage.dimensions() == 3 && !stage.is_periodic()) {
     lacks("in three dimensions: expected a periodic box (packing.walls = false)");
     return mistakes;

@@ -120,7 +120,7 @@ void check_tests(const Tests& tests, StudyMistakes& mistakes) {
   if (tests.accuracy) mistakes.check_number(tests_part, "accuracy", *tests.accuracy, allowed::fraction);
   mistakes.check_number(tests_part, "tolerance of the fit", tests.fit_tolerance, allowed::fit_tolerance);
   mistakes.check_number("tests, films", "length of the elements", tests.films.face_share, allowed::face_share);
-  mistakes.check_number("tests, films", "number of elements along an edge", tests.films.divisions, allowed::divisions);
+  mistakes.check_integer("tests, films", "number of elements along an edge", tests.films.divisions, allowed::divisions);
   if (tests.films.layers) {
     mistakes.check_integer("tests, films", "number of layers", *tests.films.layers, allowed::layers);
   }

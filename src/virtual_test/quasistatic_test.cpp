@@ -144,6 +144,9 @@ void run_reduced(const QuasistaticTest& test, QuasistaticTestResult& result, con
 /// Throws InputError unless the binder of grains and films alone varies.
 void require_test_of_films(const QuasistaticTest& test) {
   if (test.varying.size() != 1) throw InputError("quasi-static test: of films the binder alone varies");
+  if (std::holds_alternative<FilmProblem<3>>(test.composite) && !test.field_times.empty()) {
+    throw InputError("quasi-static test: films in three dimensions leave no fields");
+  }
 }
 
 void require_varying_phases(const QuasistaticTest& test) {

@@ -179,6 +179,28 @@ TEST(GrainsAndFilms, ThatAreResolvedAnnounceNoFields) {
   EXPECT_THAT(thin.output, HasSubstr("    fields   at 10 ms"));
 }
 
+TEST(GrainsAndFilms, InSpaceHaveDivisionsInTheirRecord) {
+  const VoronoiFilms study;
+  const std::string example = BRECCIA_SOURCE_DIRECTORY "/examples/pbx9501-films-3d.toml";
+  const auto with_eight = [&](const char* command, std::vector<std::string> more) {
+    std::vector<std::string> arguments = {
+        command, example, "--set", "stages.0.particles=8", "--set", "tests.films={divisions=1}"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return test::run_breccia(study.path(), arguments);
+  };
+  const auto run = with_eight("run", {"--out", "space"});
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_THAT(run.output, HasSubstr("films: error of the mesh unknown (tests.films.divisions = 2 shows it)"));
+  const auto record = nlohmann::json::parse(read_text(study.path() / "space" / "study.json"))["stages"][0];
+  EXPECT_EQ(record["tests"][0]["divisions"], 1);
+  EXPECT_FALSE(record["tests"][0].contains("face_share"));
+  EXPECT_FALSE(record["tests"][0].contains("fields"));
+  const auto check = with_eight("check", {"--set", "tests.films.layers=1"});
+  EXPECT_THAT(check.output, HasSubstr("1 element along each edge of a grain, 1 layer across"));
+  EXPECT_THAT(check.output, testing::Not(HasSubstr("mixed in series")));
+  EXPECT_THAT(check.output + check.errors, HasSubstr("resolved films with 1 element along an edge are too soft"));
+}
+
 TEST(GrainsAndFilms, ThatDoNotFitIntoTheMemoryAreRefusedBeforeTheyArePlaced) {
   const VoronoiFilms study;
   const std::string example = BRECCIA_SOURCE_DIRECTORY "/examples/pbx9501-films.toml";

@@ -104,7 +104,7 @@ TEST(FilmsInSpace, OfCubesDoNotDependOnTheirNumber) {
   const std::array loads = {Load::shear, Load::diagonal_shear, Load::bulk};
   const auto of_eight = film_moduli(cubes(2), binders, loads), of_many = film_moduli(cubes(3), binders, loads);
   EXPECT_NEAR(of_eight[0][0] / hmx.shear, 1.0, 1e-9);
-  for (std::size_t l = 0; l < loads.size(); ++l) EXPECT_NEAR(of_many[1][l] / of_eight[1][l], 1.0, 1e-6);
+  for (std::size_t l = 0; l < loads.size(); ++l) EXPECT_NEAR(of_many[1][l] / of_eight[1][l], 1.0, 1e-4);
 }
 
 TEST(FilmsInSpace, HaveNearlyOneThicknessAndLeaveTheFractionToTheGrains) {
@@ -189,10 +189,38 @@ TEST(FilmsInSpace, MeetTheirReducedResponseInSteps) {
   }
 }
 
+// Two cells that touch each other's images across the same side have planes in common for any weights, and a cell that
+// touches images of itself on several sides has them for any positions, too.
+TEST(FilmsInSpace, RefuseGrainsThatTouchImagesOfThemselvesOnSeveralSides) {
+  LaguerreSites<3> sites;
+  sites.side = 1.0;
+  sites.sites = {{{0.2, 0.5, 0.5}}, {{0.7, 0.5, 0.5}}, {{0.2, 0.1, 0.9}}, {{0.8, 0.05, 0.2}}};
+  FilmProblem<3> problem = {
+      .tessellation = Tessellation<3>(sites), .thickness = 0.01, .grain = hmx, .elements = {.divisions = 1}};
+  EXPECT_NEAR(film_moduli(problem, std::array{hmx}, std::array{Load::shear})[0][0] / hmx.shear, 1.0, 1e-6);
+  sites.sites.resize(2);
+  problem.tessellation = Tessellation<3>(sites);
+  test::expect_error<InputError>([&] { static_cast<void>(SpaceMesh(problem)); }, "touches images of itself",
+                                 "a box of more grains");
+}
+
+TEST(FilmsInSpace, RefuseFilmsThatLeaveNothingOfAGrain) {
+  auto problem = random_grains(12, 20.0, 1);
+  const auto complex = cell_complex(problem.tessellation);
+  test::expect_error<InputError>([&] { static_cast<void>(shrunk_grains(problem.tessellation, complex, 1e-3)); },
+                                 "at a fraction of 0.001 the grains of the sites", "a higher fraction");
+}
+
 TEST(FilmsInSpace, RefuseWhatTheyAreNot) {
   auto problem = rhombic_dodecahedra(0.93, 0);
   problem.boundary = Boundary::traction;
   test::expect_error<InputError>([&] { require_sound(problem); }, "elements along an edge", "periodic");
+  LaguerreSites<3> one;
+  one.side = 1.0;
+  one.sites = {{{0.5, 0.5, 0.5}}};
+  one.film_shares = {1.0};
+  const FilmProblem<3> of_one = {.tessellation = Tessellation<3>(one), .thickness = 0.1, .grain = hmx};
+  test::expect_error<InputError>([&] { require_sound(of_one); }, "two grains at least", "without shares");
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ TEST(FilmCosts, InSpaceAreNotLessThanThoseOfMeasuredRuns) {
     EXPECT_NEAR(film_unknowns(study.tests, grains) / unknowns, 1.0, 0.1) << count;
     const double estimate = film_memory(study, study.stages.front(), grains);
     EXPECT_GT(estimate, 0.95 * bytes) << count;
-    EXPECT_LT(estimate, 1.5 * bytes) << count;
+    EXPECT_LT(estimate, 1.6 * bytes) << count;
   }
 }
 

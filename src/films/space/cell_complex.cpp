@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <compare>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -59,14 +58,18 @@ PlacedMeeting<count> placed(const std::array<CellImage, count>& cells) {
   return *first;
 }
 
-/// The same sites with other weights, so that planes which meet in a point by symmetry meet there no longer.
+/// The same sites with slightly other positions and weights, so that planes which meet in a point by symmetry meet
+/// there no longer. Sites move away from the nearer side of the box, and so stay in it.
 Tessellation<3> without_symmetry(const Tessellation<3>& tessellation) {
   constexpr double share = 1e-7;
   constexpr std::uint64_t seed = 1;
   auto sites = tessellation.sites();
   const double width = sites.side / std::cbrt(static_cast<double>(sites.sites.size()));
   std::mt19937_64 engine(seed);
-  for (auto& site : sites.sites) site.weight += share * width * width * uniform(engine);
+  for (auto& site : sites.sites) {
+    site.weight += share * width * width * uniform(engine);
+    for (double& x : site.position) x += (x < 0.5 * sites.side ? share : -share) * width * uniform(engine);
+  }
   return Tessellation<3>(std::move(sites));
 }
 
@@ -77,7 +80,9 @@ class Finder {
     for (std::size_t cell = 0; cell < tessellation.size(); ++cell) find_points(cell);
     for (const auto& [key, cells_there] : cells_at_) {
       if (cells_there != cells_at_a_point) {
-        throw NumericalError("films: the cells of the grains do not agree on their vertices; other sites avoid it");
+        throw InputError(
+            "films: the cells of the grains do not agree on their vertices, as where a grain touches images of "
+            "itself on several sides; a box of more grains avoids it");
       }
     }
     for (std::size_t cell = 0; cell < tessellation.size(); ++cell) {

@@ -55,8 +55,9 @@ struct CellComplex {
   }
 };
 
-/// The complex of a periodic tessellation. Its weights are changed by 1e-7 of a cell, so that no more than four cells
-/// meet at a point. Throws NumericalError when cells do not agree on their vertices.
+/// The complex of a periodic tessellation. Positions and weights of its sites are changed by 1e-7 of a mean cell, so
+/// that no more than four cells meet at a point. Throws InputError when cells do not agree on their vertices, as
+/// where a cell touches images of itself on several sides.
 [[nodiscard]] CellComplex cell_complex(const Tessellation<3>& tessellation);
 
 }  // namespace breccia::films

@@ -1,5 +1,6 @@
 #include "films/space/film_wedge.hpp"
 
+#include <array>
 #include <cstddef>
 
 #include <Eigen/Geometry>

@@ -10,10 +10,11 @@
 namespace breccia::films {
 namespace {
 
-/// TetrahedronCorners of a wedge by their numbers 0 to 5: a triangle, and the one opposite to it.
+/// The corners of a wedge: those of a triangle, and those opposite to them.
 using WedgeCorners = std::array<Eigen::Vector3d, 6>;
 
-/// Barycentric shares i/n, j/n, ... of the corners of a triangle or a tetrahedron, graded towards all of its corners.
+/// The point of a line, a triangle or a tetrahedron at these shares of its corners, out of a number of divisions; the
+/// shares are graded, so that points lie closer together near the corners.
 template <std::size_t corners>
 Eigen::Vector3d graded_point(const std::array<Eigen::Vector3d, corners>& of, const std::array<int, corners>& shares,
                              int divisions) {

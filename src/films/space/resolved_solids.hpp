@@ -6,15 +6,16 @@
 
 #include <Eigen/Core>
 
+#include "films/space/solid_elements.hpp"
 #include "films/space/space_mesh.hpp"
 
 namespace breccia::films {
 
 /// A tetrahedron with straight edges and ten nodes: four corners, of a positive volume, then the middles of the edges
-/// 0-1, 1-2, 2-0, 0-3, 1-3 and 2-3. Positions are in the image of the box in which the element is.
+/// (edges_of_tetrahedron). Positions are in the image of the box in which the element is.
 struct QuadraticTetrahedron {
   std::array<std::size_t, 10> nodes;
-  std::array<Eigen::Vector3d, 4> corners;  ///< positions of the corners
+  TetrahedronCorners corners;  ///< positions of the corners
 };
 
 /// A periodic box of grains and binder in space as conforming tetrahedra. Lengths are in sides of the box.

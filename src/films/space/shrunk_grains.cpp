@@ -62,15 +62,14 @@ Eigen::Vector3d position_of(const Tessellation<3>& tessellation, std::size_t sit
 }
 
 std::vector<Recession> unit_recessions(const Tessellation<3>& tessellation, const CellComplex& complex) {
-  const auto& shares = tessellation.sites().film_shares;
+  constexpr double half = 0.5;
   std::vector<Fit> fits(tessellation.size());
   for (const auto& face : complex.faces) {
     const auto& [second, image] = face.second;
     const auto shape = flat(complex, face);
-    const double share = shares.empty() ? 1.0 : std::midpoint(shares[face.first], shares[second]);
-    fits[face.first].add(shape, shape.normal, shape.centroid - position_of(tessellation, face.first), 0.5 * share);
+    fits[face.first].add(shape, shape.normal, shape.centroid - position_of(tessellation, face.first), half);
     const Eigen::Vector3d seen_from_second = shape.centroid - image.cast<double>() - position_of(tessellation, second);
-    fits[second].add(shape, -shape.normal, seen_from_second, 0.5 * share);
+    fits[second].add(shape, -shape.normal, seen_from_second, half);
   }
   std::vector<Recession> recessions;
   for (const auto& fit : fits) {
@@ -100,11 +99,12 @@ double thickness_of(const std::vector<Recession>& recessions, const std::vector<
   return std::midpoint(thin, thick);
 }
 
-/// The sites of grains that have vanished or that reach into another one.
-std::set<std::size_t> bad_sites(const CellComplex& complex, const std::vector<ShrunkGrain>& grains) {
-  std::set<std::size_t> bad;
+/// Throws InputError, with all the sites, when grains have vanished or reach into each other.
+void require_films(const CellComplex& complex, const std::vector<ShrunkGrain>& grains, double fraction) {
+  constexpr double least_scale = 1e-6;
+  std::set<std::size_t> vanished, overlapping;
   for (std::size_t i = 0; i < grains.size(); ++i) {
-    if (!(grains[i].scale > 0.0)) bad.insert(i);
+    if (!(grains[i].scale > least_scale)) vanished.insert(i);
   }
   for (const auto& face : complex.faces) {
     const auto shape = flat(complex, face);
@@ -113,11 +113,19 @@ std::set<std::size_t> bad_sites(const CellComplex& complex, const std::vector<Sh
       const Eigen::Vector3d film = grains[face.second.cell].place(point, face.second.image) -
                                    grains[face.first].place(point, Eigen::Vector3i::Zero());
       if (film.dot(shape.normal) > 0.0) continue;
-      bad.insert(face.first);
-      bad.insert(face.second.cell);
+      overlapping.insert(face.first);
+      overlapping.insert(face.second.cell);
     }
   }
-  return bad;
+  const auto refuse = [&](const std::set<std::size_t>& sites, const char* what) {
+    if (sites.empty()) return;
+    throw InputError(
+        fmt::format("films: at a fraction of {:.4g} the grains of the sites {} (from 0) {}; a higher "
+                    "fraction, or grains of less different sizes, avoid it, and so do cells",
+                    fraction, fmt::join(sites, ", "), what));
+  };
+  refuse(vanished, "vanish in their films");
+  refuse(overlapping, "would reach into each other");
 }
 
 }  // namespace
@@ -135,13 +143,7 @@ std::vector<ShrunkGrain> shrunk_grains(const Tessellation<3>& tessellation, cons
     const double loss = thickness * recessions[i].mu;
     grains.push_back({1.0 - loss, loss * position_of(tessellation, i) + thickness * recessions[i].b});
   }
-  const auto bad = bad_sites(complex, grains);
-  if (!bad.empty()) {
-    throw InputError(
-        fmt::format("films: at a fraction of {:.4g} of the grains nothing is left of the films or the "
-                    "grains of the sites {}",
-                    fraction, fmt::join(bad, ", ")));
-  }
+  require_films(complex, grains, fraction);
   return grains;
 }
 

@@ -23,7 +23,7 @@ struct ShrunkGrain {
 };
 
 /// The grains of a tessellation that fill this fraction of the box, by cell. Their faces are parallel to those of the
-/// cells and recede from them by nearly the same distance, or by that times the share of the film (theory, Eq. 69a).
+/// cells and recede from them by nearly the same distance (theory, Eq. 69a).
 /// Throws InputError, with all the sites, when a grain vanishes or reaches into another one.
 [[nodiscard]] std::vector<ShrunkGrain> shrunk_grains(const Tessellation<3>& tessellation, const CellComplex& complex,
                                                      double fraction);

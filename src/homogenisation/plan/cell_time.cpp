@@ -15,13 +15,6 @@
 namespace breccia {
 namespace {
 
-/// Number of solutions of a run that steps through time, with fine and with coarse steps.
-double steps_of(const Tests& tests) {
-  constexpr double warm_up_decades = 3.0, fine_and_coarse = 1.5;
-  const double decades = warm_up_decades + std::log10(tests.last_time / tests.first_time);
-  return fine_and_coarse * decades * tests.quasistatic.steps_per_decade;
-}
-
 /// Time of a solution on substructures, or by sparse factors [s]. Mixed cells are eliminated anew for each set of
 /// moduli.
 double time_with_factors(const Study& study, const Stage& stage, int cells, double unknowns, bool is_direct) {
@@ -35,7 +28,7 @@ double time_with_factors(const Study& study, const Stage& stage, int cells, doub
   if (study.tests.quasistatic.solver == Solver::reduced) {
     return expected_snapshots(study, stage) * unknowns * (set_up + solution * loads);
   }
-  return steps_of(study.tests) * unknowns * (set_up + solution) * loads;
+  return expected_steps(study.tests) * unknowns * (set_up + solution) * loads;
 }
 
 constexpr measured_costs::IterationsOfCube iterations_under(Boundary boundary) {
@@ -85,7 +78,7 @@ double time_of_cube(const Study& study, const Stage& stage, Boundary boundary, i
                                                                  : time_of_conjugate_gradients(study, stage, boundary);
   const auto loads = static_cast<double>(loads_of(study, stage).size());
   if (study.tests.quasistatic.solver == Solver::stepping) {
-    return loads * unknowns * steps_of(study.tests) *
+    return loads * unknowns * expected_steps(study.tests) *
            (solution + measured_costs::forces_of_step * measured_costs::forces_of_cube);
   }
   // A new vector of the basis takes the products of the forces of its parts with those of all others.

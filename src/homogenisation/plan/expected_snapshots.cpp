@@ -55,4 +55,10 @@ double expected_snapshots(const Study& study, const Stage& stage) {
   return snapshots;
 }
 
+double expected_steps(const Tests& tests) {
+  constexpr double warm_up_decades = 3.0, fine_and_coarse = 1.5;
+  const double decades = warm_up_decades + std::log10(tests.last_time / tests.first_time);
+  return fine_and_coarse * decades * tests.quasistatic.steps_per_decade;
+}
+
 }  // namespace breccia

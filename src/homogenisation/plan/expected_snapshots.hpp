@@ -17,4 +17,7 @@ std::vector<CarsonPoint> expected_path(const Study& study, const Stage& stage);
 /// (Tests::varied). It is one where nothing relaxes and nothing varies.
 double expected_snapshots(const Study& study, const Stage& stage);
 
+/// Number of solutions of a run that steps through time, with fine and with coarse steps.
+double expected_steps(const Tests& tests);
+
 }  // namespace breccia

@@ -93,6 +93,13 @@ double system_in_the_plane(double unknowns) {
   return unknowns * (are_in_files ? costs::films_in_files : costs::films_in_memory);
 }
 
+/// Memory of matrices and factors in space [B], where resolved films have more entries a row.
+double system_in_space(const Tests& tests, double unknowns) {
+  namespace costs = measured_costs;
+  const double of_layers = tests.films.layers ? costs::memory_of_resolved_films_in_space : 1.0;
+  return of_layers * costs::films_in_space * std::pow(unknowns, costs::power_of_films_in_space);
+}
+
 }  // namespace
 
 FilmedGrains expected_grains(const Stage& stage) {
@@ -121,9 +128,7 @@ double film_memory(const Study& study, const Stage& stage, const FilmedGrains& g
   namespace costs = measured_costs;
   const double unknowns = film_unknowns(study.tests, grains);
   const auto loads = static_cast<double>(loads_of(study, stage).size());
-  const double system = grains.dimensions == 3
-                            ? costs::films_in_space * std::pow(unknowns, costs::power_of_films_in_space)
-                            : system_in_the_plane(unknowns);
+  const double system = grains.dimensions == 3 ? system_in_space(study.tests, unknowns) : system_in_the_plane(unknowns);
   // Displacements and two forces for each snapshot, or a vector for each term in fine and in coarse steps.
   const bool is_reduced = study.tests.quasistatic.solver == Solver::reduced;
   const auto matrix = expected_matrix(study, stage);
@@ -140,13 +145,16 @@ double film_memory(const Study& study, const Stage& stage, const FilmedGrains& g
 double film_time(const Study& study, const Stage& stage, const FilmedGrains& grains) {
   namespace costs = measured_costs;
   const double unknowns = film_unknowns(study.tests, grains);
+  const bool is_reduced = study.tests.quasistatic.solver == Solver::reduced;
+  // Each step has factors of its own.
+  const double solutions = is_reduced ? expected_snapshots(study, stage) : expected_steps(study.tests);
   if (grains.dimensions == 3) {
+    const double of_layers = study.tests.films.layers ? costs::time_of_resolved_films_in_space : 1.0;
     const double size = unknowns / costs::unknowns_of_space_snapshot;
-    return expected_snapshots(study, stage) * std::pow(size, costs::power_of_space_snapshot);
+    return solutions * of_layers * std::pow(size, costs::power_of_space_snapshot);
   }
   const double size = std::max(1.0, unknowns / costs::unknowns_of_film_snapshot);
-  return expected_snapshots(study, stage) * costs::film_snapshot * unknowns *
-         std::pow(size, costs::power_of_film_snapshot);
+  return solutions * costs::film_snapshot * unknowns * std::pow(size, costs::power_of_film_snapshot);
 }
 
 }  // namespace breccia

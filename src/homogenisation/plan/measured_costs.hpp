@@ -77,7 +77,9 @@ inline constexpr double field_files = 100e6, fields_of_grain = 9e4, fields_of_gr
 inline constexpr double film_snapshot = 5e-6, unknowns_of_film_snapshot = 1e5, power_of_film_snapshot = 0.2;
 /// Grains and films in space: memory of matrices and factors with one unknown [B], and the power of the number of
 /// unknowns with which it grows; the number of unknowns with which a snapshot takes one second, and the power.
-inline constexpr double films_in_space = 375.0, power_of_films_in_space = 4.0 / 3.0;
+inline constexpr double films_in_space = 400.0, power_of_films_in_space = 4.0 / 3.0;
 inline constexpr double unknowns_of_space_snapshot = 2.35e4, power_of_space_snapshot = 1.7;
+/// Memory and time of resolved films in space over those of as many unknowns of thin films.
+inline constexpr double memory_of_resolved_films_in_space = 2.2, time_of_resolved_films_in_space = 3.0;
 
 }  // namespace breccia::measured_costs

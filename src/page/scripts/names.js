@@ -9,7 +9,7 @@ export const methodNames = {quasistatic: "quasi-static", dynamic: "dynamic"};
 /// The quantities that a figure can show, in the order in which the page offers them.
 export const quantities = [
   {name: "shear", title: "Relaxation modulus G(t)", x: "time", xUnit: "s", unit: "Pa"},
-  {name: "bulk", title: "Bulk modulus K(t), in plane strain K(t) + G(t)/3", x: "time", xUnit: "s", unit: "Pa"},
+  {name: "bulk", title: "Bulk modulus K(t); of a plane box K(t) + G(t)/3", x: "time", xUnit: "s", unit: "Pa"},
   {name: "young", title: "Young's modulus E(t)", x: "time", xUnit: "s", unit: "Pa"},
   {name: "poisson", title: "Poisson's ratio", x: "time", xUnit: "s", unit: ""},
   {name: "compliance", title: "Creep compliance", x: "time", xUnit: "s", unit: "1/Pa"},
