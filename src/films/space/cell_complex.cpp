@@ -229,6 +229,7 @@ std::vector<VertexImage> merged_vertices(const CellComplex& complex, double shor
     }
   }
   std::vector<VertexImage> found;
+  found.reserve(merged.size());
   for (const auto& one : merged) found.push_back(*one);
   return found;
 }

@@ -19,7 +19,7 @@ struct Middle {
   Eigen::Matrix<double, 2, 3> gradients;  ///< gradients of the barycentric coordinates
   Eigen::Vector3d thickness;              ///< at its corners
   Eigen::Vector2d rim;                    ///< normal of the edge from the second to the third corner, with its length
-  double area;
+  double area = 0.0;
 };
 
 Middle middle_of(const Wedge& wedge) {

@@ -25,6 +25,7 @@ class SpaceAssembly {
     for (std::size_t g = 0; g < solids.size(); ++g) {
       for (const auto& tetrahedron : solids[g].tetrahedra) {
         std::vector<SolidNode> nodes;
+        nodes.reserve(tetrahedron.size());
         for (const auto node : tetrahedron) nodes.push_back({g, node, Eigen::Vector3i::Zero()});
         const std::array corners = {position(nodes[0]), position(nodes[1]), position(nodes[2]), position(nodes[3])};
         sum_.add_grain(unknowns_of(nodes, {}), tetrahedron_stiffness(corners, moduli));

@@ -1,7 +1,6 @@
 #include "films/space/grain_solids.hpp"
 
 #include <algorithm>
-#include <ranges>
 #include <span>
 #include <tuple>
 
@@ -24,9 +23,11 @@ class Filling {
   /// triangles below.
   std::vector<TriangleCorners> add_shell(const std::vector<TriangleCorners>& outside, double share) {
     std::map<std::size_t, std::size_t> below;
-    for (const auto corner : outside | std::views::join) {
-      const auto [found, is_new] = below.try_emplace(corner, solid_.nodes.size());
-      if (is_new) solid_.nodes.emplace_back(centre_ + share * (solid_.nodes[corner] - centre_));
+    for (const auto& triangle : outside) {
+      for (const auto corner : triangle) {
+        const auto [found, is_new] = below.try_emplace(corner, solid_.nodes.size());
+        if (is_new) solid_.nodes.emplace_back(centre_ + share * (solid_.nodes[corner] - centre_));
+      }
     }
     std::vector<TriangleCorners> inside;
     for (auto [a, b, c] : outside) {

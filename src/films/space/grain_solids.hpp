@@ -23,7 +23,7 @@ struct GrainSolid {
 
 /// A node of a grain that is displaced by whole sides of the box.
 struct SolidNode {
-  std::size_t grain, number;
+  std::size_t grain = 0, number = 0;
   Eigen::Vector3i image;  ///< sides of the box
 };
 

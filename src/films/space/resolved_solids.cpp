@@ -40,9 +40,8 @@ class SolidMesher {
   }
 
   void add_film(const Wedge& wedge, int layers) {
-    const auto& [first, second] = wedge.triangles;
     const auto place = [&](std::size_t k, int layer) -> Eigen::Vector3d {
-      return graded_point<2>({first[k], second[k]}, {layers - layer, layer}, layers);
+      return graded_point<2>({wedge.triangles[0][k], wedge.triangles[1][k]}, {layers - layer, layer}, layers);
     };
     for (int layer = 0; layer < layers; ++layer) {
       add_wedge({place(0, layer), place(1, layer), place(2, layer), place(0, layer + 1), place(1, layer + 1),

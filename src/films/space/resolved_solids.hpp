@@ -14,7 +14,7 @@ namespace breccia::films {
 /// A tetrahedron with straight edges and ten nodes: four corners, of a positive volume, then the middles of the edges
 /// (edges_of_tetrahedron). Positions are in the image of the box in which the element is.
 struct QuadraticTetrahedron {
-  std::array<std::size_t, 10> nodes;
+  std::array<std::size_t, 10> nodes{};
   TetrahedronCorners corners;  ///< positions of the corners
 };
 

@@ -19,14 +19,14 @@ struct SheetNode {
 /// A triangle of a face: its corners counter-clockwise as the second cell sees them, then the middles of the edges from
 /// the first, the second and the third corner. They are beside the first cell.
 struct SheetTriangle {
-  std::size_t face;
+  std::size_t face = 0;
   std::array<SheetNode, 6> nodes;
-  bool is_at_rim;  ///< whether the edge from its second to its third corner is part of an edge of the face
+  bool is_at_rim = false;  ///< whether the edge from its second to its third corner is part of an edge of the face
 };
 
 /// An element of an edge of the cells: its start, middle and end.
 struct SheetSegment {
-  std::size_t edge;
+  std::size_t edge = 0;
   std::array<SheetNode, 3> nodes;
 };
 

@@ -28,7 +28,7 @@ struct WedgePoint {
 /// 1985).
 struct TriangleRule {
   std::array<Eigen::Vector3d, 6> points;
-  std::array<double, 6> weights;
+  std::array<double, 6> weights{};
 };
 [[nodiscard]] const TriangleRule& triangle_rule();
 
