@@ -142,6 +142,7 @@ TEST(FilmsInSpace, OfRhombicDodecahedraAreThoseOfOtherPrograms) {
       Row{1e7, {3191, 1959}, {3250, 1966}, {3237, 1949}}, Row{1e6, {1907, 761}, {1913, 792}, {1890, 791}},
       Row{1e5, {393, 110}, {400, 120}, {391, 122}}};
   std::vector<Moduli> binders;
+  binders.reserve(rows.size());
   for (const auto& row : rows) binders.push_back({.bulk = binder_bulk, .shear = row.shear});
   const std::array loads = {Load::shear, Load::diagonal_shear};
   const auto of_one = film_moduli(rhombic_dodecahedra(0.93, 1), binders, loads);
