@@ -121,13 +121,13 @@ TEST_F(DeckTests, FilmsInSpaceHaveDivisions) {
   EXPECT_THAT(directory.mistakes(deck_of(grains, "fields = [\"1 us\"]\n")), HasSubstr("leaves no fields"));
   EXPECT_THAT(directory.mistakes(deck_of(grains, "boundaries = [\"traction\"]\n")),
               HasSubstr("expected the boundary \"periodic\""));
-  const auto walled = test::replaced(std::string(grains), "\"laguerre\"", "\"laguerre\", walls = \"cut\"");
+  const auto walled = test::replaced(std::string(grains), "\"laguerre\"", R"("laguerre", walls = "cut")");
   EXPECT_THAT(directory.mistakes(deck_of(walled, "")), HasSubstr("in three dimensions: expected a periodic box"));
 }
 
 TEST_F(DeckTests, FilmsOfListedSitesNeedNoCells) {
   directory.write("sites.csv", "x_um,y_um\n1000,1000\n4000,2000\n2000,5000\n");
-  const auto listed = test::replaced(std::string(grains), "\"laguerre\"", "\"laguerre\", sites = \"sites.csv\"");
+  const auto listed = test::replaced(std::string(grains), "\"laguerre\"", R"("laguerre", sites = "sites.csv")");
   const auto deck = test::join(test::materials, test::replaced(listed, ", sizes = { diameter = \"1 mm\" }", ""),
                                "[tests]\n", times, "model = \"films\"\n");
   EXPECT_EQ(directory.study(deck).stages.front().cells, 512);
@@ -135,7 +135,7 @@ TEST_F(DeckTests, FilmsOfListedSitesNeedNoCells) {
 
 TEST_F(DeckTests, SharesOfFilmsAreOfThePlaneAlone) {
   directory.write("sites.csv", "x_m,y_m,z_m,film_share\n1e-3,1e-3,1e-3,1\n4e-3,2e-3,3e-3,2\n");
-  const auto listed = test::replaced(std::string(grains), "\"laguerre\"", "\"laguerre\", sites = \"sites.csv\"");
+  const auto listed = test::replaced(std::string(grains), "\"laguerre\"", R"("laguerre", sites = "sites.csv")");
   const auto deck =
       "dimensions = 3\n" + test::join(test::materials, test::replaced(listed, ", sizes = { diameter = \"1 mm\" }", ""),
                                       "[tests]\n", times, "model = \"films\"\n");
