@@ -8,14 +8,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <numbers>
 #include <string>
-#include <system_error>
-#include <type_traits>
 #include <vector>
 
 #include <fmt/format.h>
@@ -25,6 +22,8 @@
 #include "breccia/films/film_moduli.hpp"
 #include "breccia/microstructure/random_sites.hpp"
 #include "breccia/words.hpp"
+
+#include "argument_reader.hpp"
 
 using breccia::Boundary;
 using breccia::Load;
@@ -41,30 +40,13 @@ struct Choice {
   double face_share = 0.2;
 };
 
-// Reads numbers from arguments, and keeps what is wrong with these.
-struct Reader {
-  std::vector<std::string> mistakes = {};
-
-  // An argument that is a number of this kind and within limits.
-  template <class Number>
-  Number number(const std::string& argument, const char* name, Number least, Number most) {
-    const char* const end = argument.data() + argument.size();
-    Number value{};
-    const auto [rest, error] = std::from_chars(argument.data(), end, value);
-    if (error == std::errc() && rest == end && value >= least && value <= most) return value;
-    const char* const kind = std::is_integral_v<Number> ? "an integer" : "a number";
-    mistakes.push_back(fmt::format("{}: expected {} from {} to {}, got \"{}\"", name, kind, least, most, argument));
-    return least;
+Boundary boundary_of(const std::string& argument, std::vector<std::string>& mistakes) {
+  const auto found = breccia::value_named<Boundary>(argument);
+  if (!found) {
+    mistakes.push_back(fmt::format("BOUNDARY: expected displacement, traction or periodic, got \"{}\"", argument));
   }
-
-  Boundary boundary(const std::string& argument) {
-    const auto found = breccia::value_named<Boundary>(argument);
-    if (!found) {
-      mistakes.push_back(fmt::format("BOUNDARY: expected displacement, traction or periodic, got \"{}\"", argument));
-    }
-    return found.value_or(Boundary::periodic);
-  }
-};
+  return found.value_or(Boundary::periodic);
+}
 
 // Throws InputError with all that is wrong with the arguments.
 Choice choice_of(const std::vector<std::string>& arguments) {
@@ -74,12 +56,12 @@ Choice choice_of(const std::vector<std::string>& arguments) {
     throw breccia::InputError(fmt::format(
         "expected no argument, or SEED GRAINS RATIO FILM BOUNDARY LAYERS [FACE_SHARE]; got {}", arguments.size()));
   }
-  Reader read;
+  examples::ArgumentReader read;
   choice.seed = read.number(arguments[0], "SEED", std::uint64_t{0}, std::numeric_limits<std::uint64_t>::max());
   choice.grains = read.number(arguments[1], "GRAINS", 1, 100000);
   choice.ratio = read.number(arguments[2], "RATIO", 1.0, 1e3);
   choice.film = read.number(arguments[3], "FILM", 1e-4, 1.0);
-  choice.boundary = read.boundary(arguments[4]);
+  choice.boundary = boundary_of(arguments[4], read.mistakes);
   choice.layers = read.number(arguments[5], "LAYERS", 1, 16);
   if (arguments.size() > 6) choice.face_share = read.number(arguments[6], "FACE_SHARE", 0.005, 1.0);
   if (!read.mistakes.empty()) throw breccia::InputError(fmt::format("{}", fmt::join(read.mistakes, "\n")));

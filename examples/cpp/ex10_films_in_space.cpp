@@ -8,11 +8,9 @@
 // meshes, from which the limit of short elements is found: their error falls with the square of that number.
 
 #include <array>
-#include <charconv>
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -21,6 +19,8 @@
 #include "breccia/error.hpp"
 #include "breccia/films/film_moduli.hpp"
 #include "breccia/microstructure/random_sites.hpp"
+
+#include "argument_reader.hpp"
 
 using breccia::Load;
 
@@ -34,21 +34,6 @@ struct Choice {
   int finest = 2;
 };
 
-// Reads numbers from arguments, and keeps what is wrong with these.
-struct Reader {
-  std::vector<std::string> mistakes = {};
-
-  template <class Number>
-  Number number(const std::string& argument, const char* name, Number least, Number most) {
-    const char* const end = argument.data() + argument.size();
-    Number value{};
-    const auto [rest, error] = std::from_chars(argument.data(), end, value);
-    if (error == std::errc() && rest == end && value >= least && value <= most) return value;
-    mistakes.push_back(fmt::format("{}: expected a number from {} to {}, got \"{}\"", name, least, most, argument));
-    return least;
-  }
-};
-
 // Throws InputError with all that is wrong with the arguments.
 Choice choice_of(const std::vector<std::string>& arguments) {
   if (arguments.empty()) return {};
@@ -56,7 +41,7 @@ Choice choice_of(const std::vector<std::string>& arguments) {
     throw breccia::InputError(
         fmt::format("expected no argument, or SEED GRAINS RATIO FRACTION FINEST; got {}", arguments.size()));
   }
-  Reader read;
+  examples::ArgumentReader read;
   const Choice choice = {.seed = read.number(arguments[0], "SEED", std::uint64_t{0}, std::uint64_t{1} << 32U),
                          .grains = read.number(arguments[1], "GRAINS", 2, 1000),
                          .ratio = read.number(arguments[2], "RATIO", 1.0, 100.0),

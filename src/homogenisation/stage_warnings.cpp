@@ -12,6 +12,7 @@
 #include "discretisation/contrast.hpp"
 #include "homogenisation/box/filler_on_sides.hpp"
 #include "homogenisation/dynamic_warnings.hpp"
+#include "homogenisation/grain_warnings.hpp"
 #include "homogenisation/image_warnings.hpp"
 #include "homogenisation/material_warnings.hpp"
 #include "homogenisation/narrow_gaps.hpp"
@@ -257,65 +258,6 @@ std::optional<std::string> warning_of_thin_coatings(const Stage& stage, Mixing m
       words_on_finer_grids(grids, std::ceil(cells_per_coating * stage.side / *thickness * (1.0 - rounding))));
 }
 
-/// A warning about grains that are far smaller than the requested sizes, which are those of the cells: films take most
-/// of the small cells.
-std::optional<std::string> warning_of_lost_grains(const Stage& stage, const StageMicrostructure& packed) {
-  const auto* const placed = packed.grains();
-  if (placed == nullptr) return std::nullopt;
-  const auto& [film, count, all, cells, grains, short_films] = *placed;
-  constexpr double few_per_cent = 0.05;
-  const auto is_off = [](double size, double asked) { return std::abs(size / asked - 1.0) > few_per_cent; };
-  const bool has_sizes = stage.fillers.front().sizes.has_value();
-  const bool are_off =
-      has_sizes && (is_off(grains.of_a_tenth, cells.of_a_tenth) || is_off(grains.of_half, cells.of_half));
-  if (count == all && !are_off) return std::nullopt;
-  std::vector<std::string> losses;
-  if (count < all) losses.push_back(fmt::format("nothing of {} of {} grains", all - count, all));
-  if (are_off) {
-    losses.push_back(fmt::format(
-        "little of small ones: a tenth of the {} of the grains is below {} where {} was asked for, half of it below "
-        "{} where {} was",
-        stage.dimensions() == 3 ? "volume" : "area", display(grains.of_a_tenth, "m"), display(cells.of_a_tenth, "m"),
-        display(grains.of_half, "m"), display(cells.of_half, "m")));
-  }
-  return fmt::format(
-      "films of {} leave {}; thinner films leave more, and the smallest grains may be in the matrix, as the particles "
-      "of an earlier stage",
-      display(film, "m"), fmt::join(losses, ", and "));
-}
-
-/// A warning about films in space that are resolved by too few elements, or too thick for the model of thin films.
-std::optional<std::string> warning_of_films_in_space(const GrainStatistics& grains, const FilmOptions& films) {
-  constexpr int least_divisions = 4;
-  if (films.layers && films.divisions < least_divisions) {
-    return fmt::format(
-        "resolved films with {} element{} along an edge are too soft, by up to 30, 8, 4 % with 1, 2, 3 of them where "
-        "the "
-        "binder is soft: tests.films.divisions = {} and more serve as a check, without layers fewer",
-        films.divisions, films.divisions == 1 ? "" : "s", least_divisions);
-  }
-  constexpr double thick = 0.05;
-  const double share = grains.film / grains.cells.of_half;
-  if (films.layers || !(share > thick)) return std::nullopt;
-  return fmt::format(
-      "films of {} are {:.2g} of the size of the grains; the model of thin films was held against resolved ones up to "
-      "0.03, and errs by more in thicker films; tests.films.layers = 2 resolves them, with divisions = {}",
-      readable(grains.film, Dimension::length), share, least_divisions);
-}
-
-/// A warning about films that are not long compared with their thickness, as the model of films assumes.
-std::optional<std::string> warning_of_short_films(const StageMicrostructure& packed, const FilmOptions& films) {
-  if (packed.content<Grains<3>>() != nullptr) return warning_of_films_in_space(*packed.grains(), films);
-  constexpr double few = 0.15;
-  const auto* const grains = packed.grains();
-  if (films.layers || grains == nullptr || grains->short_films < few) return std::nullopt;
-  return fmt::format(
-      "{:.0f} % of the length of the films is in films shorter than five times their thickness, {}, for which the "
-      "model of films errs by some per cent (1.5 % with 15 % in such films, 3 % with all of them, more where they are "
-      "shorter than twice their thickness); tests.films.layers = 4 resolves them",
-      100.0 * grains->short_films, readable(grains->film, Dimension::length));
-}
-
 /// A warning about filler that the sides of a window cut, where a test prescribes displacements or tractions on them.
 std::optional<std::string> warning_of_cut_filler(const Stage& stage, const std::vector<Boundary>& boundaries,
                                                  const StageMicrostructure& packed) {
@@ -383,7 +325,7 @@ std::vector<std::string> warnings_on(const Study& study, const Stage& stage,
   if (of_deck != study.provenance.warnings.end()) std::ranges::copy(of_deck->second, std::back_inserter(of_stage));
   std::ranges::move(warnings_of_soft_fillers(study, stage), std::back_inserter(of_stage));
   const auto warning_of_gaps = model_of(study.tests, stage) == Model::films
-                                   ? warning_of_short_films(microstructure, study.tests.films)
+                                   ? warning_of_films(microstructure, study.tests.films)
                                    : warning_of_narrow_gaps(stage, microstructure, study);
   for (const auto& warning :
        {warning_of_separation(study, stage, microstructure), warning_of_thin_coatings(stage, study.tests.mixing),

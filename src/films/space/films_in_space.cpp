@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "films/assembly/macroscopic.hpp"
 #include "films/assembly/matrix_assembly.hpp"
 #include "films/space/film_wedge.hpp"
 #include "films/space/solid_elements.hpp"
+#include "films/space/solid_unknowns.hpp"
 #include "films/space/space_mesh.hpp"
 
 namespace breccia::films {
@@ -66,17 +66,11 @@ class SpaceAssembly {
  private:
   [[nodiscard]] Eigen::Vector3d position(const SolidNode& node) const { return mesh_.grains().position(node); }
 
-  /// The unknowns of an element. The macroscopic motion is relative to its first node.
   [[nodiscard]] ElementUnknowns<3> unknowns_of(std::span<const SolidNode> nodes, std::span<const int> flows) const {
-    ElementUnknowns<3> unknowns;
-    unknowns.macroscopic.setZero(static_cast<Eigen::Index>(3 * nodes.size() + flows.size()), 6);
-    for (std::size_t n = 0; n < nodes.size(); ++n) {
-      unknowns.macroscopic.middleRows<3>(3 * static_cast<Eigen::Index>(n)) =
-          affine_motion_in_space(position(nodes[n]) - position(nodes[0]));
-      for (int i = 0; i < 3; ++i) unknowns.numbers.push_back(mesh_.displacement(nodes[n], i));
-    }
-    unknowns.numbers.insert(unknowns.numbers.end(), flows.begin(), flows.end());
-    return unknowns;
+    std::vector<ElementNode> of_element;
+    of_element.reserve(nodes.size());
+    for (const auto& node : nodes) of_element.push_back({mesh_.number(node), position(node)});
+    return solid_unknowns(of_element, flows);
   }
 
   [[nodiscard]] static std::vector<int> pressures_of(std::span<const SheetNode> nodes) {

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <span>
 #include <tuple>
+#include <utility>
+
+#include "films/space/solid_elements.hpp"
 
 namespace breccia::films {
 namespace {
@@ -57,11 +60,12 @@ class Filling {
  private:
   void add(std::array<std::size_t, 4> corners) {
     const auto at = [&](std::size_t i) -> const Eigen::Vector3d& { return solid_.nodes[corners[i]]; };
-    const double volume = (at(1) - at(0)).cross(at(2) - at(0)).dot(at(3) - at(0));
-    if (volume < 0.0) std::swap(corners[1], corners[2]);
-    const auto& [a, b, c, d] = corners;
-    solid_.tetrahedra.push_back(
-        {a, b, c, d, middle(a, b), middle(b, c), middle(c, a), middle(a, d), middle(b, d), middle(c, d)});
+    if (volume_of({at(0), at(1), at(2), at(3)}) < 0.0) std::swap(corners[1], corners[2]);
+    auto& nodes = solid_.tetrahedra.emplace_back();
+    std::ranges::copy(corners, nodes.begin());
+    for (std::size_t e = 0; e < edges_of_tetrahedron.size(); ++e) {
+      nodes[corners.size() + e] = middle(corners[edges_of_tetrahedron[e][0]], corners[edges_of_tetrahedron[e][1]]);
+    }
   }
 
   std::size_t middle(std::size_t a, std::size_t b) {

@@ -17,7 +17,7 @@ namespace breccia::films {
 /// A grain as tetrahedra with straight edges and ten nodes each, from the triangles of its faces to its centre.
 struct GrainSolid {
   std::vector<Eigen::Vector3d> nodes;  ///< positions, in sides of the box
-  /// Four corners, of a positive volume; then the middles of the edges 0-1, 1-2, 2-0, 0-3, 1-3 and 2-3.
+  /// Four corners, of a positive volume; then the middles of the edges (edges_of_tetrahedron).
   std::vector<std::array<std::size_t, 10>> tetrahedra;
 };
 

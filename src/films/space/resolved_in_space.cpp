@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "films/assembly/macroscopic.hpp"
 #include "films/assembly/matrix_assembly.hpp"
 #include "films/space/resolved_solids.hpp"
 #include "films/space/solid_elements.hpp"
+#include "films/space/solid_unknowns.hpp"
 
 namespace breccia::films {
 namespace {
@@ -26,26 +26,18 @@ std::vector<int> numbers_of_pressures(const ResolvedSolids& mesh) {
   return numbers;
 }
 
-Eigen::Vector3d middle_of(const std::array<Eigen::Vector3d, 4>& corners, const std::array<std::size_t, 2>& edge) {
+Eigen::Vector3d middle_of(const TetrahedronCorners& corners, const std::array<std::size_t, 2>& edge) {
   return 0.5 * (corners[edge[0]] + corners[edge[1]]);
 }
 
-/// The unknowns of an element: its displacements, where the first node of the mesh is held. The macroscopic motion is
-/// relative to its first corner.
 ElementUnknowns<3> unknowns_of(const QuadraticTetrahedron& tetrahedron) {
   const auto& corners = tetrahedron.corners;
-  ElementUnknowns<3> unknowns;
-  unknowns.macroscopic.resize(30, 6);
-  for (std::size_t n = 0; n < tetrahedron.nodes.size(); ++n) {
-    const Eigen::Vector3d position = n < 4 ? corners[n] : middle_of(corners, edges_of_tetrahedron[n - 4]);
-    unknowns.macroscopic.middleRows<3>(3 * static_cast<Eigen::Index>(n)) =
-        affine_motion_in_space(position - corners[0]);
-    for (int i = 0; i < 3; ++i) {
-      const int before = static_cast<int>(tetrahedron.nodes[n]) - 1;
-      unknowns.numbers.push_back(before < 0 ? held : 3 * before + i);
-    }
+  std::array<ElementNode, 10> nodes;
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    nodes[n] = {static_cast<int>(tetrahedron.nodes[n]),
+                n < corners.size() ? corners[n] : middle_of(corners, edges_of_tetrahedron[n - corners.size()])};
   }
-  return unknowns;
+  return solid_unknowns(nodes);
 }
 
 }  // namespace
@@ -54,7 +46,7 @@ FilmMatrices<3> resolved_in_space(const FilmProblem<3>& problem) {
   const auto mesh = resolved_solids(SpaceMesh(problem), *problem.layers);
   const auto numbers = numbers_of_pressures(mesh);
   const auto pressures = static_cast<int>(std::ranges::count_if(numbers, [](int number) { return number != held; }));
-  MatrixAssembly<3> sum(3 * (static_cast<int>(mesh.nodes.size()) - 1), pressures);
+  MatrixAssembly<3> sum(displacements_of(static_cast<int>(mesh.nodes.size())), pressures);
   for (const auto& tetrahedron : mesh.grains) {
     sum.add_grain(unknowns_of(tetrahedron), tetrahedron_stiffness(tetrahedron.corners, problem.grain));
     sum.add_content(volume_of(tetrahedron.corners));

@@ -37,12 +37,13 @@ FlatFace flat(const CellComplex& complex, const SharedFace& face) {
 }
 
 /// Sums for the best scale and shift of a grain by least squares: with the recess mu x - b of a point x of the cell,
-/// the sum over its faces of area (n . (mu x - b) - r)^2, r the wanted recess at unit thickness.
+/// the sum over its faces of area (n . (mu x - b) - 1/2)^2: at unit thickness each face recedes by half of it.
 struct Fit {
   Eigen::Matrix4d products = Eigen::Matrix4d::Zero();
   Eigen::Vector4d wanted = Eigen::Vector4d::Zero();
 
-  void add(const FlatFace& face, const Eigen::Vector3d& normal, const Eigen::Vector3d& point, double recess) {
+  void add(const FlatFace& face, const Eigen::Vector3d& normal, const Eigen::Vector3d& point) {
+    constexpr double recess = 0.5;
     Eigen::Vector4d row;
     row << normal.dot(point), -normal;
     products += face.area * row * row.transpose();
@@ -62,14 +63,13 @@ Eigen::Vector3d position_of(const Tessellation<3>& tessellation, std::size_t sit
 }
 
 std::vector<Recession> unit_recessions(const Tessellation<3>& tessellation, const CellComplex& complex) {
-  constexpr double half = 0.5;
   std::vector<Fit> fits(tessellation.size());
   for (const auto& face : complex.faces) {
     const auto& [second, image] = face.second;
     const auto shape = flat(complex, face);
-    fits[face.first].add(shape, shape.normal, shape.centroid - position_of(tessellation, face.first), half);
+    fits[face.first].add(shape, shape.normal, shape.centroid - position_of(tessellation, face.first));
     const Eigen::Vector3d seen_from_second = shape.centroid - image.cast<double>() - position_of(tessellation, second);
-    fits[second].add(shape, -shape.normal, seen_from_second, half);
+    fits[second].add(shape, -shape.normal, seen_from_second);
   }
   std::vector<Recession> recessions;
   for (const auto& fit : fits) {

@@ -1,6 +1,6 @@
 #include "films/space/space_mesh.hpp"
 
-#include "films/assembly/film_matrices.hpp"
+#include "films/space/solid_unknowns.hpp"
 
 namespace breccia::films {
 namespace {
@@ -20,12 +20,7 @@ SpaceMesh::SpaceMesh(const FilmProblem<3>& problem)
     first_node_.push_back(nodes);
     nodes += static_cast<int>(solid.nodes.size());
   }
-  first_flow_ = 3 * (nodes - 1);
-}
-
-int SpaceMesh::displacement(const SolidNode& node, int component) const noexcept {
-  const int number = first_node_[node.grain] + static_cast<int>(node.number) - 1;
-  return number < 0 ? held : 3 * number + component;
+  first_flow_ = displacements_of(nodes);
 }
 
 std::array<SolidNode, 12> SpaceMesh::nodes_of_film(std::size_t triangle) const {

@@ -27,8 +27,10 @@ class SpaceMesh {
   [[nodiscard]] const GrainSolids& grains() const noexcept { return solids_; }
 
   [[nodiscard]] int unknowns() const noexcept { return first_flow_ + 6 * static_cast<int>(sheets_.triangles.size()); }
-  /// The number of a displacement component of a node, or `held`.
-  [[nodiscard]] int displacement(const SolidNode& node, int component) const noexcept;
+  /// The number of a node among those of all grains.
+  [[nodiscard]] int number(const SolidNode& node) const noexcept {
+    return first_node_[node.grain] + static_cast<int>(node.number);
+  }
   /// The number of the first flow of a triangle of a film.
   [[nodiscard]] int flow(std::size_t triangle) const noexcept { return first_flow_ + 6 * static_cast<int>(triangle); }
 

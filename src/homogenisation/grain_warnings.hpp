@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "breccia/homogenisation/stage_microstructure.hpp"
+#include "breccia/study/study.hpp"
+
+namespace breccia {
+
+/// A warning about films for which the model of grains and films is not made: films that are not long compared with
+/// their thickness and, in space, resolved films of too few elements. Nothing for a stage without grains.
+[[nodiscard]] std::optional<std::string> warning_of_films(const StageMicrostructure& packed, const FilmOptions& films);
+
+/// A warning about grains that are far smaller than the requested sizes, which are those of the cells: films take most
+/// of the small cells. Nothing for a stage without grains.
+[[nodiscard]] std::optional<std::string> warning_of_lost_grains(const Stage& stage, const StageMicrostructure& packed);
+
+}  // namespace breccia
