@@ -18,8 +18,7 @@ std::optional<std::string> warning_of_films_in_space(const GrainStatistics& grai
   if (films.layers && films.divisions < least_divisions) {
     return fmt::format(
         "resolved films with {} element{} along an edge are too soft, by up to 30, 8, 4 % with 1, 2, 3 of them where "
-        "the "
-        "binder is soft: tests.films.divisions = {} and more serve as a check; without layers fewer are enough",
+        "the binder is soft: tests.films.divisions = {} and more serve as a check; without layers fewer are enough",
         films.divisions, films.divisions == 1 ? "" : "s", least_divisions);
   }
   constexpr double thick = 0.05;

@@ -20,10 +20,10 @@ function textOnParticles({fillers = [], microstructure: made}) {
 }
 
 function onModel(stage) {
-  const inSpace = stage.tests.some(({cells}) => cells === "films")
+  const ofCube = stage.tests.some(({cells}) => cells === "films")
     ? "The model: a cube of polyhedral grains, each its cell made smaller, bonded to films of nearly one thickness."
     : "The model: a cube with its particles bonded to their matrix.";
-  return stage.dimensions === 3 ? inSpace
+  return stage.dimensions === 3 ? ofCube
     : `The model: a flat box in plane strain, with ${textOnParticles(stage)} bonded to their ` +
       "matrix. Real particles are not endless cylinders; three dimensions are computed with dimensions = 3.";
 }
