@@ -15,6 +15,7 @@
 
 #include "cli/interruption.hpp"
 #include "cli/sweep_summary.hpp"
+#include "homogenisation/debonding_words.hpp"
 #include "io/display.hpp"
 #include "io/units.hpp"
 #include "parallel/session.hpp"
@@ -52,6 +53,7 @@ std::string describe(const Stage& stage, const StageResult& result) {
   if (const auto* grains = packed.grains()) {
     text += fmt::format(", films of {}", readable(grains->film, Dimension::length));
     if (has_points) text += fmt::format(" ({:.2g} cells)", grains->film / stage.cell_size());
+    if (stage.bonds) text += "\n  " + words_on_debonding(stage, *grains);
   }
   if (stage.fillers.size() > 1) {
     for (std::size_t number = 0; number < packed.fillers.size(); ++number) {

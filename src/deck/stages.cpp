@@ -13,6 +13,7 @@
 #include "breccia/error.hpp"
 
 #include "deck/filler.hpp"
+#include "deck/film_bonds.hpp"
 #include "deck/image.hpp"
 #include "deck/packing.hpp"
 #include "io/nearest_name.hpp"
@@ -216,6 +217,7 @@ std::vector<Stage> read_stages(const Section& deck, const std::vector<ShiftedMat
     } else {
       read_particles_and_box(section, materials, defaults, stage);
     }
+    read_bonds(section, stage);
     check_fit(section, stage);
     const bool takes_choice = stage.has_seed() && !stage.fillers.empty();
     if (!takes_choice && !is_image && !names_cells(section) && !needs_no_cells(section, defaults.model)) {

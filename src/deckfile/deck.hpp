@@ -56,8 +56,8 @@ class Section {
   [[nodiscard]] double number(const std::string& key, const Range& range = {}) const;
   [[nodiscard]] std::optional<double> optional_number(const std::string& key, const Range& range = {}) const;
   [[nodiscard]] std::vector<double> numbers(const std::string& key, const Range& range = {}) const;
-  /// A fraction above 0 and below 1, given as a number or in per cent: 0.35 or "35 %".
-  [[nodiscard]] double fraction(const std::string& key) const;
+  /// A fraction, given as a number or in per cent: 0.35 or "35 %".
+  [[nodiscard]] double fraction(const std::string& key, const Range& range = Range::between(0.0, 1.0)) const;
   [[nodiscard]] std::int64_t integer(const std::string& key, const Range& range = {}) const;
   [[nodiscard]] std::optional<std::int64_t> optional_integer(const std::string& key, const Range& range = {}) const;
   [[nodiscard]] std::vector<std::int64_t> integers(const std::string& key, const Range& range = {}) const;

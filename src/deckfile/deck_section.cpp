@@ -68,8 +68,7 @@ ParsedValue<double> read_number(const DeckValue& value, const Range& range) {
   return wrong<double>(expected_but_got(described(range, "number"), value));
 }
 
-ParsedValue<double> read_fraction(const DeckValue& value) {
-  const auto range = Range::between(0.0, 1.0);
+ParsedValue<double> read_fraction(const DeckValue& value, const Range& range) {
   if (const auto* text = std::get_if<std::string>(&value.content)) {
     const auto share = parse_percentage(*text);
     if (share && accepts(range, *share)) return {*share, {}};
@@ -237,10 +236,10 @@ std::optional<double> Section::optional_number(const std::string& key, const Ran
   return value == nullptr ? std::nullopt : settle(*this, key, read_number(*value, range));
 }
 
-double Section::fraction(const std::string& key) const {
-  const auto* value = require(key, described(Range::between(0.0, 1.0), "number"));
+double Section::fraction(const std::string& key, const Range& range) const {
+  const auto* value = require(key, described(range, "number"));
   if (value == nullptr) return not_a_number;
-  return settle(*this, key, read_fraction(*value)).value_or(not_a_number);
+  return settle(*this, key, read_fraction(*value, range)).value_or(not_a_number);
 }
 
 std::int64_t Section::integer(const std::string& key, const Range& range) const {

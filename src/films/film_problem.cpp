@@ -35,6 +35,13 @@ void require_sound(const FilmProblem<dim>& problem) {
     mistakes.push_back(fmt::format("a {} tessellation does not go with a {} boundary",
                                    is_periodic ? "periodic" : "walled", name_of(problem.boundary)));
   }
+  const bool has_debonded = !problem.debonded.faces.empty();
+  if (has_debonded && problem.boundary != Boundary::periodic) {
+    mistakes.emplace_back("films may be debonded where the boundary is periodic");
+  }
+  if (has_debonded && problem.layers && problem.debonded.kind != Debonding::open) {
+    mistakes.emplace_back("films that are resolved by layers may be debonded as open gaps alone");
+  }
   if (dim == 3 && !problem.tessellation.sites().film_shares.empty()) {
     mistakes.emplace_back("in three dimensions the films have nearly one thickness, without shares of the sites");
   }

@@ -50,10 +50,27 @@ std::optional<std::string> warning_of_films(const StageMicrostructure& packed, c
   return is_in_space ? warning_of_films_in_space(*grains, films) : warning_of_short_films(*grains, films);
 }
 
+std::optional<std::string> warning_of_debonding(const Stage& stage, const StageMicrostructure& packed,
+                                                const FilmOptions& films) {
+  const auto* const grains = packed.grains();
+  constexpr double many = 0.25;
+  if (grains == nullptr || !stage.bonds || films.layers) return std::nullopt;
+  if (stage.bonds->kind == Debonding::slip || !(grains->debonded > many)) return std::nullopt;
+  return fmt::format(
+      "{:.0f} % of the films are gaps; up to 20 % the model was within 3 % of resolved films in shear and within 8 % "
+      "in "
+      "bulk, with 40 % it was up to 24 % too stiff where the binder is stiff, since the corners of the grains carry "
+      "the "
+      "load then",
+      100.0 * grains->debonded);
+}
+
 std::optional<std::string> warning_of_lost_grains(const Stage& stage, const StageMicrostructure& packed) {
   const auto* const placed = packed.grains();
   if (placed == nullptr) return std::nullopt;
-  const auto& [film, count, all, cells, grains, short_films] = *placed;
+  const auto& film = placed->film;
+  const auto &count = placed->count, &all = placed->cell_count;
+  const auto &cells = placed->cells, &grains = placed->sizes;
   constexpr double few_per_cent = 0.05;
   const auto is_off = [](double size, double asked) { return std::abs(size / asked - 1.0) > few_per_cent; };
   const bool has_sizes = stage.fillers.front().sizes.has_value();

@@ -12,6 +12,11 @@ namespace breccia {
 /// their thickness and, in space, resolved films of too few elements. Nothing for a stage without grains.
 [[nodiscard]] std::optional<std::string> warning_of_films(const StageMicrostructure& packed, const FilmOptions& films);
 
+/// A warning about more gaps between grains than the model of films was held against resolved ones with. Nothing for a
+/// stage without grains.
+[[nodiscard]] std::optional<std::string> warning_of_debonding(const Stage& stage, const StageMicrostructure& packed,
+                                                              const FilmOptions& films);
+
 /// A warning about grains that are far smaller than the requested sizes, which are those of the cells: films take most
 /// of the small cells. Nothing for a stage without grains.
 [[nodiscard]] std::optional<std::string> warning_of_lost_grains(const Stage& stage, const StageMicrostructure& packed);

@@ -43,6 +43,8 @@ SampleKind sample_of(const Study& study, const Stage& stage, const StageMicrostr
   if (stage.fillers.empty() || stage.packing_name() == PackingName::regular) return SampleKind::whole;
   if (!stage.has_seed() || !has_fillers_with_rule(study, stage)) return SampleKind::unknown;
   if (stage.dimensions() == 3 && packed.content<Microstructure<3>>() == nullptr) return SampleKind::unknown;
+  // The rule was measured with grains that are all bonded.
+  if (stage.bonds) return SampleKind::unknown;
   return stage.has_grains() ? SampleKind::grains : SampleKind::particles;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <vector>
 
@@ -23,6 +24,22 @@ std::vector<Vector<2>> corners_of(const Tessellation<2>& tessellation, std::size
   return corners;
 }
 
+/// The ends of a face of a cell, or of its image at this distance [m].
+std::vector<Vector<2>> ends_of(const Tessellation<2>& tessellation, const CellFace<2>& face, const Vector<2>& image) {
+  const auto& site = tessellation.sites().sites[face.first].position;
+  const auto& cell = tessellation.cell(face.first);
+  std::vector<Vector<2>> ends;
+  for (const auto& [position, planes] : cell.corners()) {
+    const auto is_of_face = [&](std::uint32_t plane) {
+      const auto& half_space = cell.half_spaces()[plane];
+      return Tessellation<2>::neighbour(half_space) == face.second && Tessellation<2>::image(half_space) == face.image;
+    };
+    if (!std::ranges::any_of(planes, is_of_face)) continue;
+    ends.push_back({position[0] + site[0] + image[0], position[1] + site[1] + image[1]});
+  }
+  return ends;
+}
+
 /// Whether the box around the corners meets the box [0, side]^2.
 bool may_show(const std::vector<Vector<2>>& corners, double side) {
   if (corners.empty()) return false;
@@ -35,7 +52,7 @@ bool may_show(const std::vector<Vector<2>>& corners, double side) {
 
 }  // namespace
 
-std::string grain_picture(const Tessellation<2>& tessellation, double film) {
+std::string grain_picture(const Tessellation<2>& tessellation, double film, std::span<const CellFace<2>> debonded) {
   const double side = tessellation.side(), scale = picture_scale(side);
   const auto images = tessellation.walls() == Walls::periodic ? std::vector{-side, 0.0, side} : std::vector{0.0};
   std::string shapes;
@@ -51,7 +68,20 @@ std::string grain_picture(const Tessellation<2>& tessellation, double film) {
       }
     }
   }
-  return framed_picture(side, fmt::format("{} grains", tessellation.size()), R"(fill="#5b7f95")", shapes);
+  const double width = std::max(film * scale, 4.0);
+  for (const auto& face : debonded) {
+    for (const double dx : images) {
+      for (const double dy : images) {
+        const auto ends = ends_of(tessellation, face, {dx, dy});
+        if (ends.size() != 2 || !may_show(ends, side)) continue;
+        fmt::format_to(out, "<path d=\"M{:.6g},{:.6g}L{:.6g},{:.6g}\" stroke=\"#d92d20\" stroke-width=\"{:.3g}\"/>\n",
+                       ends[0][0] * scale, drawn_side - ends[0][1] * scale, ends[1][0] * scale,
+                       drawn_side - ends[1][1] * scale, width);
+      }
+    }
+  }
+  const auto in_red = debonded.empty() ? "" : fmt::format(", {} films that are debonded in red,", debonded.size());
+  return framed_picture(side, fmt::format("{} grains{}", tessellation.size(), in_red), R"(fill="#5b7f95")", shapes);
 }
 
 }  // namespace breccia

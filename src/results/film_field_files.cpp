@@ -89,7 +89,10 @@ struct MapOfCells {
 MapOfCells stress_map(const FilmFields& fields, const TestId& test) {
   const auto load = test.load.of_test().value();
   const auto stress = [load](const FilmCell& cell) { return modulus_of<2>(load, in_plane_stress(cell)); };
-  return {stress, stress_quantity(test.boundary, load, mean_of(fields, stress))};
+  const auto of_matter = [stress](const FilmCell& cell) {
+    return cell.part == FilmPart::gap ? std::nullopt : std::optional(stress(cell));
+  };
+  return {of_matter, stress_quantity(test.boundary, load, mean_of(fields, stress))};
 }
 
 /// The largest shear strain of each cell over the mean shear strain or dilatation of the load.
@@ -107,7 +110,8 @@ MapOfCells work_map(const FilmFields& fields) {
   const double mean = mean_of(fields, &FilmCell::work);
   const auto in_binder = [](const FilmCell& cell) { return cell.part == FilmPart::grain ? 0.0 : cell.work; };
   const auto work = [](const FilmCell& cell) {
-    return cell.part == FilmPart::grain ? std::nullopt : std::optional(cell.work);
+    const bool is_binder = cell.part == FilmPart::film || cell.part == FilmPart::junction;
+    return is_binder ? std::optional(cell.work) : std::nullopt;
   };
   constexpr double per_cent = 100.0;
   auto words =

@@ -77,6 +77,19 @@ inline constexpr auto fields<ThresholdEntry> = std::tuple(field("value", &Thresh
                                                           field("bright", &ThresholdEntry::bright),
                                                           field("words", &ThresholdEntry::words));
 
+/// The films that are debonded.
+struct DebondingEntry {
+  std::string kind;       ///< "open", "sealed" or "slip"
+  std::size_t films = 0;  ///< number of films
+  double share = 0.0;     ///< share of the area of all films, in two dimensions of their length [-]
+  std::string words;      ///< all this as a sentence
+};
+template <>
+inline constexpr auto fields<DebondingEntry> = std::tuple(field("kind", &DebondingEntry::kind),
+                                                          field("films", &DebondingEntry::films),
+                                                          field("share", &DebondingEntry::share),
+                                                          field("words", &DebondingEntry::words));
+
 struct MicrostructureEntry {
   std::optional<std::size_t> particles = {};
   double fraction = 0.0;                             ///< [-]
@@ -86,6 +99,7 @@ struct MicrostructureEntry {
   std::optional<double> wall_gap = {};               ///< [m]
   double seconds = 0.0;                              ///< wall time [s]
   std::optional<double> film = {}, film_cells = {};  ///< thickness of the films between grains [m], [-]
+  std::optional<DebondingEntry> debonding = {};
   std::optional<double> smallest_diameter = {}, largest_diameter = {};  ///< [m]
   std::optional<std::vector<int>> pixels = {};  ///< number of pixels of an image along its sides
   std::optional<double> pixel_side = {};        ///< [m]
@@ -104,6 +118,7 @@ inline constexpr auto fields<MicrostructureEntry> = std::tuple(
     field("smallest_gap_m", &MicrostructureEntry::gap), field("smallest_gap_cells", &MicrostructureEntry::gap_cells),
     field("smallest_wall_gap_m", &MicrostructureEntry::wall_gap), field("wall_time_s", &MicrostructureEntry::seconds),
     field_if_any("film_m", &MicrostructureEntry::film), field_if_any("film_cells", &MicrostructureEntry::film_cells),
+    field_if_any("debonding", &MicrostructureEntry::debonding),
     field_if_any("smallest_diameter_m", &MicrostructureEntry::smallest_diameter),
     field_if_any("largest_diameter_m", &MicrostructureEntry::largest_diameter),
     field_if_any("pixels", &MicrostructureEntry::pixels), field_if_any("pixel_m", &MicrostructureEntry::pixel_side),

@@ -8,6 +8,7 @@
 
 #include "breccia/results/label_files.hpp"
 
+#include "homogenisation/box/debonded_films.hpp"
 #include "io/text_file.hpp"
 #include "microstructure/tessellation/tessellation_statistics.hpp"
 #include "results/particle_files.hpp"
@@ -52,6 +53,28 @@ void write_grains(const std::filesystem::path& directory, const Stage& stage, co
                         film));
 }
 
+/// Writes the pairs of grains, by their rows in grains.csv, between which the films are debonded.
+template <int dim>
+void write_debonded_films(const std::filesystem::path& directory, const Stage& stage,
+                          const Tessellation<dim>& tessellation) {
+  if (!stage.bonds) return;
+  constexpr std::array image_names = {"image_x", "image_y", "image_z"};
+  std::vector<double> first, second;
+  std::vector<std::vector<double>> images(static_cast<std::size_t>(dim));
+  for (const auto& face : debonded_films(stage, tessellation).faces) {
+    first.push_back(static_cast<double>(face.first));
+    second.push_back(static_cast<double>(face.second));
+    for (std::size_t axis = 0; axis < images.size(); ++axis) images[axis].push_back(face.image[axis]);
+  }
+  std::vector<CsvColumn> columns = {{"first_grain", first}, {"second_grain", second}};
+  for (std::size_t axis = 0; axis < images.size(); ++axis) columns.push_back({image_names[axis], images[axis]});
+  write_csv(
+      directory / "debonded.csv", columns,
+      fmt::format("Films of stage {} that are debonded, {}: between two grains, numbered from 0 as in grains.csv, "
+                  "the second displaced by an image in sides of the box",
+                  stage.name, name_of(stage.bonds->kind)));
+}
+
 template <int dim>
 void write_balls(const std::filesystem::path& directory, const Stage& stage, const Microstructure<dim>& box) {
   std::vector<std::vector<double>> coordinates(static_cast<std::size_t>(dim));
@@ -84,7 +107,9 @@ struct WriteTable {
   void operator()(const EllipsoidBox& ellipsoids) const { write_ellipsoids(directory, stage, ellipsoids); }
   template <int dim>
   void operator()(const Grains<dim>& grains) const {
-    write_grains(directory, stage, Tessellation<dim>(grains.sites), grains.statistics.film);
+    const Tessellation<dim> tessellation(grains.sites);
+    write_grains(directory, stage, tessellation, grains.statistics.film);
+    write_debonded_films(directory, stage, tessellation);
   }
   template <int dim>
   void operator()(const SharedImage<dim>&) const {}

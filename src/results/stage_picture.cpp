@@ -10,6 +10,7 @@
 #include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/microstructure/tessellation.hpp"
 
+#include "homogenisation/box/debonded_films.hpp"
 #include "homogenisation/box/middle_plane.hpp"
 #include "report/grain_picture.hpp"
 #include "report/image_picture.hpp"
@@ -49,7 +50,8 @@ struct PictureOf {
     return particle_picture(particles, drawn_fillers(stage));
   }
   std::string operator()(const Grains<2>& grains) const {
-    return grain_picture(Tessellation<2>(grains.sites), grains.statistics.film);
+    const Tessellation<2> tessellation(grains.sites);
+    return grain_picture(tessellation, grains.statistics.film, debonded_films(stage, tessellation).faces);
   }
   std::string operator()(const SharedImage<2>& image) const {
     const auto phases = phases_of(stage);

@@ -14,6 +14,7 @@
 
 #include "breccia/homogenisation/stage_discretisation.hpp"
 
+#include "homogenisation/debonding_words.hpp"
 #include "homogenisation/narrow_gaps.hpp"
 #include "homogenisation/quality.hpp"
 #include "homogenisation/whole_filler.hpp"
@@ -240,6 +241,12 @@ struct AddContent {
     const auto& filler = packed.fillers.front();
     entry.film = grains.statistics.film;
     entry.film_cells = grains.statistics.film / stage.cell_size();
+    if (stage.bonds) {
+      entry.debonding = {.kind = std::string(name_of(stage.bonds->kind)),
+                         .films = grains.statistics.debonded_films,
+                         .share = grains.statistics.debonded,
+                         .words = words_on_debonding(stage, grains.statistics)};
+    }
     entry.smallest_diameter = filler.smallest_diameter;
     entry.largest_diameter = filler.largest_diameter;
     entry.seed = stage.seed();

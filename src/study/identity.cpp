@@ -118,9 +118,16 @@ class Content {
     add(name);
   }
   void add(const Stage& stage) {
-    const auto& [name, matrix, side, cells, coarser_cells, fillers, packing] = stage;
+    const auto& [name, matrix, side, cells, coarser_cells, fillers, packing, bonds] = stage;
     add_all(name, matrix, side, cells, coarser_cells, fillers, packing);
+    // A stage whose films are all bonded is what it was before there were others.
+    if (bonds) add_all(std::string("bonds"), *bonds);
   }
+  void add(const FilmBonds& bonds) {
+    const auto& [debonded, kind, seed, normal, films] = bonds;
+    add_all(debonded, kind, seed, normal, films);
+  }
+  void add(const std::array<std::size_t, 2>& pair) { add_all(pair[0], pair[1]); }
   void add(const Filler& filler) {
     const auto& [material, fraction, smallest, largest, sizes, gap, gap_source, coating, shape] = filler;
     add_all(material, fraction, smallest, largest, sizes, gap, gap_source, coating, shape);

@@ -38,6 +38,17 @@ void check_matrix(const Stage& stage, std::span<const Stage> earlier, const std:
   }
 }
 
+void check_bonds(const Stage& stage, const std::string& part, StudyMistakes& mistakes) {
+  const auto& bonds = *stage.bonds;
+  if (!bonds.films.empty()) return;
+  mistakes.check_number(part, "share of films that are debonded", bonds.debonded, allowed::debonded);
+  const auto has_length = std::ranges::any_of(bonds.normal, [](double component) { return component != 0.0; });
+  if (!bonds.normal.empty() && !(has_length && std::ssize(bonds.normal) == stage.dimensions())) {
+    mistakes.add(part,
+                 fmt::format("normal of films: expected {} components, not all of them zero", stage.dimensions()));
+  }
+}
+
 void check_stage(const Study& study, std::size_t number, StudyMistakes& mistakes) {
   const auto& stage = study.stages[number];
   const auto earlier = std::span(study.stages).first(number);
@@ -51,6 +62,7 @@ void check_stage(const Study& study, std::size_t number, StudyMistakes& mistakes
   check_grids(stage, part, mistakes);
   check_matrix(stage, earlier, part, mistakes);
   check_fillers(stage, part, mistakes);
+  if (stage.bonds) check_bonds(stage, part, mistakes);
 }
 
 }  // namespace

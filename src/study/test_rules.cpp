@@ -49,6 +49,18 @@ std::optional<std::string> expected_boundaries(const Tests& tests, const Stage& 
                      : R"(expected the boundaries "displacement" and "traction")";
 }
 
+/// The stages with bonds that are not computed as grains and films, a line each.
+std::vector<std::string> bonds_without_films(const Study& study) {
+  std::vector<std::string> mistakes;
+  for (const auto& stage : study.stages) {
+    if (!stage.bonds || model_of(study.tests, stage) == Model::films) continue;
+    mistakes.push_back(fmt::format(R"(bonds of stage {}: films alone can be debonded: expected tests.model = "films")"
+                                   R"( and grains, packing.method = "laguerre")",
+                                   stage.name));
+  }
+  return mistakes;
+}
+
 /// The requests of the tests that the model of films does not support in one stage of grains, a line each.
 std::vector<std::string> lacking_in_films(const Tests& tests, const Stage& stage) {
   std::vector<std::string> mistakes;
@@ -77,6 +89,12 @@ std::vector<std::string> lacking_in_films(const Tests& tests, const Stage& stage
     lacks(*expected + other_box);
   }
   if (!stage.coarser_cells.empty()) lacks("expected one number of cells, that of the labels, or none");
+  if (stage.bonds && !stage.is_periodic()) {
+    lacks("films of a window are all bonded: expected no bonds, or packing.walls = false");
+  }
+  if (stage.bonds && tests.films.layers && stage.bonds->kind != Debonding::open) {
+    lacks(R"(films that are resolved by layers are debonded as open gaps alone: expected bonds.kind = "open")");
+  }
   return mistakes;
 }
 
@@ -255,6 +273,7 @@ Mixing default_mixing(const Study& study) {
 
 std::vector<std::string> contradictions(const Study& study) {
   auto mistakes = films_along_walls(study);
+  std::ranges::move(bonds_without_films(study), std::back_inserter(mistakes));
   std::ranges::move(lacking_in_films(study), std::back_inserter(mistakes));
   if (!study.stages.empty()) {
     std::ranges::move(mistakes_of_loads(study.tests.loads, study.stages.front().dimensions()),

@@ -228,5 +228,42 @@ TEST(Grains, TheirFilmsTellTheCellsForAnError) {
   EXPECT_THAT(points.output, testing::Not(HasSubstr("across a film, the error of the grid")));
 }
 
+// The films that a run has chosen are listed with it, and a deck that lists them has the same modulus.
+TEST(Grains, MayBeDebonded) {
+  const VoronoiFilms study;
+  const auto run = study.breccia("run", {"--set", R"(stages.0.bonds={ debonded = 0.15, kind = "sealed", seed = 4 })"});
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_THAT(run.output, HasSubstr("of the length of all, are gaps, which carry nothing while the binder around them "
+                                    "keeps its pressure"));
+  const auto record = nlohmann::json::parse(read_text(study.result("study.json")))["stages"][0]["microstructure"];
+  EXPECT_EQ(record["debonding"]["kind"], "sealed");
+  EXPECT_NEAR(record["debonding"]["share"].get<double>(), 0.15, 0.02);
+  const auto debonded = read_csv(study.result("grains/debonded.csv"));
+  EXPECT_EQ(record["debonding"]["films"].get<std::size_t>(), debonded.rows());
+  EXPECT_THAT(read_text(study.result("grains/microstructure.svg")), HasSubstr("that are debonded in red"));
+  std::string pairs;
+  for (std::size_t row = 0; row < debonded.rows(); ++row) {
+    pairs += fmt::format(R"({}"{}-{}")", row == 0 ? "" : ", ", debonded.numbers("first_grain")[row],
+                         debonded.numbers("second_grain")[row]);
+  }
+  const auto curve = test::read_curve(study.result("curves.csv"), "grains", "shear");
+  const auto again = study.breccia(
+      "run", {"--set", fmt::format(R"(stages.0.bonds={{ films = [{}], kind = "sealed" }})", pairs), "--overwrite"});
+  ASSERT_EQ(again.exit_code, 0) << again.errors;
+  const auto of_list = test::read_curve(study.result("curves.csv"), "grains", "shear");
+  for (const double time : {1e-8, 1e-5, 1e-2}) {
+    EXPECT_DOUBLE_EQ(test::modulus_at(of_list, time), test::modulus_at(curve, time));
+  }
+}
+
+TEST(Grains, ThatAreDebondedMustTouch) {
+  const VoronoiFilms study;
+  const auto refused = study.breccia("run", {"--set", R"(stages.0.bonds={ films = ["0-99"], kind = "open" })"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.errors,
+              HasSubstr("stage grains: bonds: these pairs of grains, of 25 with numbers from 0, share no "
+                        "face: [0, 99]"));
+}
+
 }  // namespace
 }  // namespace breccia

@@ -77,6 +77,36 @@ TEST(FilmElement, IsExactForUniformStrains) {
   }
 }
 
+TEST(SlidingFilmElement, IsFreeToSlideAndToTurn) {
+  const auto stretch = straight(0.7, 0.02, 0.015);
+  const auto element = sliding_film_element(stretch);
+  Unknowns slide = Unknowns::Zero();
+  for (const int node : {3, 4, 5}) slide[2 * node] = 1e-3;
+  // The binder stays with the first side.
+  slide.tail<2>().setConstant(-0.5e-3);
+  EXPECT_NEAR(slide.dot(element.shear * slide), 0.0, 1e-15);
+  const auto turn = affine(stretch, Eigen::Matrix2d{{0.0, -1.0}, {1.0, 0.0}});
+  EXPECT_NEAR(turn.dot(element.shear * turn), 0.0, 1e-14);
+  EXPECT_LT((element.dilatation * turn).cwiseAbs().maxCoeff(), 1e-15);
+}
+
+TEST(SlidingFilmElement, StretchesAndChangesItsVolumeLikeOneThatAdheres) {
+  const auto stretch = straight(0.7, 0.02, 0.015);
+  const auto sliding = sliding_film_element(stretch), adhering = film_element(stretch);
+  const auto u = affine(stretch, Eigen::Matrix2d{{1.0, 0.0}, {0.0, 3.0}});
+  EXPECT_NEAR(u.dot(sliding.shear * u), u.dot(adhering.shear * u), 1e-13);
+  EXPECT_EQ(sliding.dilatation, adhering.dilatation);
+  EXPECT_EQ(sliding.volume, adhering.volume);
+}
+
+TEST(SlidingFilmElement, FlowsWithAQuarterOfTheResistance) {
+  const auto stretch = straight(0.7, 0.02);
+  Unknowns flow = Unknowns::Zero();
+  flow.tail<2>() << 1e-3, -2e-3;
+  EXPECT_NEAR(flow.dot(sliding_film_element(stretch).shear * flow) / flow.dot(film_element(stretch).shear * flow), 0.25,
+              1e-13);
+}
+
 TEST(JunctionElement, IsExactForUniformStrains) {
   const std::array<Eigen::Vector2d, 4> corners = {Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(2.0, 0.0),
                                                   Eigen::Vector2d(2.0, 1.0), Eigen::Vector2d(0.0, 1.5)};

@@ -9,10 +9,15 @@
 namespace breccia {
 
 /// The kind of region to which a cell of the fields of grains and films belongs.
-enum class FilmPart { grain, film, junction };
+enum class FilmPart {
+  grain,
+  film,
+  junction,
+  gap  ///< a film that is debonded and carries nothing
+};
 
-/// A cell of the fields of grains and films: a triangle of a grain, a quadrilateral of a film between two nodes along
-/// it, or the polygon of a junction. Fields are means over the cell, per unit of the load.
+/// A cell of the fields of grains and films: a triangle of a grain, a quadrilateral of a film or a gap between two
+/// nodes along it, or the polygon of a junction. Fields are means over the cell, per unit of the load.
 struct FilmCell {
   FilmPart part = FilmPart::grain;
   std::size_t corners = 0;  ///< number of its corners, in FilmFields::corners

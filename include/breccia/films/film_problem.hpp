@@ -4,6 +4,7 @@
 
 #include "breccia/discretisation/boundary.hpp"
 #include "breccia/discretisation/moduli.hpp"
+#include "breccia/films/debonding.hpp"
 #include "breccia/microstructure/tessellation.hpp"
 
 namespace breccia {
@@ -40,10 +41,12 @@ struct FilmProblem {
   /// Number of layers of elements that resolve the binder across every film (theory, Eq. 66a). If absent, films are
   /// thin and have one row of elements each.
   std::optional<int> layers = {};
+  DebondedFilms<dim> debonded = {};  ///< with a periodic boundary; with layers, open ones alone
 };
 
-/// Throws InputError with all mistakes: a thickness, a share, a modulus or a number of layers that is not positive, or
-/// a boundary that does not fit the walls of the tessellation.
+/// Throws InputError with all mistakes: a thickness, a share, a modulus or a number of layers that is not positive, a
+/// boundary that does not fit the walls of the tessellation, debonded films with another boundary than a periodic one
+/// or, with layers, of another kind than open ones.
 template <int dim>
 void require_sound(const FilmProblem<dim>& problem);
 

@@ -28,6 +28,8 @@ struct GrainStatistics {
   SizesByArea sizes = {};  ///< sizes of the grains without films
   /// Length of the films shorter than five times their thickness over that of all films [-]; 0 in three dimensions.
   double short_films = 0.0;
+  std::size_t debonded_films = 0;  ///< number of films that are debonded
+  double debonded = 0.0;           ///< their share of the area of all films, in the plane of their length [-]
 };
 
 /// Grains that fill a box, separated by films of the matrix.

@@ -8,6 +8,7 @@
 
 #include "breccia/nested_variant.hpp"
 #include "breccia/study/filler.hpp"
+#include "breccia/study/film_bonds.hpp"
 #include "breccia/study/packing_method.hpp"
 #include "breccia/viscoelasticity/material.hpp"
 
@@ -36,6 +37,7 @@ struct Stage {
   /// PackingMethod<2>() for a square (plane strain) or PackingMethod<3>() for a cube. All stages of a study have the
   /// same number of dimensions.
   StagePacking packing = {};
+  std::optional<FilmBonds> bonds = {};  ///< with the model of grains and films; nothing where all films are bonded
 
   /// Dimensions of the box, 2 or 3.
   [[nodiscard]] int dimensions() const;

@@ -26,5 +26,7 @@ struct FilmElement {
 };
 
 [[nodiscard]] FilmElement film_element(const FilmStretch& stretch);
+/// The matrices of a stretch whose binder slides along its second side (theory, Eq. 61a).
+[[nodiscard]] FilmElement sliding_film_element(const FilmStretch& stretch);
 
 }  // namespace breccia::films

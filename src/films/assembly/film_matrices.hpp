@@ -7,7 +7,7 @@
 
 namespace breccia::films {
 
-/// Number of an unknown that a boundary holds at zero.
+/// Number of an unknown, or of a pressure, that is held at zero and has no row in the matrices.
 inline constexpr int held = -1;
 
 /// The matrices of grains and films (theory, Eq. 65), in units of the side of the box. The unknowns are displacements
@@ -27,7 +27,9 @@ struct FilmMatrices {
   Eigen::Matrix<double, Eigen::Dynamic, dim * dim> by_gradient;
   /// Vector from the first node to the node whose second component a traction boundary holds at zero.
   Eigen::Matrix<double, dim, 1> farthest_held = Eigen::Matrix<double, dim, 1>::Zero();
-  double content = 0.0;  ///< area, in space volume, of grains and binder in a box of 1
+  /// Area, in space volume, of grains and binder in a box of 1: without gaps, and of films that slide the work for
+  /// which they count in a uniform shear.
+  double content = 0.0;
 };
 
 }  // namespace breccia::films

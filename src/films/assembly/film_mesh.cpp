@@ -20,7 +20,10 @@ FilmNetwork network_of(const FilmProblem<2>& problem) {
 }  // namespace
 
 FilmMesh::FilmMesh(const FilmProblem<2>& problem)
-    : network_(network_of(problem)), grains_(meshes_of(network_)), unknowns_(network_, grains_, problem.boundary) {}
+    : network_(network_of(problem)), grains_(meshes_of(network_)), unknowns_(network_, grains_, problem.boundary) {
+  const DebondedSet<2> debonded(problem.debonded);
+  for (const auto& film : network_.films) debonding_.push_back(debonded(film.grains(), film.image()));
+}
 
 std::vector<NodeImage> FilmMesh::nodes_of(const Junction& junction) const {
   std::vector<NodeImage> nodes;

@@ -2,12 +2,14 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "breccia/films/film_problem.hpp"
 
+#include "films/assembly/debonded_set.hpp"
 #include "films/assembly/film_element.hpp"
 #include "films/assembly/film_opening.hpp"
 #include "films/assembly/unknowns.hpp"
@@ -42,6 +44,23 @@ class FilmMesh {
   [[nodiscard]] std::array<NodeImage, 6> nodes_of_stretch(std::size_t film, int element) const;
   /// The shape of an element of a film.
   [[nodiscard]] FilmStretch stretch(std::size_t film, int element) const;
+  /// Whether a film is debonded and carries nothing.
+  [[nodiscard]] bool is_gap(std::size_t film) const {
+    return debonding_[film] == Debonding::open || debonding_[film] == Debonding::sealed;
+  }
+  /// Whether a gap is open to the junctions at its ends.
+  [[nodiscard]] bool is_open(std::size_t film) const { return debonding_[film] == Debonding::open; }
+  /// Whether a film slides along its second side.
+  [[nodiscard]] bool slides(std::size_t film) const { return debonding_[film] == Debonding::slip; }
+  /// Matrices of an element of a film that is no gap.
+  [[nodiscard]] FilmElement element(std::size_t film, int element) const {
+    return slides(film) ? sliding_film_element(stretch(film, element)) : film_element(stretch(film, element));
+  }
+  /// Stiffness of the bend at an end of a film, of the length that end_lengths() gives, for a unit shear modulus. A
+  /// film that slides is half of one twice as thick.
+  [[nodiscard]] double bend(std::size_t film, double end_length) const {
+    return (slides(film) ? 6.0 : 12.0) * end_length;
+  }
   /// The line of a wall between the two sides of a film that ends there, with the body on its left.
   [[nodiscard]] Eigen::Vector2d cut(std::size_t film, std::size_t end) const;
   /// The opening of a film that ends at a wall.
@@ -55,6 +74,7 @@ class FilmMesh {
   FilmNetwork network_;
   std::vector<GrainMesh> grains_;
   Unknowns unknowns_;
+  std::vector<std::optional<Debonding>> debonding_;  ///< by film
 };
 
 }  // namespace breccia::films

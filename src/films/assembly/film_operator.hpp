@@ -27,7 +27,7 @@ class FilmOperator {
     return static_cast<int>(matrices_.grains.rows()) - Matrices::macroscopic;
   }
   [[nodiscard]] int pressures() const noexcept { return static_cast<int>(matrices_.volume.rows()); }
-  /// Area, in space volume, of grains and binder in a box of 1.
+  /// FilmMatrices::content
   [[nodiscard]] double content() const noexcept { return matrices_.content; }
 
   [[nodiscard]] FilmVector zero() const { return {0.0, Eigen::VectorXd::Zero(unknowns())}; }

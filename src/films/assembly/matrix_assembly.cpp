@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "films/assembly/macroscopic.hpp"
+
 namespace breccia::films {
 
 Eigen::Matrix<double, 2, 3> traction_on(const Eigen::Vector2d& line) {
@@ -60,6 +62,7 @@ void MatrixAssembly<dim>::add_dilatation(std::span<const int> pressures, const E
                                          const Eigen::MatrixXd& matrix) {
   const typename Matrices::ByStrain of_strains = matrix * unknowns.macroscopic;
   for (std::size_t p = 0; p < pressures.size(); ++p) {
+    if (pressures[p] == held) continue;
     const auto row = static_cast<Eigen::Index>(p);
     for (std::size_t b = 0; b < unknowns.numbers.size(); ++b) {
       if (unknowns.numbers[b] == held) continue;
@@ -80,7 +83,7 @@ template <int dim>
 void MatrixAssembly<dim>::add_volume(std::span<const int> pressures, const Eigen::MatrixXd& matrix) {
   for (std::size_t a = 0; a < pressures.size(); ++a) {
     for (std::size_t b = 0; b < pressures.size(); ++b) {
-      if (pressures[a] < pressures[b]) continue;
+      if (pressures[b] == held || pressures[a] < pressures[b]) continue;
       volume_.emplace_back(pressures[a], pressures[b],
                            matrix(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)));
     }
@@ -146,6 +149,14 @@ FilmMatrices<dim> MatrixAssembly<dim>::finish() {
   return std::move(result_);
 }
 
+template <int dim>
+double work_in_uniform_shear(const ElementUnknowns<dim>& unknowns, const Eigen::MatrixXd& shear) {
+  const Eigen::VectorXd motion = unknowns.macroscopic * strain_of<dim>(Load::shear);
+  return motion.dot(shear * motion);
+}
+
+template double work_in_uniform_shear(const ElementUnknowns<2>&, const Eigen::MatrixXd&);
+template double work_in_uniform_shear(const ElementUnknowns<3>&, const Eigen::MatrixXd&);
 template class MatrixAssembly<2>;
 template class MatrixAssembly<3>;
 

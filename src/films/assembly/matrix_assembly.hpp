@@ -20,7 +20,11 @@ struct ElementUnknowns {
   typename FilmMatrices<dim>::ByStrain macroscopic;
 };
 
-/// Adds up the matrices of elements of any kind. Entries of an unknown that is held are left out.
+/// Work of an element of the binder, of a unit shear modulus, in the uniform strain of Load::shear.
+template <int dim>
+[[nodiscard]] double work_in_uniform_shear(const ElementUnknowns<dim>& unknowns, const Eigen::MatrixXd& shear);
+
+/// Adds up the matrices of elements of any kind. Entries of an unknown or of a pressure that is held are left out.
 template <int dim>
 class MatrixAssembly {
  public:
@@ -38,6 +42,9 @@ class MatrixAssembly {
   /// Adds the volume that a single unknown takes from a pressure.
   void add_outflow(int pressure, int unknown, double volume);
   void add_volume(std::span<const int> pressures, const Eigen::MatrixXd& matrix);
+  /// Gives an unknown, or a pressure, that belongs to no element a row of its own, in which it is zero.
+  void isolate(int unknown) { add_resistance(unknown, 1.0); }
+  void isolate_pressure(int pressure) { volume_.emplace_back(pressure, pressure, 1.0); }
   void add_content(double content) { result_.content += content; }
   /// Adds the forces of the stresses, in Voigt's order, on an unknown.
   void add_traction(int unknown, const Eigen::Matrix<double, 1, Matrices::macroscopic>& forces);

@@ -220,7 +220,7 @@ class Recovery {
       if (element != last) continue;
       const auto flow_of = [&](const FilmVector& of) { return flow(of, f, element, static_cast<int>(end)); };
       if (!mesh_.network().ends_at_wall(f, end)) {
-        work += 12.0 * lengths[end] * flow_of(*displacement_) * flow_of(*shear_);
+        work += mesh_.bend(f, lengths[end]) * flow_of(*displacement_) * flow_of(*shear_);
       } else if (boundary_ == Boundary::traction) {
         const auto both = [&](const FilmVector& of) { return Eigen::Vector2d(flow_of(of), slip(of, f, end)); };
         work += both(*displacement_).dot(mesh_.opening(f, end).stiffness * both(*shear_));
@@ -254,24 +254,36 @@ class Recovery {
            strain_by(position(2) - position(5), 0.5 * (at_node(u, 2) + at_node(u, 5)) + motions[1]);
   }
 
-  void add_stretch(std::size_t f, int element, const Motions& motions, double work_of_ends) {
+  /// Strain, slip, opening and flow of an element of a film.
+  [[nodiscard]] FilmCell motion_of_stretch(std::size_t f, int element, const Motions& motions) const {
     const auto& film = mesh_.network().films[f];
+    const auto u = unknowns_of_stretch(*displacement_, f, element);
+    const auto [first, second] = means_of_sides(u);
+    FilmCell cell{.part = FilmPart::film, .area = film_element(mesh_.stretch(f, element)).volume.sum()};
+    cell.strain = as_tensor(strain_integral(mesh_.nodes_of_stretch(f, element), u, motions) / cell.area);
+    cell.slip = (second - first).dot(film.direction);
+    cell.opening = (second - first).dot(film.normal);
+    cell.flow = 0.5 * (u[FilmElement::displacements] + u[FilmElement::displacements + 1]);
+    return cell;
+  }
+
+  void add_stretch(std::size_t f, int element, const Motions& motions, double work_of_ends) {
     const auto nodes = mesh_.nodes_of_stretch(f, element);
-    const auto matrices = film_element(mesh_.stretch(f, element));
+    const std::array corners = {nodes[2], nodes[0], nodes[3], nodes[5]};
+    auto cell = motion_of_stretch(f, element, motions);
+    if (mesh_.is_gap(f)) {
+      cell.part = FilmPart::gap;
+      add_cell(cell, corners);
+      return;
+    }
+    const auto matrices = mesh_.element(f, element);
     const auto u = unknowns_of_stretch(*displacement_, f, element);
     const Eigen::VectorXd shear_forces = matrices.shear * unknowns_of_stretch(*shear_, f, element);
     const auto dilatation = at_pressures(volumetric_strain_, f, element);
     const Eigen::Vector3d bulk_forces = matrices.volume * at_pressures(negative_pressure_, f, element);
-    const auto [first, second] = means_of_sides(u);
-    const double area = matrices.volume.sum();
-    FilmCell cell{.part = FilmPart::film, .area = area};
-    cell.strain = as_tensor(strain_integral(nodes, u, motions) / area);
-    cell.stress = stress_of(mean_deviator(nodes, shear_forces, area), -bulk_forces.sum() / area);
-    cell.work = (u.dot(shear_forces) + dilatation.dot(bulk_forces) + work_of_ends) / area;
-    cell.slip = (second - first).dot(film.direction);
-    cell.opening = (second - first).dot(film.normal);
-    cell.flow = 0.5 * (u[FilmElement::displacements] + u[FilmElement::displacements + 1]);
-    add_cell(cell, std::array{nodes[2], nodes[0], nodes[3], nodes[5]});
+    cell.stress = stress_of(mean_deviator(nodes, shear_forces, cell.area), -bulk_forces.sum() / cell.area);
+    cell.work = (u.dot(shear_forces) + dilatation.dot(bulk_forces) + work_of_ends) / cell.area;
+    add_cell(cell, corners);
   }
 
   /// Mean stress of an element, from the work of the forces on its nodes in macroscopic motions.

@@ -43,6 +43,10 @@ struct Film {
   double thickness;           ///< thickness [sides of the box]; with one face, its distance from the other grain
   std::array<std::size_t, 2> junctions;  ///< junctions at its start and at its end
   int segments;                          ///< number of equal elements along it
+
+  [[nodiscard]] std::array<std::size_t, 2> grains() const { return {sides[0].begin.grain, sides[1].begin.grain}; }
+  /// Sides of the box by which the grain on the second side is displaced if that on the first side is not.
+  [[nodiscard]] Eigen::Vector2i image() const { return sides[1].begin.image - sides[0].begin.image; }
 };
 
 /// Grains, films and junctions: they tile the box.

@@ -7,6 +7,7 @@
 
 #include "breccia/error.hpp"
 
+#include "films/assembly/debonded_set.hpp"
 #include "films/mesh/film_network.hpp"
 #include "films/mesh/grading.hpp"
 #include "films/mesh/grain_mesh.hpp"
@@ -129,6 +130,7 @@ ResolvedMesh resolved_mesh(const FilmProblem<2>& problem) {
   const double thickness = problem.thickness / problem.tessellation.side();
   const int layers = *problem.layers;
   const auto network = film_network(problem.tessellation, thickness, problem.elements.face_share);
+  const DebondedSet<2> debonded(problem.debonded);
   const auto across = layers_across(layers);
   const double shortest = across[1] * thickness;
   MeshBuilder mesh(problem.tessellation.walls());
@@ -149,6 +151,7 @@ ResolvedMesh resolved_mesh(const FilmProblem<2>& problem) {
     for (const auto& side : film.sides) {
       if (side.face) divisions[side.begin.grain][*side.face] = along;
     }
+    if (debonded(film.grains(), film.image())) continue;
     mesh.add_patch({.base = {network.position(one.end), network.position(one.begin)},
                     .top = {network.position(other.end), network.position(other.begin)}},
                    along, across);

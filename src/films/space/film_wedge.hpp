@@ -21,5 +21,7 @@ struct FilmWedge {
 /// `is_at_rim`: the edge from the second to the third corner is the end of the film, where its flow bends into a
 /// channel.
 [[nodiscard]] FilmWedge film_wedge(const Wedge& wedge, bool is_at_rim);
+/// The matrices of a triangle whose binder slides along its second side (theory, Eqs. 61a and 69c).
+[[nodiscard]] FilmWedge sliding_film_wedge(const Wedge& wedge, bool is_at_rim);
 
 }  // namespace breccia::films

@@ -18,7 +18,9 @@ namespace {
 class SpaceAssembly {
  public:
   explicit SpaceAssembly(const SpaceMesh& mesh)
-      : mesh_(mesh), sum_(mesh.unknowns(), static_cast<int>(mesh.sheets().nodes.size())) {}
+      : mesh_(mesh),
+        has_pressure_(nodes_with_pressure(mesh)),
+        sum_(mesh.unknowns(), static_cast<int>(has_pressure_.size())) {}
 
   void add_grains(const Moduli& moduli) {
     const auto& solids = mesh_.grains().solids();
@@ -36,8 +38,10 @@ class SpaceAssembly {
 
   void add_films() {
     for (std::size_t t = 0; t < mesh_.sheets().triangles.size(); ++t) {
+      if (is_gap(mesh_, t)) continue;
       const auto nodes = mesh_.nodes_of_film(t);
-      const auto element = film_wedge(mesh_.film(t), mesh_.sheets().triangles[t].is_at_rim);
+      const bool slides = mesh_.debonding(t) == Debonding::slip, is_at_rim = mesh_.sheets().triangles[t].is_at_rim;
+      const auto element = slides ? sliding_film_wedge(mesh_.film(t), is_at_rim) : film_wedge(mesh_.film(t), is_at_rim);
       std::array<int, FilmWedge::flows> flows{};
       for (std::size_t i = 0; i < flows.size(); ++i) flows[i] = mesh_.flow(t) + static_cast<int>(i);
       const auto unknowns = unknowns_of(nodes, flows);
@@ -45,7 +49,18 @@ class SpaceAssembly {
       sum_.add_shear(unknowns, element.shear);
       sum_.add_dilatation(pressures, unknowns, element.dilatation);
       sum_.add_volume(pressures, element.volume);
-      sum_.add_content(element.volume.sum());
+      sum_.add_content(slides ? work_in_uniform_shear(unknowns, element.shear) : element.volume.sum());
+    }
+  }
+
+  /// Gives the flows in gaps and the pressures that are none rows of their own.
+  void isolate_gaps() {
+    for (std::size_t t = 0; t < mesh_.sheets().triangles.size(); ++t) {
+      if (!is_gap(mesh_, t)) continue;
+      for (int i = 0; i < FilmWedge::flows; ++i) sum_.isolate(mesh_.flow(t) + i);
+    }
+    for (std::size_t p = 0; p < has_pressure_.size(); ++p) {
+      if (!has_pressure_[p]) sum_.isolate_pressure(static_cast<int>(p));
     }
   }
 
@@ -64,6 +79,31 @@ class SpaceAssembly {
   [[nodiscard]] FilmMatrices<3> finish() { return sum_.finish(); }
 
  private:
+  /// Whether the film to which a triangle belongs carries nothing.
+  [[nodiscard]] static bool is_gap(const SpaceMesh& mesh, std::size_t triangle) {
+    const auto debonding = mesh.debonding(triangle);
+    return debonding == Debonding::open || debonding == Debonding::sealed;
+  }
+
+  /// Whether there is a pressure at each node of the sheets: in films that are no gaps and along edges, but nowhere at
+  /// the rims of open gaps.
+  [[nodiscard]] static std::vector<bool> nodes_with_pressure(const SpaceMesh& mesh) {
+    const auto& sheets = mesh.sheets();
+    std::vector<bool> has_pressure(sheets.nodes.size(), false);
+    const auto set = [&has_pressure](std::span<const SheetNode> nodes, bool value) {
+      for (const auto& node : nodes) has_pressure[node.number] = value;
+    };
+    for (std::size_t t = 0; t < sheets.triangles.size(); ++t) {
+      if (!is_gap(mesh, t)) set(sheets.triangles[t].nodes, true);
+    }
+    for (const auto& segment : sheets.segments) set(segment.nodes, true);
+    set(sheets.points, true);
+    for (std::size_t t = 0; t < sheets.triangles.size(); ++t) {
+      if (mesh.debonding(t) == Debonding::open) set(sheets.triangles[t].nodes, false);
+    }
+    return has_pressure;
+  }
+
   [[nodiscard]] Eigen::Vector3d position(const SolidNode& node) const { return mesh_.grains().position(node); }
 
   [[nodiscard]] ElementUnknowns<3> unknowns_of(std::span<const SolidNode> nodes, std::span<const int> flows) const {
@@ -73,9 +113,11 @@ class SpaceAssembly {
     return solid_unknowns(of_element, flows);
   }
 
-  [[nodiscard]] static std::vector<int> pressures_of(std::span<const SheetNode> nodes) {
+  /// The numbers of the pressures at nodes, or `held`.
+  [[nodiscard]] std::vector<int> pressures_of(std::span<const SheetNode> nodes) const {
     std::vector<int> pressures;
-    for (const auto& node : nodes) pressures.push_back(static_cast<int>(node.number));
+    for (const auto& node : nodes)
+      pressures.push_back(has_pressure_[node.number] ? static_cast<int>(node.number) : held);
     return pressures;
   }
 
@@ -89,6 +131,7 @@ class SpaceAssembly {
   }
 
   const SpaceMesh& mesh_;
+  std::vector<bool> has_pressure_;  ///< by node of the sheets
   MatrixAssembly<3> sum_;
 };
 
@@ -101,6 +144,7 @@ FilmMatrices<3> films_in_space(const FilmProblem<3>& problem) {
   films.add_films();
   films.add_channels();
   films.add_corners();
+  films.isolate_gaps();
   return films.finish();
 }
 

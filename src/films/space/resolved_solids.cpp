@@ -148,7 +148,9 @@ class SolidMesher {
 ResolvedSolids resolved_solids(const SpaceMesh& mesh, int layers) {
   SolidMesher mesher;
   for (const auto& solid : mesh.grains().solids()) mesher.add_grain(solid);
-  for (std::size_t t = 0; t < mesh.sheets().triangles.size(); ++t) mesher.add_film(mesh.film(t), layers);
+  for (std::size_t t = 0; t < mesh.sheets().triangles.size(); ++t) {
+    if (!mesh.debonding(t)) mesher.add_film(mesh.film(t), layers);
+  }
   for (std::size_t s = 0; s < mesh.sheets().segments.size(); ++s) mesher.add_channel(mesh.channel(s), layers);
   for (std::size_t p = 0; p < mesh.sheets().points.size(); ++p) mesher.add_corner(mesh.corner(p), layers);
   return mesher.take();

@@ -21,6 +21,10 @@ SpaceMesh::SpaceMesh(const FilmProblem<3>& problem)
     nodes += static_cast<int>(solid.nodes.size());
   }
   first_flow_ = displacements_of(nodes);
+  const DebondedSet<3> debonded(problem.debonded);
+  for (const auto& [first, second, corners] : complex_.faces) {
+    debonding_.push_back(debonded({first, second.cell}, second.image));
+  }
 }
 
 std::array<SolidNode, 12> SpaceMesh::nodes_of_film(std::size_t triangle) const {

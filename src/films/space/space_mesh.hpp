@@ -2,12 +2,14 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "breccia/films/film_problem.hpp"
 
+#include "films/assembly/debonded_set.hpp"
 #include "films/space/cell_complex.hpp"
 #include "films/space/grain_solids.hpp"
 #include "films/space/sheet_mesh.hpp"
@@ -34,6 +36,10 @@ class SpaceMesh {
   /// The number of the first flow of a triangle of a film.
   [[nodiscard]] int flow(std::size_t triangle) const noexcept { return first_flow_ + 6 * static_cast<int>(triangle); }
 
+  /// How the film to which a triangle belongs is debonded; nothing where it is bonded.
+  [[nodiscard]] std::optional<Debonding> debonding(std::size_t triangle) const {
+    return debonding_[sheets_.triangles[triangle].face];
+  }
   /// The nodes of a triangle of a film on its first side, then on its second side.
   [[nodiscard]] std::array<SolidNode, 12> nodes_of_film(std::size_t triangle) const;
   [[nodiscard]] Wedge film(std::size_t triangle) const;
@@ -51,6 +57,7 @@ class SpaceMesh {
   GrainSolids solids_;
   std::vector<int> first_node_;  ///< number of nodes before those of each grain
   int first_flow_ = 0;
+  std::vector<std::optional<Debonding>> debonding_;  ///< by face
 };
 
 }  // namespace breccia::films

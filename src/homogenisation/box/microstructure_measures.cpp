@@ -13,6 +13,7 @@
 
 #include "breccia/microstructure/statistics.hpp"
 
+#include "homogenisation/box/debonded_films.hpp"
 #include "homogenisation/box/effective_number.hpp"
 #include "homogenisation/box/shaped_measures.hpp"
 #include "microstructure/image/image_statistics.hpp"
@@ -81,7 +82,7 @@ double share_of_short_films(const Tessellation<2>& tessellation, double film) {
 }
 
 template <int dim>
-void measure_content(const Stage&, Grains<dim>& filling, StageMicrostructure& result) {
+void measure_content(const Stage& stage, Grains<dim>& filling, StageMicrostructure& result) {
   const Tessellation<dim> tessellation(filling.sites);
   auto& own = filling.statistics;
   const double film = own.film;
@@ -99,6 +100,9 @@ void measure_content(const Stage&, Grains<dim>& filling, StageMicrostructure& re
   result.fraction = grain_fraction(tessellation, film);
   result.interface_per_area = outlines / box;
   result.gap = thinnest_film(tessellation, film);
+  const auto debonded = debonded_films(stage, tessellation);
+  own.debonded_films = debonded.faces.size();
+  own.debonded = debonded.share;
   if constexpr (dim == 2) own.short_films = share_of_short_films(tessellation, film);
   const auto& sites = filling.sites;
   const bool has_films_along_walls = sites.walls == Walls::hard && sites.wall_film == WallFilm::half;

@@ -7,6 +7,7 @@
 #include "breccia/homogenisation/stage_discretisation.hpp"
 
 #include "discretisation/mixed_cells.hpp"
+#include "homogenisation/box/debonded_films.hpp"
 #include "homogenisation/mixtures.hpp"
 #include "homogenisation/varying_phases.hpp"
 #include "study/chain.hpp"
@@ -135,11 +136,14 @@ template <int dim>
 FilmProblem<dim> film_problem(const Tests& tests, const Stage& stage, const StageMicrostructure& microstructure) {
   const auto& grains = std::get<Grains<dim>>(std::get<Box<dim>>(microstructure.box));
   const auto& material = stage.fillers.front().material;
-  return {.tessellation = Tessellation<dim>(grains.sites),
+  Tessellation<dim> tessellation(grains.sites);
+  auto debonded = debonded_films(stage, tessellation).faces;
+  return {.tessellation = std::move(tessellation),
           .thickness = grains.statistics.film,
           .grain = {.bulk = material.bulk.unrelaxed(), .shear = material.shear.unrelaxed()},
           .elements = elements_of<dim>(tests.films),
-          .layers = tests.films.layers};
+          .layers = tests.films.layers,
+          .debonded = {stage.bonds.value_or(FilmBonds{}).kind, std::move(debonded)}};
 }
 
 }  // namespace

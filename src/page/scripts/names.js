@@ -1,6 +1,6 @@
 /// The names that the pages use for the entries of the results.
 
-import {display, percentOfWhole} from "./numbers.js";
+import {display, percent, percentOfWhole} from "./numbers.js";
 
 /// The boundary conditions, in the order in which figures offer them.
 export const boundaryNames = ["displacement", "traction", "periodic"];
@@ -45,13 +45,16 @@ export function nameOfTest(stage, test) {
 export function textOnStage(stage) {
   const box = `a box of ${display(stage.box_m, "m")}`;
   if (stage.filler === null) return `${box} of ${stage.matrix} alone`;
-  const {particles, pixels, fraction, film_m: film} = stage.microstructure;
+  const {particles, pixels, fraction, film_m: film, debonding} = stage.microstructure;
   if (pixels !== undefined) {
     const image = `an image of ${pixels.join(" x ")} pixels: ${stage.filler}, ${percentOfWhole(fraction)}`;
     const {threshold} = stage.microstructure;
     return `${image} of ${box}, in ${stage.matrix}${threshold === undefined ? "" : `; ${threshold.words}`}`;
   }
-  const kind = film === undefined ? "particles" : `grains, with films of ${display(film, "m")} between them,`;
+  // The picture of a box of the plane alone shows the films.
+  const debonded = debonding === undefined ? "" :
+    `, ${percent(debonding.share)} of them debonded${stage.dimensions === 2 ? " (red)" : ""}`;
+  const kind = film === undefined ? "particles" : `grains, with films of ${display(film, "m")} between them${debonded},`;
   return `${particles} ${kind} of ${stage.filler} fill ${percentOfWhole(fraction)} of ${box} of ${stage.matrix}`;
 }
 

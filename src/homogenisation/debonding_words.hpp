@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "breccia/homogenisation/box.hpp"
+#include "breccia/study/stage.hpp"
+
+namespace breccia {
+
+/// How films of a stage are debonded, as its deck asks for it: "0.1 of the films at random (seed 3), open gaps". Empty
+/// where all are bonded.
+[[nodiscard]] std::string words_on_bonds(const Stage& stage);
+
+/// How many films of a stage are debonded, and what this means: a sentence. Empty where all are bonded.
+[[nodiscard]] std::string words_on_debonding(const Stage& stage, const GrainStatistics& grains);
+
+}  // namespace breccia

@@ -1,0 +1,109 @@
+// Tests of the bonds of films in the deck.
+
+#include <string>
+#include <string_view>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "decks.hpp"
+#include "study/identity.hpp"
+
+namespace breccia {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class FilmBondsOfADeck : public testing::Test {
+ protected:
+  /// A deck with a stage of grains that has these lines, and with these lines of the tests.
+  [[nodiscard]] static std::string deck(std::string_view stage, std::string_view tests = "model = \"films\"\n") {
+    return test::join(test::materials,
+                      "[[stages]]\nname = \"a\"\nmatrix = \"binder\"\nbox = \"1 mm\"\n"
+                      "filler = { material = \"hmx\", fraction = 0.93, sizes = { diameter = \"0.1 mm\" } }\n",
+                      stage, test::tests, tests);
+  }
+  [[nodiscard]] static std::string with(std::string_view bonds) {
+    return deck(test::join("packing = { method = \"laguerre\", seed = 7 }\nbonds = { ", bonds, " }\n"));
+  }
+  [[nodiscard]] FilmBonds bonds(std::string_view text) const {
+    return directory.study(with(text)).stages.at(0).bonds.value();
+  }
+  [[nodiscard]] std::string mistakes(std::string_view text) const { return directory.mistakes(with(text)); }
+
+  test::DeckDirectory directory;
+};
+
+TEST_F(FilmBondsOfADeck, AreAShareOfTheFilms) {
+  const auto open = bonds(R"(debonded = 0.1, kind = "open")");
+  EXPECT_EQ(open.debonded, 0.1);
+  EXPECT_EQ(open.kind, Debonding::open);
+  EXPECT_FALSE(open.seed) << "that of the packing";
+  const auto sealed = bonds(R"(debonded = "35 %", kind = "sealed", seed = 3)");
+  EXPECT_EQ(sealed.debonded, 0.35);
+  EXPECT_EQ(sealed.kind, Debonding::sealed);
+  EXPECT_EQ(sealed.seed, 3U);
+  EXPECT_EQ(bonds(R"(debonded = 1, kind = "slip")").kind, Debonding::slip);
+}
+
+TEST_F(FilmBondsOfADeck, AreThoseAcrossADirection) {
+  EXPECT_THAT(bonds(R"(debonded = 0.1, kind = "open", normal = [0, 1])").normal, ElementsAre(0.0, 1.0));
+}
+
+TEST_F(FilmBondsOfADeck, AreListed) {
+  EXPECT_THAT(bonds(R"(films = ["3-17", "0-4"], kind = "open")").films,
+              ElementsAre(ElementsAre(3U, 17U), ElementsAre(0U, 4U)));
+}
+
+TEST_F(FilmBondsOfADeck, AreAPartOfTheIdentityOfAStudy) {
+  const auto identity = [this](const std::string& text) { return content_of(directory.study(text)); };
+  const auto bonded = identity(deck("packing = { method = \"laguerre\", seed = 7 }\n"));
+  const auto open = identity(with(R"(debonded = 0.1, kind = "open")"));
+  EXPECT_NE(bonded, open);
+  EXPECT_NE(open, identity(with(R"(debonded = 0.1, kind = "sealed")")));
+  EXPECT_NE(open, identity(with(R"(debonded = 0.1, kind = "open", seed = 7)")));
+}
+
+TEST_F(FilmBondsOfADeck, RefuseWhatIsMissingOrNone) {
+  EXPECT_THAT(mistakes("debonded = 0.1"),
+              HasSubstr(R"(bonds.kind: missing, expected one of "open", "sealed", "slip")"));
+  EXPECT_THAT(mistakes(R"(debonded = 0.1, kind = "closed")"), HasSubstr(R"("open", "sealed", "slip")"));
+  EXPECT_THAT(mistakes(R"(kind = "open")"), HasSubstr("debonded"));
+  EXPECT_THAT(mistakes(R"(debonded = 0, kind = "open")"), HasSubstr("expected a number above 0 and up to 1, got 0"));
+  EXPECT_THAT(mistakes(R"(debonded = 10, kind = "open")"), HasSubstr("up to 1, got 10"));
+  EXPECT_THAT(mistakes(R"(debonded = "10", kind = "open")"), HasSubstr("or per cent as in"));
+  EXPECT_THAT(mistakes(R"(debond = 0.1, kind = "open")"), HasSubstr("debonded"));
+}
+
+TEST_F(FilmBondsOfADeck, RefuseTwoReadings) {
+  EXPECT_THAT(mistakes(R"(debonded = 0.1, films = ["0-1"], kind = "open")"), HasSubstr("debonded"));
+  EXPECT_THAT(mistakes(R"(films = ["0-1"], seed = 2, normal = [0, 1], kind = "open")"),
+              AllOf(HasSubstr("bonds.seed: the films are listed"), HasSubstr("bonds.normal: the films are listed")));
+  EXPECT_THAT(mistakes(R"(debonded = 0.1, normal = [0, 1], seed = 2, kind = "open")"),
+              HasSubstr("the films follow from the normal"));
+}
+
+TEST_F(FilmBondsOfADeck, RefusePairsAndNormalsThatAreNone) {
+  EXPECT_THAT(mistakes(R"(films = [], kind = "open")"), HasSubstr("expected at least one"));
+  EXPECT_THAT(mistakes(R"(films = ["3:4", 7, "5-"], kind = "open")"),
+              AllOf(HasSubstr(R"("3:4")"), HasSubstr("got 7"), HasSubstr(R"("5-")")));
+  EXPECT_THAT(mistakes(R"(debonded = 0.1, normal = [0, 0, 1], kind = "open")"), HasSubstr("expected 2 components"));
+  EXPECT_THAT(mistakes(R"(debonded = 0.1, normal = [0, 0], kind = "open")"), HasSubstr("not all of them zero"));
+}
+
+TEST_F(FilmBondsOfADeck, BelongToFilmsOfAPeriodicBox) {
+  const std::string open = "bonds = { debonded = 0.1, kind = \"open\" }\n";
+  EXPECT_THAT(directory.mistakes(deck("cells = 300\npacking = { method = \"laguerre\" }\n" + open, "")),
+              HasSubstr(R"(expected tests.model = "films")"));
+  EXPECT_THAT(directory.mistakes(deck("packing = { method = \"laguerre\", walls = \"cut\" }\n" + open)),
+              HasSubstr("films of a window are all bonded"));
+  EXPECT_THAT(
+      directory.mistakes(deck("packing = { method = \"laguerre\" }\nbonds = { debonded = 0.1, kind = \"slip\" }\n",
+                              "model = \"films\"\nfilms = { layers = 2 }\n")),
+      HasSubstr("debonded as open gaps alone"));
+}
+
+}  // namespace
+}  // namespace breccia
