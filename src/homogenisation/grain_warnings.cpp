@@ -57,11 +57,9 @@ std::optional<std::string> warning_of_debonding(const Stage& stage, const StageM
   if (grains == nullptr || !stage.bonds || films.layers) return std::nullopt;
   if (stage.bonds->kind == Debonding::slip || !(grains->debonded > many)) return std::nullopt;
   return fmt::format(
-      "{:.0f} % of the films are gaps; up to 20 % the model was within 3 % of resolved films in shear and within 8 % "
-      "in "
-      "bulk, with 40 % it was up to 24 % too stiff where the binder is stiff, since the corners of the grains carry "
-      "the "
-      "load then",
+      "{:.0f} % of the films are gaps; up to 20 % the model was within 3 % of resolved films in shear and 8 % in bulk, "
+      "with 40 % it was up to 22 % too stiff in shear where the binder is stiff, since the corners of the grains carry "
+      "the load then",
       100.0 * grains->debonded);
 }
 
