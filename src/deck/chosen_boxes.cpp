@@ -58,6 +58,18 @@ std::string words_on_miss(const BoxChoice& choice) {
                               : expected + "; a larger box would have a smaller one of the packing";
 }
 
+/// The accuracy [-] that films of the plane reach with their default elements (theory, Eq. 66b).
+constexpr double accuracy_of_default_films = 0.05;
+
+/// Gives films of the plane elements of half the default length, unless the deck names a length.
+void refine_films(const Section& deck, Study& study) {
+  const bool is_in_the_plane = std::ranges::all_of(study.stages, [](const Stage& s) { return s.dimensions() == 2; });
+  if (study.tests.model != Model::films || !is_in_the_plane || study.tests.films.layers) return;
+  const auto tests = deck.optional_section("tests");
+  const auto films = tests ? tests->optional_section("films") : std::nullopt;
+  if (!films || !films->has("face_share")) study.tests.films.face_share *= 0.5;
+}
+
 }  // namespace
 
 std::optional<double> read_budget(const Section& deck, const Study& study) {
@@ -81,6 +93,7 @@ void choose_missing_boxes(const Section& deck, std::optional<double> budget, Stu
   goal.seconds = budget.value_or(goal.seconds);
   goal.error = study.tests.accuracy.value_or(goal.error);
   study.tests.accuracy = goal.error;
+  if (goal.error < accuracy_of_default_films) refine_films(deck, study);
   try {
     for (const auto& choice : choose_boxes(study, goal)) {
       if (choice.reaches_goal()) continue;

@@ -10,6 +10,7 @@
 
 #include "discretisation/contrast.hpp"
 #include "homogenisation/narrow_gaps.hpp"
+#include "homogenisation/plan/film_error.hpp"
 #include "homogenisation/plan/grid_error.hpp"
 #include "homogenisation/run/isotropic_mean.hpp"
 #include "homogenisation/run/test_requests.hpp"
@@ -25,7 +26,7 @@ namespace {
 
 /// The error of the grid of a test at one of its times; nothing where grids differ by as much as the modulus.
 std::optional<double> grid_error(const TestResult& test, const ErrorRules& rules, std::size_t sample) {
-  // The rule for one grid is that of the cells of the quasi-static method.
+  // The rule for one grid, or for films, is that of the quasi-static method.
   if (test.half_bands.empty()) return test.id.method == Method::quasistatic ? rules.one_grid : std::nullopt;
   const double error = test.half_bands[sample] / test.modulus[sample].modulus;
   return error < 1.0 ? std::optional(error) : std::nullopt;
@@ -127,7 +128,7 @@ ErrorRules error_rules_of(const Study& study, const Stage& stage, const StageMic
   ErrorRules rules;
   const bool is_on_one_grid = model_of(study.tests, stage) != Model::films && stage.grids().size() == 1;
   const auto grid = is_on_one_grid ? plan_of_grid(study, stage, packed) : std::nullopt;
-  if (grid) rules.one_grid = grid->error();
+  rules.one_grid = grid ? grid->error() : film_error(study, stage, packed);
   rules.sample = sample_of(study, stage, packed);
   rules.effective_particles = packed.effective_particles;
   return rules;

@@ -128,6 +128,9 @@ std::string words_on_second_grid(const StageQuality& quality) {
 
 std::string words_on_grid(const StageQuality& quality) {
   if (quality.grids.empty()) {
+    if (quality.rules.one_grid) {
+      return fmt::format("films: error of the model up to about {} by a rule", words_of(*quality.rules.one_grid));
+    }
     const auto finer = quality.dimensions == 3
                            ? fmt::format("divisions = {}", quality.divisions > 1 ? quality.divisions - 1 : 2)
                            : std::string("face_share = 0.15");

@@ -167,6 +167,22 @@ TEST_F(ChosenBoxes, GrainsWithFilmsOfAThicknessScatter) {
   EXPECT_LE(planned_error(grains), 0.062);
 }
 
+/// Films have an error of their elements, which are shorter where a smaller error is asked for.
+TEST_F(ChosenBoxes, FilmsHaveElementsForTheirAccuracy) {
+  const auto grains = [this](std::string_view tests) {
+    return directory.study(deck("[[stages]]\nname = \"a\"\nmatrix = \"binder\"\n"
+                                "filler = { material = \"filler\", fraction = 0.9, sizes = { diameter = \"1 mm\" } }\n"
+                                "packing = { method = \"laguerre\" }\n",
+                                test::join("model = \"films\"\n", tests)));
+  };
+  const auto fine = grains("accuracy = \"4 %\"\n"), rough = grains("accuracy = \"8 %\"\n");
+  EXPECT_EQ(fine.tests.films.face_share, 0.15);
+  EXPECT_EQ(rough.tests.films.face_share, 0.3);
+  EXPECT_GT(fine.stages.at(0).side, rough.stages.at(0).side);
+  EXPECT_THAT(warnings(fine), testing::IsEmpty());
+  EXPECT_EQ(grains("accuracy = \"4 %\"\nfilms = { face_share = 0.3 }\n").tests.films.face_share, 0.3);
+}
+
 TEST_F(ChosenBoxes, TheSameDeckHasTheSameBox) {
   const auto one = study("", "accuracy = \"4 %\"\n"), other = study("", "accuracy = \"4 %\"\n");
   EXPECT_EQ(one.provenance.hash, other.provenance.hash);

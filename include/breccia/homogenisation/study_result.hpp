@@ -162,7 +162,8 @@ inline constexpr auto words<SampleKind> = std::to_array<Word<SampleKind>>({{"who
 
 /// The rules for those errors of a stage's moduli that its curves do not show.
 struct ErrorRules {
-  std::optional<double> one_grid = {};  ///< error of a single grid [-]; nothing where no rule holds, and for several
+  /// Error of a single grid, or of grains and films [-]; nothing where no rule holds, and for several grids.
+  std::optional<double> one_grid = {};
   SampleKind sample = SampleKind::unknown;
   double effective_particles = 0.0;  ///< number by which the scatter is estimated (theory, Eq. 43h)
 };

@@ -15,6 +15,7 @@
 #include "homogenisation/plan/cell_time.hpp"
 #include "homogenisation/plan/expected_sample_error.hpp"
 #include "homogenisation/plan/film_costs.hpp"
+#include "homogenisation/plan/film_error.hpp"
 #include "homogenisation/plan/grid_error.hpp"
 #include "study/chain.hpp"
 #include "study/filler_sizes.hpp"
@@ -89,7 +90,11 @@ class Chooser {
       stage.cells = even_cells(stage.side / chosen.cell.length);
       if (!chosen.has_rule) stage.coarser_cells = {stage.cells / 2};
     }
-    if (chosen.has_rule && !has_films_) choice.grid = grid_error(stage);
+    if (has_films_) {
+      choice.grid = film_error(study_, pilot_, packed_);
+    } else if (chosen.has_rule) {
+      choice.grid = grid_error(stage);
+    }
     if (scatter_) choice.sample = *scatter_ / std::sqrt(share_of_effective() * chosen.particles);
     choice.seconds = seconds_of(chosen.particles, chosen.cell.length);
     if (cheapest.error <= goal_.error) {
@@ -135,7 +140,7 @@ class Chooser {
   [[nodiscard]] std::vector<CellSize> sizes_of_cells() const {
     constexpr double finest = 400.0, ratio = 1.06;
     const double diameter = packed_.mean_diameter();
-    if (has_films_) return {{diameter, 0.0}};
+    if (has_films_) return {{diameter, film_error(study_, pilot_, packed_).value_or(0.0)}};
     std::vector<CellSize> sizes;
     auto trial = pilot_;
     for (double across = fewest_across; across < finest; across *= ratio) {
@@ -247,16 +252,18 @@ class Chooser {
     return option;
   }
 
-  /// The most particles within the time and the memory; where the scatter has no rule, no more than usual.
+  /// The most particles within the time and the memory; where the scatter has no rule, no more than usual, and where the
+  /// error of films is above the goal, no more than have the same error.
   [[nodiscard]] double affordable_particles(const CellSize& cell) const {
     if (!scatter_ || *scatter_ == 0.0 || !is_affordable(option_with(fewest_, cell))) return fewest_;
     double low = fewest_, high = most_particles;
+    if (has_films_ && cell.error > goal_.error) high = std::clamp(particles_for(cell.error), low, high);
     constexpr double precise = 1.01;
     while (high > precise * low) {
       const double middle = std::sqrt(low * high);
       (is_affordable(option_with(middle, cell)) ? low : high) = middle;
     }
-    return std::floor(low);
+    return std::floor(is_affordable(option_with(high, cell)) ? high : low);
   }
 
   static constexpr double most_particles = 1e5, fewest_across = 4.0;

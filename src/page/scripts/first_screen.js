@@ -10,7 +10,7 @@ import {mainLoad} from "./loads.js";
 import {symbolOf, textOnStage} from "./names.js";
 import {display, percent, shortNumber, unbroken, withMicroSign} from "./numbers.js";
 import {own} from "./records.js";
-import {onAnisotropy, nextStep, onMeasuringGrids, onSpace} from "./reliability_sentences.js";
+import {onAnisotropy, nextStep, onFilms, onMeasuringGrids, onSpace} from "./reliability_sentences.js";
 import {decades, valueAt} from "./sampling.js";
 import {binderOf, matrixStageOf, stagesOfInterest} from "./stages.js";
 import {table} from "./table.js";
@@ -84,15 +84,14 @@ function textWithoutResult() {
   return study.stages.some(({tests}) => tests.length > 0) ? "No relaxation modulus was tested." : "Packed, not tested.";
 }
 
-/// A text on the error of curves: the causes of the whole one, or else what is known of that of the grid; empty for
-/// films, which have no grid.
+/// A text on the error of curves: the causes of the whole one, or else what is known of that of the grid or of films.
 function textOnError(result, stage) {
   if (result.every(hasWholeError)) return `± ${causesOfErrors(result)}`;
   const shares = result.flatMap(({error}) => error?.grid ?? []).filter(Number.isFinite);
   if (shares.length > 0 && gridsOf(stage).length > 1) return `± ${percent(Math.max(...shares))} by the grid`;
-  if (gridsOf(stage)[0] === "films") return "the error of the mesh is not known";
-  const expected = expectedErrorOf(stage);
-  return expected === undefined ? "the discretisation error is not known" : `the grid may err by ${percent(expected)}`;
+  const expected = expectedErrorOf(stage), ofFilms = gridsOf(stage)[0] === "films";
+  if (expected === undefined) return `the ${ofFilms ? "error of the mesh" : "discretisation error"} is not known`;
+  return `the ${ofFilms ? "model of films" : "grid"} may err by ${percent(expected)}`;
 }
 
 /// Whether the whole error of a curve is known at all of its times.
@@ -102,7 +101,8 @@ function hasWholeError({error}) {
 
 /// The largest errors of curves by their causes: "3.4 % by the grid, 7.9 % by the packing".
 function causesOfErrors(result) {
-  const causes = {grid: "grid", sample: "packing", matrix: "matrix", solver: "solver"};
+  const ofFilms = gridsOf(result[0].stage)[0] === "films";
+  const causes = {grid: ofFilms ? "model of films" : "grid", sample: "packing", matrix: "matrix", solver: "solver"};
   const least = 1e-3;  // the solver's error is smaller by default
   const largest = Object.entries(causes).map(([cause, name]) =>
     [Math.max(...result.flatMap(({error}) => error[cause])), name]);
@@ -274,17 +274,17 @@ function modulusText({x, y, band}, time) {
 }
 
 function noteOnErrors(result, stage) {
+  const quality = qualityOf(stage);
   const isWhole = result.every(hasWholeError);
   const grid = isWhole
     ? `± is the error, meant to hold in 95 of 100 cases: at most ${causesOfErrors(result)} (see below).`
     : result.some(({band}) => band !== undefined) && gridsOf(stage).length > 1
       ? result.some(hasWholeError) ? "± is the error of the grid, and with the periodic boundary that of the packing, too."
         : "± is the error of the grid, from the grids of the run."
-    : gridsOf(stage)[0] === "films" ? ""
+    : gridsOf(stage)[0] === "films" ? onFilms(quality)
       : expectedErrorOf(stage) === undefined
         ? `Of one grid: its error is not known${ruleOf(stage) === undefined ? "" : ` (${ruleOf(stage)})`}.`
         : `Of one grid, whose error is up to about ${percent(expectedErrorOf(stage))} ${ruleOf(stage) ?? "by a rule"}.`;
-  const quality = qualityOf(stage);
   return [onAnisotropy(study, quality), grid, onMeasuringGrids(quality?.measuring_grids),
     result.some(hasWholeError) ? "" : "The scatter from one packing to another is not in it."].filter((sentence) => sentence !== "").join(" ");
 }

@@ -128,8 +128,13 @@ export function nextStep({cells, quality, tests = []}) {
     "breccia check says how long that takes.";
 }
 
+/// A sentence on the error of the model of grains and films; empty where it is not known.
+export function onFilms({expected_grid_error: error} = {}) {
+  return Number.isFinite(error) ? `The model of films: an error of ${percent(error)} at most by a rule.` : "";
+}
+
 function onGrids({cells, quality}) {
-  if (cells[0] === "films") return "";
+  if (cells[0] === "films") return onFilms(quality);
   if (cells.length < 2) return onOneGrid(quality ?? {});
   const error = quality?.grid_error;
   return `The grid: ${listed(cells.map(String))} cells a side` +
