@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """How far the model of grains and thin films is from resolved films, for its error (theory, Eq. 66b): random boxes of
-grains whose films are thin, of finer elements, and resolved by layers.
+grains whose films are thin, of finer elements, and resolved by layers (in space
+thin, with four elements an edge).
 
     examples/coverage/films.py [DIMENSIONS [FIRST LAST]]    the boxes from FIRST to LAST, by default 1 to 60 of the plane
 
 A box has 20 to 40 grains (in space 4 to 6) of one size or of sizes up to 10:1 (in space 3:1), between which 0.3 to 20 %
 (in space 2 to 12 %) is binder; that relaxes by 10 to 1e5 and has a bulk modulus of 1 to 10 times its glassy shear modulus,
 and the grains are 2 to 50 times stiffer. Printed are the largest distances at whole decades of the mean shear modulus and
-of the bulk modulus from those of resolved films, and the errors that the runs print. The program is `breccia` of the path,
+of the bulk modulus from those of the finest, and the errors that the runs print. The program is `breccia` of the path,
 or BRECCIA of the environment; results are in `results/films`, or the directory RESULTS of the environment, and what is
 there is not run again."""
 
@@ -25,8 +26,8 @@ RESULTS = Path(os.environ.get("RESULTS", "results/films"))
 GRAINS = {2: (20, 40), 3: (4, 6)}
 BINDER = {2: (0.003, 0.2), 3: (0.02, 0.12)}
 LARGEST_RATIO = {2: 10.0, 3: 3.0}
-MESHES = {2: {"default": "face_share = 0.3", "finer": "face_share = 0.15", "resolved": "face_share = 0.15, layers = 4"},
-          3: {"coarser": "divisions = 1", "default": "divisions = 2", "finer": "divisions = 3", "resolved": "divisions = 4"}}
+MESHES = {2: {"default": "face_share = 0.3", "finer": "face_share = 0.15", "finest": "face_share = 0.15, layers = 4"},
+          3: {"coarser": "divisions = 1", "default": "divisions = 2", "finer": "divisions = 3", "finest": "divisions = 4"}}
 
 
 def deck_of(dim, seed):
@@ -71,8 +72,8 @@ def moduli_of(directory):
 def main():
     dim = int(sys.argv[1]) if len(sys.argv) > 1 else 2
     first, last = (int(sys.argv[2]), int(sys.argv[3])) if len(sys.argv) > 3 else (1, {2: 60, 3: 12}[dim])
-    truth = "resolved"
-    print("seed,sizes,binder,film_over_size,short_films,mesh,load,least,largest,largest_error")
+    truth = "finest"
+    print("seed,sizes,binder,film_over_size,mesh,load,least,largest,largest_error")
     for seed in range(first, last + 1):
         deck = deck_of(dim, seed)
         title = deck.split('"')[1]
@@ -90,7 +91,7 @@ def main():
             for load in ("isotropic", "bulk"):
                 off = [modulus / true[key][0] - 1.0 for key, (modulus, _) in found.items() if key[0] == load]
                 errors = [error for key, (_, error) in found.items() if key[0] == load]
-                print(f"{seed},{title.split('sizes ')[1].split(',')[0]},{title.split('binder ')[1]},{film:.4g},,{mesh},{load},"
+                print(f"{seed},{title.split('sizes ')[1].split(',')[0]},{title.split('binder ')[1]},{film:.4g},{mesh},{load},"
                       f"{min(off):+.2%},{max(off):+.2%},{max(errors):.2%}", flush=True)
 
 

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -16,26 +17,43 @@
 namespace breccia {
 namespace {
 
-/// The numbers of two grains in a text such as "3-17".
-std::optional<std::array<std::size_t, 2>> parse_pair(const std::string& text) {
-  std::array<std::size_t, 2> pair{};
-  const auto* const end = text.data() + text.size();
-  const auto first = std::from_chars(text.data(), end, pair[0]);
-  if (first.ec != std::errc{} || first.ptr == end || *first.ptr != '-') return std::nullopt;
-  const auto second = std::from_chars(first.ptr + 1, end, pair[1]);
-  return second.ec == std::errc{} && second.ptr == end ? std::optional(pair) : std::nullopt;
+/// Reads an integer and moves the text behind it, and behind the character that follows if it is this one.
+template <class Integer>
+bool take(std::string_view& text, Integer& number, char behind) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{}) return false;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  if (!text.empty() && text.front() == behind) text.remove_prefix(1);
+  return true;
 }
 
-std::vector<std::array<std::size_t, 2>> read_pairs(const Section& section) {
-  std::vector<std::array<std::size_t, 2>> pairs;
+/// Two grains in a text such as "3-17", or "3-17:0,-1" with an image of the second one.
+std::optional<SitePair> parse_pair(std::string_view text, int dimensions) {
+  SitePair pair;
+  const auto dash = text.find('-');
+  if (dash == std::string_view::npos || dash == 0) return std::nullopt;
+  if (!take(text, pair.sites[0], '-')) return std::nullopt;
+  const bool has_image = text.find(':') != std::string_view::npos;
+  if (!take(text, pair.sites[1], ':')) return std::nullopt;
+  while (!text.empty()) {
+    if (!take(text, pair.image.emplace_back(), ',')) return std::nullopt;
+  }
+  const bool is_whole = has_image ? std::ssize(pair.image) == dimensions : pair.image.empty();
+  return is_whole ? std::optional(pair) : std::nullopt;
+}
+
+std::vector<SitePair> read_pairs(const Section& section, int dimensions) {
+  std::vector<SitePair> pairs;
   for (const auto& [value, location] : section.scalars("films")) {
     const auto* text = std::get_if<std::string>(&value);
-    const auto pair = text != nullptr ? parse_pair(*text) : std::nullopt;
+    const auto pair = text != nullptr ? parse_pair(*text, dimensions) : std::nullopt;
     if (pair) {
       pairs.push_back(*pair);
     } else {
-      section.report("films", fmt::format(R"(expected the numbers of two grains, from 0, such as "3-17", got {})",
-                                          toml_text(value)));
+      section.report("films",
+                     fmt::format(R"(expected two grains by their numbers from 0, such as "3-17", or "3-17:{}" for one )"
+                                 "image of the second one alone, got {}",
+                                 dimensions == 3 ? "0,-1,0" : "0,-1", toml_text(value)));
     }
   }
   return pairs;
@@ -44,10 +62,13 @@ std::vector<std::array<std::size_t, 2>> read_pairs(const Section& section) {
 std::vector<double> read_normal(const Section& section, int dimensions) {
   if (!section.has("normal")) return {};
   section.refuse({"seed"}, "the films follow from the normal");
-  const auto normal = section.numbers("normal");
-  const bool has_length = std::ranges::any_of(normal, [](double component) { return component != 0.0; });
-  if (normal.size() != static_cast<std::size_t>(dimensions) || !has_length) {
-    section.report("normal", fmt::format("expected {} components, not all of them zero", dimensions));
+  auto normal = section.numbers("normal");
+  if (normal.empty()) return normal;
+  if (normal.size() != static_cast<std::size_t>(dimensions)) {
+    section.report("normal",
+                   fmt::format("expected {} components, one for each dimension, got {}", dimensions, normal.size()));
+  } else if (std::ranges::all_of(normal, [](double component) { return component == 0.0; })) {
+    section.report("normal", "expected components that are not all zero");
   }
   return normal;
 }
@@ -62,7 +83,7 @@ void read_bonds(const Section& section, Stage& stage) {
   const auto key = table->exactly_one({"debonded", "films"});
   if (key == "films") {
     table->refuse({"seed", "normal"}, "the films are listed");
-    bonds.films = read_pairs(*table);
+    bonds.films = read_pairs(*table, stage.dimensions());
   } else {
     if (key == "debonded") bonds.debonded = table->fraction(key, allowed::debonded);
     bonds.normal = read_normal(*table, stage.dimensions());
@@ -70,6 +91,8 @@ void read_bonds(const Section& section, Stage& stage) {
       bonds.seed = static_cast<std::uint64_t>(*seed);
     }
   }
+  // Where nothing is debonded the stage is one without bonds.
+  if (bonds.films.empty() && bonds.debonded == 0.0) return;
   stage.bonds = std::move(bonds);
 }
 

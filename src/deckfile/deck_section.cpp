@@ -74,7 +74,9 @@ ParsedValue<double> read_fraction(const DeckValue& value, const Range& range) {
     if (share && accepts(range, *share)) return {*share, {}};
     return wrong<double>(expected_but_got(described(range, "number") + R"(, or per cent as in "35 %")", value));
   }
-  return read_number(value, range);
+  const auto number = read_number(value, range);
+  if (number.value) return number;
+  return wrong<double>(expected_but_got(described(range, "number") + R"(, or per cent as in "35 %")", value));
 }
 
 ParsedValue<std::int64_t> read_integer(const DeckValue& value, const Range& range) {

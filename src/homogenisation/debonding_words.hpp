@@ -7,8 +7,8 @@
 
 namespace breccia {
 
-/// How films of a stage are debonded, as its deck asks for it: "0.1 of the films at random (seed 3), open gaps". Empty
-/// where all are bonded.
+/// How films of a stage are debonded, as its deck asks for it: "10 % of the films, at random (seed 3), are open gaps".
+/// Empty where all are bonded.
 [[nodiscard]] std::string words_on_bonds(const Stage& stage);
 
 /// How many films of a stage are debonded, and what this means: a sentence. Empty where all are bonded.

@@ -131,10 +131,12 @@ std::string words_on_grid(const StageQuality& quality) {
     if (quality.rules.one_grid) {
       return fmt::format("films: error of the model up to about {} by a rule", words_of(*quality.rules.one_grid));
     }
-    const auto finer = quality.dimensions == 3
-                           ? fmt::format("divisions = {}", quality.divisions > 1 ? quality.divisions - 1 : 2)
-                           : std::string("face_share = 0.15");
-    return fmt::format("films: error of the mesh unknown (tests.films.{} shows it)", finer);
+    const auto other =
+        quality.dimensions == 3
+            ? fmt::format("divisions = {}", quality.films.divisions > 1 ? quality.films.divisions - 1 : 2)
+            : fmt::format("face_share = {:.3g}", 0.5 * quality.films.face_share);
+    return fmt::format("films: error of the mesh unknown (a run with tests.films.{} shows it by the difference)",
+                       other);
   }
   if (quality.grid_share && *quality.grid_share >= 1.0) {
     return "grid: error of any size, since the grids differ too much, or have nearly as many cells";
@@ -217,7 +219,7 @@ StageQuality quality_of(const Study& study, const Stage& stage, const StageResul
   const bool is_of_films = std::ranges::any_of(result.tests, [](const auto& test) { return test.id.grid.is_films(); });
   if (is_of_films) {
     quality.grids.clear();
-    quality.divisions = study.tests.films.divisions;
+    quality.films = study.tests.films;
     quality.gap_cells = std::numeric_limits<double>::infinity();
   } else if (stage.grids().size() == 1) {
     quality.one_grid = plan_of_grid(study, stage, packed);

@@ -333,10 +333,11 @@ std::vector<std::string> warnings_on(const Study& study, const Stage& stage,
         warning_of_gaps, warning_of_gaps_between_spheres(study, stage, microstructure),
         warning_of_touching_particles(study, stage, microstructure),
         warning_of_small_spheres(stage, microstructure, mixing_of(study, stage, microstructure)),
-        warning_of_lost_grains(stage, microstructure), warning_of_debonding(stage, microstructure, study.tests.films),
+        warning_of_lost_grains(stage, microstructure),
         warning_of_cut_filler(stage, study.tests.boundaries, microstructure)}) {
     if (warning) of_stage.push_back(*warning);
   }
+  std::ranges::move(warnings_of_debonding(stage, microstructure, study.tests.films), std::back_inserter(of_stage));
   std::ranges::move(warnings_on_image(study, stage), std::back_inserter(of_stage));
   std::ranges::move(warnings_of_unknown_times(stage, study.tests), std::back_inserter(of_stage));
   // It is of the tests of all stages.

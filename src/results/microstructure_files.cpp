@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cstddef>
+#include <set>
+#include <tuple>
 #include <vector>
 
 #include <fmt/format.h>
@@ -53,25 +55,37 @@ void write_grains(const std::filesystem::path& directory, const Stage& stage, co
                         film));
 }
 
-/// Writes the pairs of grains, by their rows in grains.csv, between which the films are debonded.
+/// Writes all films, by the rows of their grains in grains.csv, and which of them are debonded.
 template <int dim>
-void write_debonded_films(const std::filesystem::path& directory, const Stage& stage,
-                          const Tessellation<dim>& tessellation) {
+void write_films(const std::filesystem::path& directory, const Stage& stage, const Tessellation<dim>& tessellation) {
   if (!stage.bonds) return;
   constexpr std::array image_names = {"image_x", "image_y", "image_z"};
-  std::vector<double> first, second;
-  std::vector<std::vector<double>> images(static_cast<std::size_t>(dim));
-  for (const auto& face : debonded_films(stage, tessellation).faces) {
+  constexpr std::array normal_names = {"normal_x", "normal_y", "normal_z"};
+  std::set<std::tuple<std::size_t, std::size_t, Index<dim>>> debonded;
+  for (const auto& [first, second, image] : debonded_films(stage, tessellation).faces) {
+    debonded.emplace(first, second, image);
+  }
+  std::vector<double> first, second, areas, are_debonded;
+  std::vector<std::vector<double>> images(static_cast<std::size_t>(dim)), normals(images.size());
+  for (const auto& [face, normal, area] : measured_faces(tessellation)) {
     first.push_back(static_cast<double>(face.first));
     second.push_back(static_cast<double>(face.second));
-    for (std::size_t axis = 0; axis < images.size(); ++axis) images[axis].push_back(face.image[axis]);
+    for (std::size_t axis = 0; axis < images.size(); ++axis) {
+      images[axis].push_back(face.image[axis]);
+      normals[axis].push_back(normal[axis]);
+    }
+    areas.push_back(area);
+    are_debonded.push_back(debonded.contains({face.first, face.second, face.image}) ? 1.0 : 0.0);
   }
   std::vector<CsvColumn> columns = {{"first_grain", first}, {"second_grain", second}};
   for (std::size_t axis = 0; axis < images.size(); ++axis) columns.push_back({image_names[axis], images[axis]});
+  for (std::size_t axis = 0; axis < images.size(); ++axis) columns.push_back({normal_names[axis], normals[axis]});
+  columns.push_back({dim == 3 ? "area_m2" : "length_m", areas});
+  columns.push_back({"debonded", are_debonded});
   write_csv(
-      directory / "debonded.csv", columns,
-      fmt::format("Films of stage {} that are debonded, {}: between two grains, numbered from 0 as in grains.csv, "
-                  "the second displaced by an image in sides of the box",
+      directory / "films.csv", columns,
+      fmt::format("Films of stage {} between two grains, numbered from 0 as in grains.csv, the second displaced by "
+                  "an image in sides of the box; of the debonded ones the kind is {}",
                   stage.name, name_of(stage.bonds->kind)));
 }
 
@@ -109,7 +123,7 @@ struct WriteTable {
   void operator()(const Grains<dim>& grains) const {
     const Tessellation<dim> tessellation(grains.sites);
     write_grains(directory, stage, tessellation, grains.statistics.film);
-    write_debonded_films(directory, stage, tessellation);
+    write_films(directory, stage, tessellation);
   }
   template <int dim>
   void operator()(const SharedImage<dim>&) const {}

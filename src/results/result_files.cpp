@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array stage_files = {"microstructure.csv", "grains.csv",  "debonded.csv",     "polygons.csv",
+constexpr std::array stage_files = {"microstructure.csv", "grains.csv",  "films.csv",        "polygons.csv",
                                     "microstructure.svg", "cut-x.svg",   "cut-y.svg",        "labels.npy",
                                     "labels.vti",         "modulus.svg", "bulk_modulus.svg", "response.h5"};
 

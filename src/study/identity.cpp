@@ -127,7 +127,10 @@ class Content {
     const auto& [debonded, kind, seed, normal, films] = bonds;
     add_all(debonded, kind, seed, normal, films);
   }
-  void add(const std::array<std::size_t, 2>& pair) { add_all(pair[0], pair[1]); }
+  void add(const SitePair& pair) {
+    const auto& [sites, image] = pair;
+    add_all(sites[0], sites[1], image);
+  }
   void add(const Filler& filler) {
     const auto& [material, fraction, smallest, largest, sizes, gap, gap_source, coating, shape] = filler;
     add_all(material, fraction, smallest, largest, sizes, gap, gap_source, coating, shape);

@@ -31,7 +31,7 @@ inline constexpr Range steps_per_decade = {.lower = 2.0, .upper = 1000.0};
 /// Length of the elements along films over the size of a grain [-].
 inline constexpr Range face_share = {.lower = 0.005, .upper = 1.0};
 
-inline constexpr Range debonded = Range::above_and_up_to(0.0, 1.0);  ///< share of films [-]
+inline constexpr Range debonded = {.lower = 0.0, .upper = 1.0};  ///< share of films [-]
 
 inline constexpr Range divisions = {.lower = 1.0, .upper = 8.0};  ///< number of elements along an edge of a grain
 inline constexpr Range layers = {.lower = 1.0, .upper = 16.0};    ///< number of layers of elements across a film

@@ -170,10 +170,11 @@ TEST_F(ChosenBoxes, GrainsWithFilmsOfAThicknessScatter) {
 /// Films have an error of their elements, which are shorter where a smaller error is asked for.
 TEST_F(ChosenBoxes, FilmsHaveElementsForTheirAccuracy) {
   const auto grains = [this](std::string_view tests) {
-    return directory.study(deck("[[stages]]\nname = \"a\"\nmatrix = \"binder\"\n"
-                                "filler = { material = \"filler\", fraction = 0.9, sizes = { diameter = \"1 mm\" } }\n"
-                                "packing = { method = \"laguerre\" }\n",
-                                test::join("model = \"films\"\n", tests)));
+    return directory.study(
+        deck("[[stages]]\nname = \"a\"\nmatrix = \"binder\"\n"
+             "filler = { material = \"filler\", fraction = 0.9, sizes = { diameter = \"1 mm\" } }\n"
+             "packing = { method = \"laguerre\" }\n",
+             test::join("model = \"films\"\n", tests)));
   };
   const auto fine = grains("accuracy = \"4 %\"\n"), rough = grains("accuracy = \"8 %\"\n");
   EXPECT_EQ(fine.tests.films.face_share, 0.15);

@@ -53,8 +53,14 @@ TEST_F(FilmBondsOfADeck, AreThoseAcrossADirection) {
 }
 
 TEST_F(FilmBondsOfADeck, AreListed) {
-  EXPECT_THAT(bonds(R"(films = ["3-17", "0-4"], kind = "open")").films,
-              ElementsAre(ElementsAre(3U, 17U), ElementsAre(0U, 4U)));
+  const auto films = bonds(R"(films = ["3-17", "0-4:0,-1"], kind = "open")").films;
+  ASSERT_EQ(films.size(), 2U);
+  EXPECT_EQ(name_of(films[0]), "3-17");
+  EXPECT_EQ(name_of(films[1]), "0-4:0,-1");
+}
+
+TEST_F(FilmBondsOfADeck, AreNoneWhereNothingIsDebonded) {
+  EXPECT_FALSE(directory.study(with(R"(debonded = 0, kind = "open")")).stages.at(0).bonds);
 }
 
 TEST_F(FilmBondsOfADeck, AreAPartOfTheIdentityOfAStudy) {
@@ -71,8 +77,10 @@ TEST_F(FilmBondsOfADeck, RefuseWhatIsMissingOrNone) {
               HasSubstr(R"(bonds.kind: missing, expected one of "open", "sealed", "slip")"));
   EXPECT_THAT(mistakes(R"(debonded = 0.1, kind = "closed")"), HasSubstr(R"("open", "sealed", "slip")"));
   EXPECT_THAT(mistakes(R"(kind = "open")"), HasSubstr("debonded"));
-  EXPECT_THAT(mistakes(R"(debonded = 0, kind = "open")"), HasSubstr("expected a number above 0 and up to 1, got 0"));
-  EXPECT_THAT(mistakes(R"(debonded = 10, kind = "open")"), HasSubstr("up to 1, got 10"));
+  EXPECT_THAT(mistakes(R"(debonded = -0.1, kind = "open")"),
+              HasSubstr("a number from 0 to 1, or per cent as in \"35 %\", got -0.1"));
+  EXPECT_THAT(mistakes(R"(debonded = 10, kind = "open")"),
+              HasSubstr("from 0 to 1, or per cent as in \"35 %\", got 10"));
   EXPECT_THAT(mistakes(R"(debonded = "10", kind = "open")"), HasSubstr("or per cent as in"));
   EXPECT_THAT(mistakes(R"(debond = 0.1, kind = "open")"), HasSubstr("debonded"));
 }
@@ -87,10 +95,12 @@ TEST_F(FilmBondsOfADeck, RefuseTwoReadings) {
 
 TEST_F(FilmBondsOfADeck, RefusePairsAndNormalsThatAreNone) {
   EXPECT_THAT(mistakes(R"(films = [], kind = "open")"), HasSubstr("expected at least one"));
-  EXPECT_THAT(mistakes(R"(films = ["3:4", 7, "5-"], kind = "open")"),
-              AllOf(HasSubstr(R"("3:4")"), HasSubstr("got 7"), HasSubstr(R"("5-")")));
-  EXPECT_THAT(mistakes(R"(debonded = 0.1, normal = [0, 0, 1], kind = "open")"), HasSubstr("expected 2 components"));
-  EXPECT_THAT(mistakes(R"(debonded = 0.1, normal = [0, 0], kind = "open")"), HasSubstr("not all of them zero"));
+  EXPECT_THAT(mistakes(R"(films = ["3:4", 7, "5-", "1-2:0", "1-2x"], kind = "open")"),
+              AllOf(HasSubstr(R"("3:4")"), HasSubstr("got 7"), HasSubstr(R"("5-")"), HasSubstr(R"("1-2:0")"),
+                    HasSubstr(R"("1-2x")")));
+  EXPECT_THAT(mistakes(R"(debonded = 0.1, normal = [0, 0, 1], kind = "open")"),
+              HasSubstr("expected 2 components, one for each dimension, got 3"));
+  EXPECT_THAT(mistakes(R"(debonded = 0.1, normal = [0, 0], kind = "open")"), HasSubstr("not all zero"));
 }
 
 TEST_F(FilmBondsOfADeck, BelongToFilmsOfAPeriodicBox) {

@@ -37,13 +37,13 @@ StageMicrostructure grains_of(int along, double film) {
 TEST(FilmError, OfThePlaneIsThatOfElementsAndOfThickFilms) {
   auto study = study_of<2>(10);
   const auto error = [&](double film) { return film_error(study, study.stages[0], grains_of<2>(10, film)).value(); };
-  EXPECT_NEAR(error(0.026), 0.0242, 1e-4);
-  EXPECT_NEAR(error(0.005), 0.0429, 1e-4);
-  EXPECT_NEAR(error(0.09), 0.0291, 1e-4);
+  EXPECT_NEAR(error(0.026), 0.02713, 1e-4);
+  EXPECT_NEAR(error(0.005), 0.05044, 1e-4);
+  EXPECT_NEAR(error(0.09), 0.02945, 1e-4);
   study.tests.films.face_share = 0.15;
-  EXPECT_NEAR(error(0.005), 0.0118, 1e-4);
+  EXPECT_NEAR(error(0.005), 0.01374, 1e-4);
   study.tests.films.face_share = 0.05;
-  EXPECT_NEAR(error(0.005), 0.0118, 1e-4) << "finer elements were not measured";
+  EXPECT_NEAR(error(0.005), 0.01374, 1e-4) << "finer elements were not measured";
 }
 
 TEST(FilmError, OfSpaceFallsWithTheElements) {
@@ -53,8 +53,7 @@ TEST(FilmError, OfSpaceFallsWithTheElements) {
     return film_error(study, study.stages[0], grains_of<3>(3, 0.02)).value();
   };
   EXPECT_GT(error(1), error(2));
-  EXPECT_GT(error(2), error(3));
-  EXPECT_EQ(error(4), error(3));
+  EXPECT_EQ(error(4), error(2)) << "the rest is that of thin films";
 }
 
 TEST(FilmError, IsNotKnownWhereItWasNotMeasured) {
@@ -71,7 +70,12 @@ TEST(FilmError, IsNotKnownWhereItWasNotMeasured) {
   EXPECT_FALSE(error([](Study& of) { of.tests.films.face_share = 0.5; }));
   EXPECT_FALSE(error([](Study& of) { of.stages[0].bonds = FilmBonds{.debonded = 0.1}; }));
   EXPECT_FALSE(error([](Study& of) { of.stages[0].fillers[0].material.shear = PronySeries(1e8); }));
+  EXPECT_FALSE(error([](Study& of) { of.stages[0].packed_by<LaguerrePacking<2>>()->film_shares = {1.0, 2.0}; }));
+  EXPECT_FALSE(error([](Study& of) { of.stages[0].packed_by<LaguerrePacking<2>>()->walls = Walls::hard; }));
   EXPECT_FALSE(film_error(study, study.stages[0], grains_of<2>(10, 0.2)));
+  auto wide = thin;
+  wide.fillers = {{.smallest_diameter = 1e-4, .largest_diameter = 2e-3}};
+  EXPECT_FALSE(film_error(study, study.stages[0], wide));
   const auto space = study_of<3>(3);
   EXPECT_FALSE(film_error(space, space.stages[0], grains_of<3>(3, 0.1)));
   EXPECT_FALSE(film_error(space, space.stages[0], grains_of<3>(3, 0.001)));

@@ -104,8 +104,10 @@ TEST(Quality, SaysOfFilmsWhichKeyHalvesTheirMesh) {
   films.particles = 40;
   films.fraction = 0.9;
   films.gap_cells = std::numeric_limits<double>::infinity();
-  EXPECT_THAT(summary_of(films),
-              HasSubstr("films: error of the mesh unknown (tests.films.face_share = 0.15 shows it)"));
+  EXPECT_THAT(
+      summary_of(films),
+      HasSubstr(
+          "films: error of the mesh unknown (a run with tests.films.face_share = 0.15 shows it by the difference)"));
 }
 
 TEST(Quality, TellsDistancesWithTwoDigits) {

@@ -63,17 +63,24 @@ TEST(CellFaces, AcrossADirectionAreTakenFirst) {
 
 TEST(CellFaces, OfPairsAreAllFacesBetweenThem) {
   const auto tessellation = squares(2);
-  const std::vector<std::array<std::size_t, 2>> pairs = {{1, 0}};
+  const std::vector<SitePair> pairs = {{{1, 0}}, {{0, 1}}};
   const auto taken = faces_of_pairs<2>(tessellation, pairs);
   EXPECT_EQ(taken.faces.size(), 2U) << "the grains touch across the side of the box, too";
   EXPECT_DOUBLE_EQ(taken.share, 0.25);
+  for (const auto& [first, second, image] : taken.faces) {
+    const std::vector<SitePair> one = {{{first, second}, {image[0], image[1]}}};
+    const std::vector<SitePair> reversed = {{{second, first}, {-image[0], -image[1]}}};
+    EXPECT_EQ(faces_of_pairs<2>(tessellation, one).faces.size(), 1U) << name_of(one[0]);
+    EXPECT_EQ(faces_of_pairs<2>(tessellation, reversed).faces.size(), 1U) << name_of(reversed[0]);
+  }
 }
 
 TEST(CellFaces, OfPairsThatDoNotTouchAreRefused) {
   const auto tessellation = squares(4);
-  const std::vector<std::array<std::size_t, 2>> pairs = {{0, 1}, {0, 5}, {0, 99}};
+  const std::vector<SitePair> pairs = {{{0, 1}}, {{0, 5}}, {{0, 1}, {1, 0}}, {{0, 99}}};
   test::expect_error<InputError>([&] { static_cast<void>(faces_of_pairs<2>(tessellation, pairs)); },
-                                 "of 16 with numbers from 0, share no face: [0, 5], [0, 99]");
+                                 "the 16 grains have numbers from 0 to 15, got 0-99",
+                                 "no film is between the grains 0-5, 0-1:1,0");
 }
 
 TEST(CellFaces, RefuseSharesAndDirectionsThatAreNone) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "breccia/microstructure/index.hpp"
@@ -20,6 +21,18 @@ struct CellFace {
   std::size_t first = 0, second = 0;  ///< numbers of the sites, from 0
   Index<dim> image{};                 ///< sides of the box by which the second site is displaced
 };
+
+/// A face between cells with its shape.
+template <int dim>
+struct MeasuredFace {
+  CellFace<dim> face = {};
+  Vector<dim> normal{};  ///< from the first site to the second, of length 1 [-]
+  double area = 0.0;     ///< [m^(dim - 1)]
+};
+
+/// All faces between the cells of a tessellation, each once.
+template <int dim>
+[[nodiscard]] std::vector<MeasuredFace<dim>> measured_faces(const Tessellation<dim>& tessellation);
 
 /// Some of the faces between the cells of a tessellation, each once.
 template <int dim>
@@ -39,9 +52,19 @@ template <int dim>
 [[nodiscard]] CellFaces<dim> faces_across(const Tessellation<dim>& tessellation, double share,
                                           const Vector<dim>& direction);
 
-/// All faces between the cells of each of these pairs of sites. Throws InputError that lists the pairs without a face.
+/// Two sites between which a face is taken: that to the image of the second one which is displaced by so many sides of
+/// the box along each axis or, without a displacement, those to all of its images.
+struct SitePair {
+  std::array<std::size_t, 2> sites{};  ///< numbers from 0
+  std::vector<int> image = {};
+};
+
+/// The text of a pair: "3-17", or "3-17:0,-1" with an image.
+[[nodiscard]] std::string name_of(const SitePair& pair);
+
+/// The faces between the cells of these pairs of sites, each once. Throws InputError that lists the pairs without a
+/// face, and the sites that there are not.
 template <int dim>
-[[nodiscard]] CellFaces<dim> faces_of_pairs(const Tessellation<dim>& tessellation,
-                                            std::span<const std::array<std::size_t, 2>> pairs);
+[[nodiscard]] CellFaces<dim> faces_of_pairs(const Tessellation<dim>& tessellation, std::span<const SitePair> pairs);
 
 }  // namespace breccia

@@ -1,13 +1,13 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 #include "breccia/films/debonding.hpp"
+#include "breccia/microstructure/cell_faces.hpp"
 #include "breccia/words.hpp"
 
 namespace breccia {
@@ -27,8 +27,8 @@ struct FilmBonds {
   /// If not empty, the films whose normals are closest to this direction are debonded, instead of films at random: as
   /// many components as the stage has dimensions.
   std::vector<double> normal = {};
-  /// If not empty, the films between these pairs of grains are debonded, instead of a share of all: numbers from 0.
-  std::vector<std::array<std::size_t, 2>> films = {};
+  /// If not empty, the films between these pairs of grains are debonded, instead of a share of all.
+  std::vector<SitePair> films = {};
 };
 
 }  // namespace breccia

@@ -64,7 +64,10 @@ class Chooser {
       pilot_.side = side_of_particles(stage, particles_of_pilot);
     }
     if (pilot_.cells == 0) pilot_.cells = few_cells;
-    packed_ = make_microstructure(pilot_);
+    // Listed films are those of the whole box.
+    auto bonded = pilot_;
+    bonded.bonds.reset();
+    packed_ = make_microstructure(bonded);
     // The narrowest of many gaps is no wider than what the deck asks for.
     for (const auto& filler : stage.fillers) {
       if (filler.gap > 0.0) packed_.gap = std::min(packed_.gap, filler.gap);
@@ -95,7 +98,7 @@ class Chooser {
     } else if (chosen.has_rule) {
       choice.grid = grid_error(stage);
     }
-    if (scatter_) choice.sample = *scatter_ / std::sqrt(share_of_effective() * chosen.particles);
+    if (scatter_ && !stage_.bonds) choice.sample = *scatter_ / std::sqrt(share_of_effective() * chosen.particles);
     choice.seconds = seconds_of(chosen.particles, chosen.cell.length);
     if (cheapest.error <= goal_.error) {
       choice.seconds_of_goal = cheapest.seconds;
@@ -124,7 +127,10 @@ class Chooser {
   [[nodiscard]] std::optional<double> scatter_of_one() const {
     // The stiffening of the boxes that were compared was up to an eighth larger than expected.
     constexpr double many = 1e6, margin = 1.12;
-    auto rules = error_rules_of(study_, pilot_, packed_);
+    // Of debonded films no rule is known; their box is no smaller than that of bonded ones.
+    auto bonded = pilot_;
+    bonded.bonds.reset();
+    auto rules = error_rules_of(study_, bonded, packed_);
     if (rules.sample == SampleKind::whole) return 0.0;
     rules.effective_particles = many;
     const auto error = expected_sample_error(study_, pilot_, packed_.fillers, rules);
@@ -252,8 +258,8 @@ class Chooser {
     return option;
   }
 
-  /// The most particles within the time and the memory; where the scatter has no rule, no more than usual, and where the
-  /// error of films is above the goal, no more than have the same error.
+  /// The most particles within the time and the memory; where the scatter has no rule, no more than usual, and where
+  /// the error of films is above the goal, no more than have the same error.
   [[nodiscard]] double affordable_particles(const CellSize& cell) const {
     if (!scatter_ || *scatter_ == 0.0 || !is_affordable(option_with(fewest_, cell))) return fewest_;
     double low = fewest_, high = most_particles;

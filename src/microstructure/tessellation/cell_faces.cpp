@@ -18,32 +18,6 @@ namespace breccia {
 namespace {
 
 template <int dim>
-struct MeasuredFace {
-  CellFace<dim> face;
-  Vector<dim> normal;
-  double area = 0.0;  ///< [m^(dim - 1)]
-};
-
-/// All faces between cells, each once.
-template <int dim>
-std::vector<MeasuredFace<dim>> measured_faces(const Tessellation<dim>& tessellation) {
-  std::vector<MeasuredFace<dim>> all;
-  for (std::size_t site = 0; site < tessellation.size(); ++site) {
-    const auto& cell = tessellation.cell(site);
-    const auto areas = face_measures(cell);
-    for (std::size_t i = 0; i < areas.size(); ++i) {
-      const auto& half_space = cell.half_spaces()[i];
-      const auto across = Tessellation<dim>::neighbour(half_space);
-      const auto image = Tessellation<dim>::image(half_space);
-      // The cell on the other side has the same face.
-      if (!across || std::tuple(*across, image) < std::tuple(site, Index<dim>{})) continue;
-      all.push_back({{site, *across, image}, half_space.normal, areas[i]});
-    }
-  }
-  return all;
-}
-
-template <int dim>
 double area_of(const std::vector<MeasuredFace<dim>>& faces) {
   double sum = 0.0;
   for (const auto& face : faces) sum += face.area;
@@ -68,7 +42,41 @@ CellFaces<dim> first_faces(const std::vector<MeasuredFace<dim>>& faces, double s
   return taken;
 }
 
+/// Whether a face is the one, or one of those, of a pair of sites, in either order.
+template <int dim>
+bool is_between(const CellFace<dim>& face, const SitePair& pair) {
+  const auto fits = [&](std::size_t first, std::size_t second, int sign) {
+    if (pair.sites != std::array{first, second}) return false;
+    if (pair.image.empty()) return true;
+    return std::ranges::equal(pair.image, face.image, [sign](int one, int other) { return one == sign * other; });
+  };
+  return fits(face.first, face.second, 1) || fits(face.second, face.first, -1);
+}
+
 }  // namespace
+
+std::string name_of(const SitePair& pair) {
+  const auto sites = fmt::format("{}-{}", pair.sites[0], pair.sites[1]);
+  return pair.image.empty() ? sites : fmt::format("{}:{}", sites, fmt::join(pair.image, ","));
+}
+
+template <int dim>
+std::vector<MeasuredFace<dim>> measured_faces(const Tessellation<dim>& tessellation) {
+  std::vector<MeasuredFace<dim>> all;
+  for (std::size_t site = 0; site < tessellation.size(); ++site) {
+    const auto& cell = tessellation.cell(site);
+    const auto areas = face_measures(cell);
+    for (std::size_t i = 0; i < areas.size(); ++i) {
+      const auto& half_space = cell.half_spaces()[i];
+      const auto across = Tessellation<dim>::neighbour(half_space);
+      const auto image = Tessellation<dim>::image(half_space);
+      // The cell on the other side has the same face.
+      if (!across || std::tuple(*across, image) < std::tuple(site, Index<dim>{})) continue;
+      all.push_back({{site, *across, image}, half_space.normal, areas[i]});
+    }
+  }
+  return all;
+}
 
 template <int dim>
 CellFaces<dim> random_faces(const Tessellation<dim>& tessellation, double share, std::uint64_t seed) {
@@ -99,26 +107,37 @@ CellFaces<dim> faces_across(const Tessellation<dim>& tessellation, double share,
 }
 
 template <int dim>
-CellFaces<dim> faces_of_pairs(const Tessellation<dim>& tessellation,
-                              std::span<const std::array<std::size_t, 2>> pairs) {
+CellFaces<dim> faces_of_pairs(const Tessellation<dim>& tessellation, std::span<const SitePair> pairs) {
   const auto all = measured_faces(tessellation);
-  std::vector<MeasuredFace<dim>> found;
-  std::vector<std::string> apart;
-  for (const auto& [one, other] : pairs) {
-    const auto [first, second] = std::minmax(one, other);
-    const auto before = found.size();
-    std::ranges::copy_if(all, std::back_inserter(found), [first, second](const MeasuredFace<dim>& face) {
-      return face.face.first == first && face.face.second == second;
-    });
-    if (found.size() == before) apart.push_back(fmt::format("[{}, {}]", one, other));
+  std::vector<bool> is_taken(all.size(), false);
+  std::vector<std::string> unknown, apart;
+  for (const auto& pair : pairs) {
+    if (std::ranges::max(pair.sites) >= tessellation.size()) {
+      unknown.push_back(name_of(pair));
+      continue;
+    }
+    bool has_face = false;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (!is_between(all[i].face, pair)) continue;
+      is_taken[i] = has_face = true;
+    }
+    if (!has_face) apart.push_back(name_of(pair));
   }
-  if (!apart.empty()) {
-    throw InputError(fmt::format("these pairs of grains, of {} with numbers from 0, share no face: {}",
-                                 tessellation.size(), fmt::join(apart, ", ")));
+  std::vector<std::string> mistakes;
+  if (!unknown.empty()) {
+    mistakes.push_back(fmt::format("the {} grains have numbers from 0 to {}, got {}", tessellation.size(),
+                                   tessellation.size() - 1, fmt::join(unknown, ", ")));
   }
+  if (!apart.empty()) mistakes.push_back(fmt::format("no film is between the grains {}", fmt::join(apart, ", ")));
+  if (!mistakes.empty()) throw InputError(fmt::format("{}", fmt::join(mistakes, "; ")));
   CellFaces<dim> taken;
-  for (const auto& face : found) taken.faces.push_back(face.face);
-  taken.share = area_of(found) / area_of(all);
+  double area = 0.0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!is_taken[i]) continue;
+    taken.faces.push_back(all[i].face);
+    area += all[i].area;
+  }
+  taken.share = area / area_of(all);
   return taken;
 }
 
@@ -126,7 +145,9 @@ template CellFaces<2> random_faces(const Tessellation<2>&, double, std::uint64_t
 template CellFaces<3> random_faces(const Tessellation<3>&, double, std::uint64_t);
 template CellFaces<2> faces_across(const Tessellation<2>&, double, const Vector<2>&);
 template CellFaces<3> faces_across(const Tessellation<3>&, double, const Vector<3>&);
-template CellFaces<2> faces_of_pairs(const Tessellation<2>&, std::span<const std::array<std::size_t, 2>>);
-template CellFaces<3> faces_of_pairs(const Tessellation<3>&, std::span<const std::array<std::size_t, 2>>);
+template CellFaces<2> faces_of_pairs(const Tessellation<2>&, std::span<const SitePair>);
+template CellFaces<3> faces_of_pairs(const Tessellation<3>&, std::span<const SitePair>);
+template std::vector<MeasuredFace<2>> measured_faces(const Tessellation<2>&);
+template std::vector<MeasuredFace<3>> measured_faces(const Tessellation<3>&);
 
 }  // namespace breccia

@@ -25,11 +25,12 @@ function onDebonding({microstructure: {debonding} = {}}) {
 }
 
 function onModel(stage) {
+  const bonded = stage.microstructure?.debonding === undefined ? "bonded" : "bonded in part";
   const ofCube = stage.tests.some(({cells}) => cells === "films")
-    ? "The model: a cube of polyhedral grains, each its cell made smaller, bonded to films of nearly one thickness."
+    ? `The model: a cube of polyhedral grains, each its cell made smaller, ${bonded} to films of nearly one thickness.`
     : "The model: a cube with its particles bonded to their matrix.";
   return stage.dimensions === 3 ? ofCube
-    : `The model: a flat box in plane strain, with ${textOnParticles(stage)} bonded to their ` +
+    : `The model: a flat box in plane strain, with ${textOnParticles(stage)} ${bonded} to their ` +
       "matrix. Real particles are not endless cylinders; three dimensions are computed with dimensions = 3.";
 }
 
@@ -130,7 +131,7 @@ export function nextStep({cells, quality, tests = []}) {
 
 /// A sentence on the error of the model of grains and films; empty where it is not known.
 export function onFilms({expected_grid_error: error} = {}) {
-  return Number.isFinite(error) ? `The model of films: an error of ${percent(error)} at most by a rule.` : "";
+  return Number.isFinite(error) ? `The model of films: an error of up to about ${percent(error)} by a rule.` : "";
 }
 
 function onGrids({cells, quality}) {
