@@ -193,9 +193,9 @@ TEST_F(SweepDeck, RangesReachAsFarAsNumbersDo) {
     return mistakes(test::join("[sweep]\n\"stages.0.filler.fraction\" = ", range, "\n"));
   };
   EXPECT_THAT(fractions("{ from = -1e308, to = 1e308, count = 3 }"),
-              HasSubstr("expected a number between 0 and 1, got -1e+308"));
+              HasSubstr("expected a number between 0 and 1, or per cent as in \"35 %\", got -1e+308"));
   EXPECT_THAT(fractions("{ from = 1e-320, to = 1e300, count = 2, spacing = \"logarithmic\" }"),
-              HasSubstr("expected a number between 0 and 1, got 1e+300"));
+              HasSubstr("expected a number between 0 and 1, or per cent as in \"35 %\", got 1e+300"));
   EXPECT_THAT(fractions("{ from = -9223372036854775807, to = 9223372036854775807 }"),
               HasSubstr("expected at most 1000 values, got 1.84467e+19"));
 }

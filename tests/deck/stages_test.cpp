@@ -275,7 +275,7 @@ TEST_F(DeckStages, MistakesInThePacking) {
 
 TEST_F(DeckStages, MistakesInTheAmount) {
   EXPECT_THAT(mistakes("fraction = 1.2, sizes = { diameter = \"1 mm\" }", random_packing),
-              HasSubstr("filler.fraction: expected a number between 0 and 1, got 1.2"));
+              HasSubstr("filler.fraction: expected a number between 0 and 1, or per cent as in \"35 %\", got 1.2"));
   EXPECT_THAT(mistakes("sizes = { diameter = \"1 mm\" }", random_packing), HasSubstr("filler.fraction: missing"));
   EXPECT_THAT(mistakes("fraction = 0.5, sizes = { list = [\"1 mm\"] }", random_packing),
               HasSubstr("filler.fraction: a list of sizes is packed as it is"));

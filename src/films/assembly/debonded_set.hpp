@@ -12,6 +12,11 @@
 
 namespace breccia::films {
 
+/// Whether a film that is debonded in this way, or bonded, carries nothing.
+[[nodiscard]] constexpr bool is_gap(const std::optional<Debonding>& debonding) noexcept {
+  return debonding == Debonding::open || debonding == Debonding::sealed;
+}
+
 /// Finds out by its grains whether a film is debonded.
 template <int dim>
 class DebondedSet {

@@ -45,9 +45,7 @@ class FilmMesh {
   /// The shape of an element of a film.
   [[nodiscard]] FilmStretch stretch(std::size_t film, int element) const;
   /// Whether a film is debonded and carries nothing.
-  [[nodiscard]] bool is_gap(std::size_t film) const {
-    return debonding_[film] == Debonding::open || debonding_[film] == Debonding::sealed;
-  }
+  [[nodiscard]] bool is_gap(std::size_t film) const { return films::is_gap(debonding_[film]); }
   /// Whether a gap is open to the junctions at its ends.
   [[nodiscard]] bool is_open(std::size_t film) const { return debonding_[film] == Debonding::open; }
   /// Whether a film slides along its second side.

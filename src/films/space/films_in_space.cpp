@@ -38,7 +38,7 @@ class SpaceAssembly {
 
   void add_films() {
     for (std::size_t t = 0; t < mesh_.sheets().triangles.size(); ++t) {
-      if (is_gap(mesh_, t)) continue;
+      if (is_gap(mesh_.debonding(t))) continue;
       const auto nodes = mesh_.nodes_of_film(t);
       const bool slides = mesh_.debonding(t) == Debonding::slip, is_at_rim = mesh_.sheets().triangles[t].is_at_rim;
       const auto element = slides ? sliding_film_wedge(mesh_.film(t), is_at_rim) : film_wedge(mesh_.film(t), is_at_rim);
@@ -56,7 +56,7 @@ class SpaceAssembly {
   /// Gives the flows in gaps and the pressures that are none rows of their own.
   void isolate_gaps() {
     for (std::size_t t = 0; t < mesh_.sheets().triangles.size(); ++t) {
-      if (!is_gap(mesh_, t)) continue;
+      if (!is_gap(mesh_.debonding(t))) continue;
       for (int i = 0; i < FilmWedge::flows; ++i) sum_.isolate(mesh_.flow(t) + i);
     }
     for (std::size_t p = 0; p < has_pressure_.size(); ++p) {
@@ -79,12 +79,6 @@ class SpaceAssembly {
   [[nodiscard]] FilmMatrices<3> finish() { return sum_.finish(); }
 
  private:
-  /// Whether the film to which a triangle belongs carries nothing.
-  [[nodiscard]] static bool is_gap(const SpaceMesh& mesh, std::size_t triangle) {
-    const auto debonding = mesh.debonding(triangle);
-    return debonding == Debonding::open || debonding == Debonding::sealed;
-  }
-
   /// Whether there is a pressure at each node of the sheets: in films that are no gaps and along edges, but nowhere at
   /// the rims of open gaps.
   [[nodiscard]] static std::vector<bool> nodes_with_pressure(const SpaceMesh& mesh) {
@@ -94,7 +88,7 @@ class SpaceAssembly {
       for (const auto& node : nodes) has_pressure[node.number] = value;
     };
     for (std::size_t t = 0; t < sheets.triangles.size(); ++t) {
-      if (!is_gap(mesh, t)) set(sheets.triangles[t].nodes, true);
+      if (!is_gap(mesh.debonding(t))) set(sheets.triangles[t].nodes, true);
     }
     for (const auto& segment : sheets.segments) set(segment.nodes, true);
     set(sheets.points, true);
@@ -116,8 +110,9 @@ class SpaceAssembly {
   /// The numbers of the pressures at nodes, or `held`.
   [[nodiscard]] std::vector<int> pressures_of(std::span<const SheetNode> nodes) const {
     std::vector<int> pressures;
-    for (const auto& node : nodes)
+    for (const auto& node : nodes) {
       pressures.push_back(has_pressure_[node.number] ? static_cast<int>(node.number) : held);
+    }
     return pressures;
   }
 

@@ -233,7 +233,11 @@ export function showModuli(curves) {
   if (binder !== undefined) {
     columns.push([`over ${binder.name}`, (time) => (hasFlowedAway(binder, time) ? "–" : ratios(binder.at(time), time))]);
   }
-  for (const young of youngsModuli(curves, result)) {
+  const ofBulk = study.stages.find(({name}) => name === stage).dimensions === 3 ? "K" : "K + G/3";
+  for (const bulk of isShear ? othersOf("bulk", curves, result) : []) {
+    columns.push([`${ofBulk}, ${bulk.boundary}`, (time) => modulusText(bulk, time)]);
+  }
+  for (const young of othersOf("young", curves, result)) {
     columns.push([`Young's modulus, ${young.boundary}`, (time) => display(at(young, time), "Pa")]);
   }
   if (measured !== undefined) {
@@ -260,8 +264,9 @@ function showTable(stage, [columns, rows], note) {
     element("p", {className: "note"}, note));
 }
 
-function youngsModuli(curves, [{stage, method}]) {
-  return softestFirst.flatMap((boundary) => curves.filter((curve) => curve.quantity === "young" &&
+/// The curves of another quantity of the stage and the method of a result, by boundary.
+function othersOf(quantity, curves, [{stage, method}]) {
+  return softestFirst.flatMap((boundary) => curves.filter((curve) => curve.quantity === quantity &&
     curve.role === "stage" && curve.stage === stage && curve.boundary === boundary && curve.method === method));
 }
 
