@@ -16,10 +16,9 @@ import json
 import os
 import random
 import sys
-from math import pi
 from pathlib import Path
 
-from boxes import between, binder_of, filler_of
+from boxes import between, binder_of, filler_of, volume_of
 from runs import rows_of, run
 
 RESULTS = Path(os.environ.get("RESULTS", "results/films"))
@@ -36,7 +35,7 @@ def deck_of(dim, seed):
     count = draw.randint(*GRAINS[dim])
     ratio = 1.0 if seed % 2 else between(draw, 1.5, LARGEST_RATIO[dim])
     diameters = [ratio ** (i / max(count - 1, 1)) for i in range(count)]
-    volume = sum(pi / 4 * d ** 2 if dim == 2 else pi / 6 * d ** 3 for d in diameters)
+    volume = sum(volume_of(dim, d) for d in diameters)
     side = volume ** (1.0 / dim)
     binder = between(draw, *BINDER[dim])
     glassy, of_binder = binder_of(draw)

@@ -1,7 +1,5 @@
 #include "deck/film_bonds.hpp"
 
-#include <algorithm>
-#include <array>
 #include <charconv>
 #include <optional>
 #include <string>
@@ -13,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "study/limits.hpp"
+#include "study/stage_rules.hpp"
 
 namespace breccia {
 namespace {
@@ -63,13 +62,7 @@ std::vector<double> read_normal(const Section& section, int dimensions) {
   if (!section.has("normal")) return {};
   section.refuse({"seed"}, "the films follow from the normal");
   auto normal = section.numbers("normal");
-  if (normal.empty()) return normal;
-  if (normal.size() != static_cast<std::size_t>(dimensions)) {
-    section.report("normal",
-                   fmt::format("expected {} components, one for each dimension, got {}", dimensions, normal.size()));
-  } else if (std::ranges::all_of(normal, [](double component) { return component == 0.0; })) {
-    section.report("normal", "expected components that are not all zero");
-  }
+  for (const auto& mistake : mistakes_of_normal(normal, dimensions)) section.report("normal", mistake);
   return normal;
 }
 

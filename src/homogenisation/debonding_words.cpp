@@ -10,26 +10,19 @@ namespace {
 
 constexpr double per_cent = 100.0;
 
-std::string_view name_of_films(Debonding kind) {
-  switch (kind) {
-    case Debonding::open:
-      return "open gaps";
-    case Debonding::sealed:
-      return "sealed gaps";
-    case Debonding::slip:
-      return "films that slip";
-  }
-  return {};
-}
+/// What debonded films of a kind are, and what follows from it.
+struct KindInWords {
+  std::string_view name, consequence;
+};
 
-std::string_view meaning_of(Debonding kind) {
+KindInWords words_on(Debonding kind) {
   switch (kind) {
     case Debonding::open:
-      return "open gaps, which carry nothing and take the pressure from the binder around them";
+      return {"open gaps", ", which carry nothing and take the pressure from the binder around them"};
     case Debonding::sealed:
-      return "sealed gaps, which carry nothing while the binder around them keeps its pressure";
+      return {"sealed gaps", ", which carry nothing while the binder around them keeps its pressure"};
     case Debonding::slip:
-      return "free to slide along one of their grains, without friction and without coming off it";
+      return {"slip", " along one of their grains, without friction and without coming off it"};
   }
   return {};
 }
@@ -49,22 +42,17 @@ std::string words_on_bonds(const Stage& stage) {
   const auto& bonds = *stage.bonds;
   const auto how_many =
       bonds.films.empty() ? fmt::format("{:.4g} % of the films", per_cent * bonds.debonded) : std::string("films");
-  return fmt::format("{}, {}, are {}", how_many, choice_of(stage), name_of_films(bonds.kind));
+  return fmt::format("{} debonded, {}: {}", how_many, choice_of(stage), words_on(bonds.kind).name);
 }
 
 std::string words_on_debonding(const Stage& stage, const GrainStatistics& grains) {
   if (!stage.bonds) return {};
-  const bool are_gaps = stage.bonds->kind != Debonding::slip;
-  constexpr double few = 0.25;
-  auto text = fmt::format("{} film{}, {:.3g} % of the {} of all, {}, {} {}", grains.debonded_films,
-                          grains.debonded_films == 1 ? "" : "s", per_cent * grains.debonded,
-                          stage.dimensions() == 3 ? "area" : "length", choice_of(stage),
-                          grains.debonded_films == 1 ? "is" : "are", meaning_of(stage.bonds->kind));
-  if (are_gaps) text += "; a gap that closes carries nothing here, in reality it would";
-  if (stage.bonds->kind == Debonding::open && grains.debonded < few) {
-    text += "; against resolved gaps the mean shear modulus was within 3 %, the bulk modulus up to 8 % too low";
-  }
-  return text;
+  const auto& [name, consequence] = words_on(stage.bonds->kind);
+  const auto* const closing =
+      stage.bonds->kind == Debonding::slip ? "" : "; a gap that closes carries nothing here, in reality it would";
+  return fmt::format("{} film{} debonded, {:.3g} % of the {} of all, {}: {}{}{}", grains.debonded_films,
+                     grains.debonded_films == 1 ? "" : "s", per_cent * grains.debonded,
+                     stage.dimensions() == 3 ? "area" : "length", choice_of(stage), name, consequence, closing);
 }
 
 }  // namespace breccia

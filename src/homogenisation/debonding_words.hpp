@@ -7,11 +7,11 @@
 
 namespace breccia {
 
-/// How films of a stage are debonded, as its deck asks for it: "10 % of the films, at random (seed 3), are open gaps".
-/// Empty where all are bonded.
+/// How films of a stage are debonded, as its deck asks for it: "10 % of the films debonded, at random (seed 3): open
+/// gaps". Empty where all are bonded.
 [[nodiscard]] std::string words_on_bonds(const Stage& stage);
 
-/// How many films of a stage are debonded, and what this means: a sentence. Empty where all are bonded.
+/// How many films of a stage are debonded, and what this means: in words. Empty where all are bonded.
 [[nodiscard]] std::string words_on_debonding(const Stage& stage, const GrainStatistics& grains);
 
 }  // namespace breccia

@@ -29,6 +29,7 @@ struct StageQuality {
   bool has_flow = false;                     ///< whether the matrix flows through the gaps
   std::optional<double> coating_cells = {};  ///< the thinnest coating in cells of the finest grid; nothing without one
   FilmOptions films = {};                    ///< elements of grains and films
+  std::optional<Debonding> debonding = {};   ///< of films that are debonded
   std::vector<int> grids;                    ///< cells per side, rising; empty where films are computed without cells
   bool is_random = false;                    ///< whether the packing depends on a seed
   /// The share of the sides that lies in filler [-], 0 and more for a window in a larger body under displacement or

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <set>
-#include <tuple>
 #include <vector>
 
 #include <fmt/format.h>
@@ -61,10 +60,8 @@ void write_films(const std::filesystem::path& directory, const Stage& stage, con
   if (!stage.bonds) return;
   constexpr std::array image_names = {"image_x", "image_y", "image_z"};
   constexpr std::array normal_names = {"normal_x", "normal_y", "normal_z"};
-  std::set<std::tuple<std::size_t, std::size_t, Index<dim>>> debonded;
-  for (const auto& [first, second, image] : debonded_films(stage, tessellation).faces) {
-    debonded.emplace(first, second, image);
-  }
+  const auto chosen = debonded_films(stage, tessellation).faces;
+  const std::set<CellFace<dim>> debonded(chosen.begin(), chosen.end());
   std::vector<double> first, second, areas, are_debonded;
   std::vector<std::vector<double>> images(static_cast<std::size_t>(dim)), normals(images.size());
   for (const auto& [face, normal, area] : measured_faces(tessellation)) {
@@ -75,7 +72,7 @@ void write_films(const std::filesystem::path& directory, const Stage& stage, con
       normals[axis].push_back(normal[axis]);
     }
     areas.push_back(area);
-    are_debonded.push_back(debonded.contains({face.first, face.second, face.image}) ? 1.0 : 0.0);
+    are_debonded.push_back(debonded.contains(face) ? 1.0 : 0.0);
   }
   std::vector<CsvColumn> columns = {{"first_grain", first}, {"second_grain", second}};
   for (std::size_t axis = 0; axis < images.size(); ++axis) columns.push_back({image_names[axis], images[axis]});

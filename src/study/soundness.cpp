@@ -42,11 +42,7 @@ void check_bonds(const Stage& stage, const std::string& part, StudyMistakes& mis
   const auto& bonds = *stage.bonds;
   if (!bonds.films.empty()) return;
   mistakes.check_number(part, "share of films that are debonded", bonds.debonded, allowed::debonded);
-  const auto has_length = std::ranges::any_of(bonds.normal, [](double component) { return component != 0.0; });
-  if (!bonds.normal.empty() && !(has_length && std::ssize(bonds.normal) == stage.dimensions())) {
-    mistakes.add(part,
-                 fmt::format("normal of films: expected {} components, not all of them zero", stage.dimensions()));
-  }
+  mistakes.add_all(part + ", normal of films", mistakes_of_normal(bonds.normal, stage.dimensions()));
 }
 
 void check_stage(const Study& study, std::size_t number, StudyMistakes& mistakes) {

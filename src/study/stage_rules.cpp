@@ -118,6 +118,15 @@ std::vector<std::string> mistakes_of_phases(const Stage& stage) {
   return mistakes;
 }
 
+std::vector<std::string> mistakes_of_normal(const std::vector<double>& normal, int dimensions) {
+  if (normal.empty()) return {};
+  if (std::ssize(normal) != dimensions) {
+    return {fmt::format("expected {} components, one for each dimension, got {}", dimensions, normal.size())};
+  }
+  const bool is_zero = std::ranges::all_of(normal, [](double component) { return component == 0.0; });
+  return is_zero ? std::vector<std::string>{"expected components that are not all zero"} : std::vector<std::string>();
+}
+
 bool can_be_extrapolated(const std::vector<int>& grids) {
   return grids.size() >= 2 && grids.size() <= allowed::most_grids &&
          std::ranges::is_sorted(grids, std::ranges::less_equal());

@@ -31,6 +31,10 @@ std::vector<std::string> mistakes_of_fractions(const Stage& stage);
 /// (phase_names), so that no such material may have the name of another phase.
 std::vector<std::string> mistakes_of_phases(const Stage& stage);
 
+/// A direction across which films are debonded has as many components as the stage has dimensions, not all of them
+/// zero. None is no mistake.
+std::vector<std::string> mistakes_of_normal(const std::vector<double>& normal, int dimensions);
+
 /// Two or three grids, with rising numbers of cells per side, are needed for an extrapolation.
 bool can_be_extrapolated(const std::vector<int>& grids);
 

@@ -235,8 +235,9 @@ TEST(Grains, MayBeDebonded) {
   const auto run = study.breccia("run", {"--set", R"(stages.0.bonds={ debonded = 0.15, kind = "sealed", seed = 4 })"});
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   EXPECT_THAT(run.output,
-              HasSubstr("of the length of all, at random (seed 4), are sealed gaps, which carry nothing while "
-                        "the binder around them keeps its pressure"));
+              HasSubstr("of the length of all, at random (seed 4): sealed gaps, which carry nothing while the "
+                        "binder around them keeps its pressure"));
+  EXPECT_THAT(run.output, HasSubstr("films: error unknown with debonded ones"));
   const auto record = nlohmann::json::parse(read_text(study.result("study.json")))["stages"][0]["microstructure"];
   EXPECT_EQ(record["debonding"]["kind"], "sealed");
   EXPECT_NEAR(record["debonding"]["share"].get<double>(), 0.15, 0.02);

@@ -9,16 +9,12 @@
 #include "breccia/error.hpp"
 #include "breccia/films/film_moduli.hpp"
 #include "breccia/microstructure/random_sites.hpp"
-#include "breccia/viscoelasticity/interconversion.hpp"
 
 #include "films/film_composite.hpp"
-#include "films/film_sampling.hpp"
-#include "films/film_stepping.hpp"
 #include "films/grains_and_films.hpp"
 #include "films/space/space_mesh.hpp"
+#include "films/stepped_response.hpp"
 #include "microstructure/expect_error.hpp"
-#include "quasistatic/composites.hpp"
-#include "quasistatic/reduced/carson_path.hpp"
 
 namespace breccia::films {
 namespace {
@@ -174,19 +170,8 @@ TEST(FilmsInSpace, SqueezeTheirBinderLikeThinFilmsBetweenRigidGrains) {
 }
 
 TEST(FilmsInSpace, MeetTheirReducedResponseInSteps) {
-  const auto material = test::relaxing_binder();
-  constexpr int per_decade = 40;
-  const auto times = test::logarithmic(1e-9, 1e-5, per_decade);
-  const auto problem = random_grains(4, 1.5, 1);
-  const std::array loads = {Load::shear, Load::bulk};
-  const auto stepped = run_film_stepping(problem, material, loads, times);
-  const auto sampled = sample_film_responses(problem, loads, carson_path(material, {1e-8, 1e-5}));
-  for (std::size_t l = 0; l < loads.size(); ++l) {
-    const auto modulus = relaxation_modulus(creep_compliance(sampled.responses[l], material));
-    for (std::size_t i = per_decade; i < times.size(); i += per_decade) {
-      EXPECT_NEAR(stepped.responses[l].values[i] / modulus.at(times[i]), 1.0, 1e-3) << times[i];
-    }
-  }
+  constexpr std::array loads = {Load::shear, Load::bulk};
+  test::expect_steps_of_the_reduced_response(random_grains(4, 1.5, 1), loads);
 }
 
 // Two cells that touch each other's images across the same side have planes in common for any weights, and a cell that

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -20,6 +21,8 @@ template <int dim>
 struct CellFace {
   std::size_t first = 0, second = 0;  ///< numbers of the sites, from 0
   Index<dim> image{};                 ///< sides of the box by which the second site is displaced
+
+  friend auto operator<=>(const CellFace&, const CellFace&) = default;
 };
 
 /// A face between cells with its shape.

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <optional>
 #include <set>
-#include <utility>
 
 #include <Eigen/Core>
 
@@ -26,8 +25,8 @@ class DebondedSet {
   explicit DebondedSet(const DebondedFilms<dim>& films) : kind_(films.kind) {
     for (const auto& [first, second, image] : films.faces) {
       const Image displacement = Image::Map(image.data());
-      faces_.insert(key_of({first, second}, displacement));
-      faces_.insert(key_of({second, first}, -displacement));
+      faces_.insert(face_of({first, second}, displacement));
+      faces_.insert(face_of({second, first}, -displacement));
     }
   }
 
@@ -35,20 +34,18 @@ class DebondedSet {
   /// nothing where it is bonded.
   [[nodiscard]] std::optional<Debonding> operator()(const std::array<std::size_t, 2>& grains,
                                                     const Image& image) const {
-    return faces_.contains(key_of(grains, image)) ? std::optional(kind_) : std::nullopt;
+    return faces_.contains(face_of(grains, image)) ? std::optional(kind_) : std::nullopt;
   }
 
  private:
-  using Key = std::pair<std::array<std::size_t, 2>, Index<dim>>;
-
-  static Key key_of(const std::array<std::size_t, 2>& grains, const Image& image) {
-    Index<dim> displacement{};
-    Image::Map(displacement.data()) = image;
-    return {grains, displacement};
+  static CellFace<dim> face_of(const std::array<std::size_t, 2>& grains, const Image& image) {
+    CellFace<dim> face{grains[0], grains[1], {}};
+    Image::Map(face.image.data()) = image;
+    return face;
   }
 
   Debonding kind_;
-  std::set<Key> faces_;
+  std::set<CellFace<dim>> faces_;
 };
 
 }  // namespace breccia::films

@@ -7,7 +7,7 @@
 
 namespace breccia::films {
 
-/// Number of an unknown, or of a pressure, that is held at zero and has no row in the matrices.
+/// Number of an unknown that a boundary holds at zero.
 inline constexpr int held = -1;
 
 /// The matrices of grains and films (theory, Eq. 65), in units of the side of the box. The unknowns are displacements

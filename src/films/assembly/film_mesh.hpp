@@ -50,7 +50,7 @@ class FilmMesh {
   [[nodiscard]] bool is_open(std::size_t film) const { return debonding_[film] == Debonding::open; }
   /// Whether a film slides along its second side.
   [[nodiscard]] bool slides(std::size_t film) const { return debonding_[film] == Debonding::slip; }
-  /// Matrices of an element of a film that is no gap.
+  /// Matrices of an element of a film; of a gap those that it would have if it were bonded.
   [[nodiscard]] FilmElement element(std::size_t film, int element) const {
     return slides(film) ? sliding_film_element(stretch(film, element)) : film_element(stretch(film, element));
   }

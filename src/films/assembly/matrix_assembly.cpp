@@ -16,7 +16,11 @@ Eigen::Matrix<double, 2, 3> traction_on(const Eigen::Vector2d& line) {
 
 template <int dim>
 MatrixAssembly<dim>::MatrixAssembly(int unknowns, int pressures)
-    : unknowns_(unknowns), pressures_(pressures), grains_(unknowns), shear_(unknowns) {
+    : unknowns_(unknowns),
+      pressures_(pressures),
+      is_pressure_held_(static_cast<std::size_t>(pressures), false),
+      grains_(unknowns),
+      shear_(unknowns) {
   result_.tractions.setZero(unknowns, Matrices::macroscopic);
   result_.by_gradient.setZero(unknowns, dim * dim);
 }
@@ -62,7 +66,6 @@ void MatrixAssembly<dim>::add_dilatation(std::span<const int> pressures, const E
                                          const Eigen::MatrixXd& matrix) {
   const typename Matrices::ByStrain of_strains = matrix * unknowns.macroscopic;
   for (std::size_t p = 0; p < pressures.size(); ++p) {
-    if (pressures[p] == held) continue;
     const auto row = static_cast<Eigen::Index>(p);
     for (std::size_t b = 0; b < unknowns.numbers.size(); ++b) {
       if (unknowns.numbers[b] == held) continue;
@@ -83,7 +86,7 @@ template <int dim>
 void MatrixAssembly<dim>::add_volume(std::span<const int> pressures, const Eigen::MatrixXd& matrix) {
   for (std::size_t a = 0; a < pressures.size(); ++a) {
     for (std::size_t b = 0; b < pressures.size(); ++b) {
-      if (pressures[b] == held || pressures[a] < pressures[b]) continue;
+      if (pressures[a] < pressures[b]) continue;
       volume_.emplace_back(pressures[a], pressures[b],
                            matrix(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)));
     }
@@ -136,7 +139,18 @@ typename MatrixAssembly<dim>::Sparse MatrixAssembly<dim>::Part::finish() {
 }
 
 template <int dim>
+void MatrixAssembly<dim>::leave_out_held_pressures() {
+  const auto is_held = [this](int pressure) { return is_pressure_held_[static_cast<std::size_t>(pressure)]; };
+  std::erase_if(dilatation_, [&](const auto& entry) { return is_held(entry.row()); });
+  std::erase_if(volume_, [&](const auto& entry) { return is_held(entry.row()) || is_held(entry.col()); });
+  for (int pressure = 0; pressure < pressures_; ++pressure) {
+    if (is_held(pressure)) volume_.emplace_back(pressure, pressure, 1.0);
+  }
+}
+
+template <int dim>
 FilmMatrices<dim> MatrixAssembly<dim>::finish() {
+  leave_out_held_pressures();
   const auto make = [](Sparse& matrix, int rows, int columns, Entries& entries) {
     matrix.resize(rows, columns);
     matrix.setFromTriplets(entries.begin(), entries.end());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -24,7 +25,7 @@ struct ElementUnknowns {
 template <int dim>
 [[nodiscard]] double work_in_uniform_shear(const ElementUnknowns<dim>& unknowns, const Eigen::MatrixXd& shear);
 
-/// Adds up the matrices of elements of any kind. Entries of an unknown or of a pressure that is held are left out.
+/// Adds up the matrices of elements of any kind. Entries of an unknown that is held are left out.
 template <int dim>
 class MatrixAssembly {
  public:
@@ -42,9 +43,10 @@ class MatrixAssembly {
   /// Adds the volume that a single unknown takes from a pressure.
   void add_outflow(int pressure, int unknown, double volume);
   void add_volume(std::span<const int> pressures, const Eigen::MatrixXd& matrix);
-  /// Gives an unknown, or a pressure, that belongs to no element a row of its own, in which it is zero.
+  /// Gives an unknown that belongs to no element a row of its own, in which it is zero.
   void isolate(int unknown) { add_resistance(unknown, 1.0); }
-  void isolate_pressure(int pressure) { volume_.emplace_back(pressure, pressure, 1.0); }
+  /// Holds a pressure at zero: its entries, earlier and later ones, give way to a row of its own.
+  void hold_pressure(int pressure) { is_pressure_held_[static_cast<std::size_t>(pressure)] = true; }
   void add_content(double content) { result_.content += content; }
   /// Adds the forces of the stresses, in Voigt's order, on an unknown.
   void add_traction(int unknown, const Eigen::Matrix<double, 1, Matrices::macroscopic>& forces);
@@ -72,9 +74,11 @@ class MatrixAssembly {
     Eigen::Matrix<double, Matrices::macroscopic, Matrices::macroscopic> of_both;
   };
 
+  void leave_out_held_pressures();
   static void add_symmetric(Part& part, const ElementUnknowns<dim>& unknowns, const Eigen::MatrixXd& matrix);
 
   int unknowns_, pressures_;
+  std::vector<bool> is_pressure_held_;
   Matrices result_;
   Part grains_, shear_;
   Entries dilatation_, volume_;

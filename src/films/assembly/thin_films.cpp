@@ -27,10 +27,7 @@ class ThinFilms {
         meshes_(mesh.grains()),
         boundary_(boundary),
         unknowns_(mesh.unknowns()),
-        has_pressure_(static_cast<std::size_t>(unknowns_.pressures()), true),
-        sum_(unknowns_.count(), unknowns_.pressures()) {
-    for (std::size_t f = 0; f < network_.films.size(); ++f) take_pressures(f);
-  }
+        sum_(unknowns_.count(), unknowns_.pressures()) {}
 
   void add_grains(const Moduli& moduli) {
     const auto elasticity = plane_strain_stiffness(moduli);
@@ -51,7 +48,10 @@ class ThinFilms {
   void add_films() {
     const auto lengths = end_lengths(network_);
     for (std::size_t f = 0; f < network_.films.size(); ++f) {
-      if (mesh_.is_gap(f)) continue;
+      if (mesh_.is_gap(f)) {
+        leave_out(f);
+        continue;
+      }
       for (int element = 0; element < network_.films[f].segments; ++element) add_stretch(f, element);
       for (std::size_t end = 0; end < 2; ++end) {
         if (!network_.ends_at_wall(f, end)) {
@@ -63,26 +63,13 @@ class ThinFilms {
     }
   }
 
-  /// Gives the flows in gaps and the pressures that are none rows of their own.
-  void isolate_gaps() {
-    for (std::size_t f = 0; f < network_.films.size(); ++f) {
-      if (!mesh_.is_gap(f)) continue;
-      for (int element = 0; element < network_.films[f].segments; ++element) {
-        for (int end = 0; end < 2; ++end) sum_.isolate(unknowns_.flow(f, element, end));
-      }
-    }
-    for (std::size_t p = 0; p < has_pressure_.size(); ++p) {
-      if (!has_pressure_[p]) sum_.isolate_pressure(static_cast<int>(p));
-    }
-  }
-
   void add_junctions() {
     for (std::size_t j = 0; j < network_.junctions.size(); ++j) {
       std::vector<Eigen::Vector2d> positions;
       for (const auto& corner : network_.junctions[j].corners) positions.push_back(network_.position(corner));
       const auto element = junction_element(positions);
       const auto unknowns = unknowns_of(mesh_.nodes_of(network_.junctions[j]), {});
-      const std::array pressures = {pressure(static_cast<int>(j))};
+      const std::array pressures = {static_cast<int>(j)};
       sum_.add_shear(unknowns, element.shear);
       sum_.add_dilatation(pressures, unknowns, element.dilatation);
       sum_.add_volume(pressures, Eigen::MatrixXd::Constant(1, 1, std::abs(element.area)));
@@ -139,29 +126,22 @@ class ThinFilms {
     return unknowns;
   }
 
-  /// Takes the pressures from a film that is a gap, and from the junctions at its ends where it is open.
-  void take_pressures(std::size_t f) {
-    if (!mesh_.is_gap(f)) return;
+  /// Leaves out a film that is a gap, with its pressures and, where it is open, those of the junctions at its ends.
+  void leave_out(std::size_t f) {
     for (int element = 0; element < network_.films[f].segments; ++element) {
+      for (int end = 0; end < 2; ++end) sum_.isolate(unknowns_.flow(f, element, end));
       for (const int number : unknowns_.pressures(network_, f, element)) {
         const bool is_of_junction = static_cast<std::size_t>(number) < network_.junctions.size();
-        if (is_of_junction && !mesh_.is_open(f)) continue;
-        has_pressure_[static_cast<std::size_t>(number)] = false;
+        if (!is_of_junction || mesh_.is_open(f)) sum_.hold_pressure(number);
       }
     }
-  }
-
-  /// The number of a pressure, or `held`.
-  [[nodiscard]] int pressure(int number) const {
-    return has_pressure_[static_cast<std::size_t>(number)] ? number : held;
   }
 
   void add_stretch(std::size_t f, int element) {
     const auto matrices = mesh_.element(f, element);
     const std::array flows = {unknowns_.flow(f, element, 0), unknowns_.flow(f, element, 1)};
     const auto unknowns = unknowns_of(mesh_.nodes_of_stretch(f, element), flows);
-    auto pressures = unknowns_.pressures(network_, f, element);
-    for (int& number : pressures) number = pressure(number);
+    const auto pressures = unknowns_.pressures(network_, f, element);
     sum_.add_shear(unknowns, matrices.shear);
     sum_.add_dilatation(pressures, unknowns, matrices.dilatation);
     sum_.add_volume(pressures, matrices.volume);
@@ -210,7 +190,6 @@ class ThinFilms {
   const std::vector<GrainMesh>& meshes_;
   Boundary boundary_;
   const Unknowns& unknowns_;
-  std::vector<bool> has_pressure_;  ///< whether there is a pressure, by number; none is in gaps and beside open ones
   MatrixAssembly<2> sum_;
 };
 
@@ -224,7 +203,6 @@ FilmMatrices<2> thin_films(const FilmProblem<2>& problem) {
   if (problem.boundary == Boundary::traction) films.add_uniform_gradients();
   films.add_films();
   films.add_junctions();
-  films.isolate_gaps();
   return films.finish();
 }
 

@@ -254,12 +254,12 @@ class Recovery {
            strain_by(position(2) - position(5), 0.5 * (at_node(u, 2) + at_node(u, 5)) + motions[1]);
   }
 
-  /// Strain, slip, opening and flow of an element of a film.
-  [[nodiscard]] FilmCell motion_of_stretch(std::size_t f, int element, const Motions& motions) const {
+  /// Strain, slip, opening and flow of an element of a film of this area.
+  [[nodiscard]] FilmCell motion_of_stretch(std::size_t f, int element, const Motions& motions, double area) const {
     const auto& film = mesh_.network().films[f];
     const auto u = unknowns_of_stretch(*displacement_, f, element);
     const auto [first, second] = means_of_sides(u);
-    FilmCell cell{.part = FilmPart::film, .area = film_element(mesh_.stretch(f, element)).volume.sum()};
+    FilmCell cell{.part = FilmPart::film, .area = area};
     cell.strain = as_tensor(strain_integral(mesh_.nodes_of_stretch(f, element), u, motions) / cell.area);
     cell.slip = (second - first).dot(film.direction);
     cell.opening = (second - first).dot(film.normal);
@@ -270,13 +270,13 @@ class Recovery {
   void add_stretch(std::size_t f, int element, const Motions& motions, double work_of_ends) {
     const auto nodes = mesh_.nodes_of_stretch(f, element);
     const std::array corners = {nodes[2], nodes[0], nodes[3], nodes[5]};
-    auto cell = motion_of_stretch(f, element, motions);
+    const auto matrices = mesh_.element(f, element);
+    auto cell = motion_of_stretch(f, element, motions, matrices.volume.sum());
     if (mesh_.is_gap(f)) {
       cell.part = FilmPart::gap;
       add_cell(cell, corners);
       return;
     }
-    const auto matrices = mesh_.element(f, element);
     const auto u = unknowns_of_stretch(*displacement_, f, element);
     const Eigen::VectorXd shear_forces = matrices.shear * unknowns_of_stretch(*shear_, f, element);
     const auto dilatation = at_pressures(volumetric_strain_, f, element);

@@ -18,9 +18,7 @@ namespace {
 class SpaceAssembly {
  public:
   explicit SpaceAssembly(const SpaceMesh& mesh)
-      : mesh_(mesh),
-        has_pressure_(nodes_with_pressure(mesh)),
-        sum_(mesh.unknowns(), static_cast<int>(has_pressure_.size())) {}
+      : mesh_(mesh), sum_(mesh.unknowns(), static_cast<int>(mesh.sheets().nodes.size())) {}
 
   void add_grains(const Moduli& moduli) {
     const auto& solids = mesh_.grains().solids();
@@ -38,7 +36,10 @@ class SpaceAssembly {
 
   void add_films() {
     for (std::size_t t = 0; t < mesh_.sheets().triangles.size(); ++t) {
-      if (is_gap(mesh_.debonding(t))) continue;
+      if (is_gap(mesh_.debonding(t))) {
+        for (int i = 0; i < FilmWedge::flows; ++i) sum_.isolate(mesh_.flow(t) + i);
+        continue;
+      }
       const auto nodes = mesh_.nodes_of_film(t);
       const bool slides = mesh_.debonding(t) == Debonding::slip, is_at_rim = mesh_.sheets().triangles[t].is_at_rim;
       const auto element = slides ? sliding_film_wedge(mesh_.film(t), is_at_rim) : film_wedge(mesh_.film(t), is_at_rim);
@@ -53,14 +54,23 @@ class SpaceAssembly {
     }
   }
 
-  /// Gives the flows in gaps and the pressures that are none rows of their own.
-  void isolate_gaps() {
-    for (std::size_t t = 0; t < mesh_.sheets().triangles.size(); ++t) {
-      if (!is_gap(mesh_.debonding(t))) continue;
-      for (int i = 0; i < FilmWedge::flows; ++i) sum_.isolate(mesh_.flow(t) + i);
+  /// Holds the pressures inside gaps and, with the rims, in open ones.
+  void hold_pressures() {
+    const auto& sheets = mesh_.sheets();
+    std::vector<bool> has_pressure(sheets.nodes.size(), false);
+    const auto set = [&has_pressure](std::span<const SheetNode> nodes, bool value) {
+      for (const auto& node : nodes) has_pressure[node.number] = value;
+    };
+    for (std::size_t t = 0; t < sheets.triangles.size(); ++t) {
+      if (!is_gap(mesh_.debonding(t))) set(sheets.triangles[t].nodes, true);
     }
-    for (std::size_t p = 0; p < has_pressure_.size(); ++p) {
-      if (!has_pressure_[p]) sum_.isolate_pressure(static_cast<int>(p));
+    for (const auto& segment : sheets.segments) set(segment.nodes, true);
+    set(sheets.points, true);
+    for (std::size_t t = 0; t < sheets.triangles.size(); ++t) {
+      if (mesh_.debonding(t) == Debonding::open) set(sheets.triangles[t].nodes, false);
+    }
+    for (std::size_t node = 0; node < has_pressure.size(); ++node) {
+      if (!has_pressure[node]) sum_.hold_pressure(static_cast<int>(node));
     }
   }
 
@@ -79,25 +89,6 @@ class SpaceAssembly {
   [[nodiscard]] FilmMatrices<3> finish() { return sum_.finish(); }
 
  private:
-  /// Whether there is a pressure at each node of the sheets: in films that are no gaps and along edges, but nowhere at
-  /// the rims of open gaps.
-  [[nodiscard]] static std::vector<bool> nodes_with_pressure(const SpaceMesh& mesh) {
-    const auto& sheets = mesh.sheets();
-    std::vector<bool> has_pressure(sheets.nodes.size(), false);
-    const auto set = [&has_pressure](std::span<const SheetNode> nodes, bool value) {
-      for (const auto& node : nodes) has_pressure[node.number] = value;
-    };
-    for (std::size_t t = 0; t < sheets.triangles.size(); ++t) {
-      if (!is_gap(mesh.debonding(t))) set(sheets.triangles[t].nodes, true);
-    }
-    for (const auto& segment : sheets.segments) set(segment.nodes, true);
-    set(sheets.points, true);
-    for (std::size_t t = 0; t < sheets.triangles.size(); ++t) {
-      if (mesh.debonding(t) == Debonding::open) set(sheets.triangles[t].nodes, false);
-    }
-    return has_pressure;
-  }
-
   [[nodiscard]] Eigen::Vector3d position(const SolidNode& node) const { return mesh_.grains().position(node); }
 
   [[nodiscard]] ElementUnknowns<3> unknowns_of(std::span<const SolidNode> nodes, std::span<const int> flows) const {
@@ -107,12 +98,9 @@ class SpaceAssembly {
     return solid_unknowns(of_element, flows);
   }
 
-  /// The numbers of the pressures at nodes, or `held`.
-  [[nodiscard]] std::vector<int> pressures_of(std::span<const SheetNode> nodes) const {
+  [[nodiscard]] static std::vector<int> pressures_of(std::span<const SheetNode> nodes) {
     std::vector<int> pressures;
-    for (const auto& node : nodes) {
-      pressures.push_back(has_pressure_[node.number] ? static_cast<int>(node.number) : held);
-    }
+    for (const auto& node : nodes) pressures.push_back(static_cast<int>(node.number));
     return pressures;
   }
 
@@ -126,7 +114,6 @@ class SpaceAssembly {
   }
 
   const SpaceMesh& mesh_;
-  std::vector<bool> has_pressure_;  ///< by node of the sheets
   MatrixAssembly<3> sum_;
 };
 
@@ -139,7 +126,7 @@ FilmMatrices<3> films_in_space(const FilmProblem<3>& problem) {
   films.add_films();
   films.add_channels();
   films.add_corners();
-  films.isolate_gaps();
+  films.hold_pressures();
   return films.finish();
 }
 

@@ -64,10 +64,9 @@ class Chooser {
       pilot_.side = side_of_particles(stage, particles_of_pilot);
     }
     if (pilot_.cells == 0) pilot_.cells = few_cells;
-    // Listed films are those of the whole box.
-    auto bonded = pilot_;
-    bonded.bonds.reset();
-    packed_ = make_microstructure(bonded);
+    // Debonded films have no rule, and listed ones are those of the whole box: the box is chosen as if all were bonded.
+    pilot_.bonds.reset();
+    packed_ = make_microstructure(pilot_);
     // The narrowest of many gaps is no wider than what the deck asks for.
     for (const auto& filler : stage.fillers) {
       if (filler.gap > 0.0) packed_.gap = std::min(packed_.gap, filler.gap);
@@ -94,7 +93,7 @@ class Chooser {
       if (!chosen.has_rule) stage.coarser_cells = {stage.cells / 2};
     }
     if (has_films_) {
-      choice.grid = film_error(study_, pilot_, packed_);
+      choice.grid = stage_.bonds ? std::nullopt : film_error(study_, pilot_, packed_);
     } else if (chosen.has_rule) {
       choice.grid = grid_error(stage);
     }
@@ -127,10 +126,7 @@ class Chooser {
   [[nodiscard]] std::optional<double> scatter_of_one() const {
     // The stiffening of the boxes that were compared was up to an eighth larger than expected.
     constexpr double many = 1e6, margin = 1.12;
-    // Of debonded films no rule is known; their box is no smaller than that of bonded ones.
-    auto bonded = pilot_;
-    bonded.bonds.reset();
-    auto rules = error_rules_of(study_, bonded, packed_);
+    auto rules = error_rules_of(study_, pilot_, packed_);
     if (rules.sample == SampleKind::whole) return 0.0;
     rules.effective_particles = many;
     const auto error = expected_sample_error(study_, pilot_, packed_.fillers, rules);

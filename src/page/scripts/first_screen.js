@@ -7,7 +7,7 @@ import {bestGrid} from "./curves.js";
 import {data, study} from "./data.js";
 import {element} from "./elements.js";
 import {mainLoad} from "./loads.js";
-import {symbolOf, textOnStage} from "./names.js";
+import {bulkSymbolOf, hasFilms, symbolOf, textOnStage} from "./names.js";
 import {display, percent, shortNumber, unbroken, withMicroSign} from "./numbers.js";
 import {own} from "./records.js";
 import {onAnisotropy, nextStep, onFilms, onMeasuringGrids, onSpace} from "./reliability_sentences.js";
@@ -89,7 +89,7 @@ function textOnError(result, stage) {
   if (result.every(hasWholeError)) return `± ${causesOfErrors(result)}`;
   const shares = result.flatMap(({error}) => error?.grid ?? []).filter(Number.isFinite);
   if (shares.length > 0 && gridsOf(stage).length > 1) return `± ${percent(Math.max(...shares))} by the grid`;
-  const expected = expectedErrorOf(stage), ofFilms = gridsOf(stage)[0] === "films";
+  const expected = expectedErrorOf(stage), ofFilms = hasFilms(stageOf(stage));
   if (expected === undefined) return `the ${ofFilms ? "error of the mesh" : "discretisation error"} is not known`;
   return `the ${ofFilms ? "model of films" : "grid"} may err by ${percent(expected)}`;
 }
@@ -101,7 +101,7 @@ function hasWholeError({error}) {
 
 /// The largest errors of curves by their causes: "3.4 % by the grid, 7.9 % by the packing".
 function causesOfErrors(result) {
-  const ofFilms = gridsOf(result[0].stage)[0] === "films";
+  const ofFilms = hasFilms(stageOf(result[0].stage));
   const causes = {grid: ofFilms ? "model of films" : "grid", sample: "packing", matrix: "matrix", solver: "solver"};
   const least = 1e-3;  // the solver's error is smaller by default
   const largest = Object.entries(causes).map(([cause, name]) =>
@@ -119,15 +119,19 @@ function groupsOfStudy() {
 }
 
 function loadsOf(stage) {
-  return study.stages.find(({name}) => name === stage).tests.map(({load}) => load);
+  return stageOf(stage).tests.map(({load}) => load);
+}
+
+function stageOf(wanted) {
+  return study.stages.find(({name}) => name === wanted);
 }
 
 function gridsOf(stage) {
-  return study.stages.find(({name}) => name === stage).cells;
+  return stageOf(stage).cells;
 }
 
 function qualityOf(stage) {
-  return study.stages.find(({name}) => name === stage).quality;
+  return stageOf(stage).quality;
 }
 
 /// The largest error of one grid by a rule; undefined where there is none.
@@ -164,7 +168,7 @@ export function showResult(curves) {
       binder: isShear ? binderBeside(stage) : undefined, measured});
   const [first, ...others] = [...sentences, onSpace(study, qualityOf(stage))].filter((sentence) => sentence !== "");
   place.append(element("p", {id: "answer"}, element("strong", {}, unbroken(first)), ` ${unbroken(others.join(" "))}`));
-  const next = nextStep(study.stages.find((one) => one.name === stage));
+  const next = nextStep(stageOf(stage));
   if (next !== "") place.append(element("p", {id: "next-step", className: "note"}, next));
 }
 
@@ -233,9 +237,8 @@ export function showModuli(curves) {
   if (binder !== undefined) {
     columns.push([`over ${binder.name}`, (time) => (hasFlowedAway(binder, time) ? "–" : ratios(binder.at(time), time))]);
   }
-  const ofBulk = study.stages.find(({name}) => name === stage).dimensions === 3 ? "K" : "K + G/3";
   for (const bulk of isShear ? othersOf("bulk", curves, result) : []) {
-    columns.push([`${ofBulk}, ${bulk.boundary}`, (time) => modulusText(bulk, time)]);
+    columns.push([`${bulkSymbolOf(stageOf(stage))}, ${bulk.boundary}`, (time) => modulusText(bulk, time)]);
   }
   for (const young of othersOf("young", curves, result)) {
     columns.push([`Young's modulus, ${young.boundary}`, (time) => display(at(young, time), "Pa")]);
@@ -286,7 +289,7 @@ function noteOnErrors(result, stage) {
     : result.some(({band}) => band !== undefined) && gridsOf(stage).length > 1
       ? result.some(hasWholeError) ? "± is the error of the grid, and with the periodic boundary that of the packing, too."
         : "± is the error of the grid, from the grids of the run."
-    : gridsOf(stage)[0] === "films" ? onFilms(quality)
+    : hasFilms(stageOf(stage)) ? onFilms(quality)
       : expectedErrorOf(stage) === undefined
         ? `Of one grid: its error is not known${ruleOf(stage) === undefined ? "" : ` (${ruleOf(stage)})`}.`
         : `Of one grid, whose error is up to about ${percent(expectedErrorOf(stage))} ${ruleOf(stage) ?? "by a rule"}.`;

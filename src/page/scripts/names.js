@@ -41,6 +41,16 @@ export function nameOfTest(stage, test) {
   return [stage.name, test.load, test.boundary, methodNames[test.method]];
 }
 
+/// Whether a stage was computed by the model of grains and films, without cells.
+export function hasFilms({cells}) {
+  return cells[0] === "films";
+}
+
+/// The modulus of a bulk test of a stage: in the plane it has a part of the shear modulus.
+export function bulkSymbolOf({dimensions}) {
+  return dimensions === 3 ? "K" : "K + G/3";
+}
+
 /// A description of the microstructure of a stage.
 export function textOnStage(stage) {
   const box = `a box of ${display(stage.box_m, "m")}`;

@@ -1,6 +1,6 @@
 /// The reliability of the results of a stage in sentences, from the error estimates of the run.
 
-import {instantText, listed} from "./names.js";
+import {hasFilms, instantText, listed} from "./names.js";
 import {display, percent, shortNumber} from "./numbers.js";
 import {matrixStageOf} from "./stages.js";
 
@@ -113,9 +113,10 @@ export function onMeasuringGrids(grids) {
 
 /// What to do next about the error of a stage's moduli: how to find it or, where it is large, to lower it; empty where
 /// nothing is to be done, or nothing is known that helps.
-export function nextStep({cells, quality, tests = []}) {
+export function nextStep(stage) {
+  const {quality, tests = []} = stage;
   const {largest_error: error, largest_sample_error: ofPacking, measuring_grids: grids, error_asked: asked} = quality ?? {};
-  if (cells[0] === "films") return "";
+  if (hasFilms(stage)) return "";
   if (quality?.filler_on_sides !== undefined && tests.every(({boundary}) => boundary !== "periodic")) {
     return 'Next: boundaries = ["periodic"] in [tests], whose modulus comes nearest to that of the material.';
   }
@@ -134,8 +135,9 @@ export function onFilms({expected_grid_error: error} = {}) {
   return Number.isFinite(error) ? `The model of films: an error of up to about ${percent(error)} by a rule.` : "";
 }
 
-function onGrids({cells, quality}) {
-  if (cells[0] === "films") return onFilms(quality);
+function onGrids(stage) {
+  const {cells, quality} = stage;
+  if (hasFilms(stage)) return onFilms(quality);
   if (cells.length < 2) return onOneGrid(quality ?? {});
   const error = quality?.grid_error;
   return `The grid: ${listed(cells.map(String))} cells a side` +

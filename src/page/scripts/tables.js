@@ -3,18 +3,13 @@
 import {complexOf} from "./complex_moduli.js";
 import {readTable, study} from "./data.js";
 import {element} from "./elements.js";
-import {listed, methodNames, nameOfTest, textOnStage} from "./names.js";
+import {hasFilms, listed, methodNames, nameOfTest, textOnStage} from "./names.js";
 import {display, duration, minus, percent, percentOfWhole, shortNumber, withMicroSign} from "./numbers.js";
 import {distinct, groupsOf} from "./records.js";
 import {decades, valueAt} from "./sampling.js";
 import {matrixStageOf, stagesOfInterest} from "./stages.js";
 import {table} from "./table.js";
 import {sentenceOnWholeFiller} from "./whole_filler.js";
-
-/// Whether a stage was computed by the model of grains and films, without cells.
-function hasFilms(stage) {
-  return stage.cells[0] === "films";
-}
 
 /// Shows the stages and the tests computed of each.
 export function showStages() {
