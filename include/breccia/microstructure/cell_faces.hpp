@@ -1,11 +1,11 @@
 #pragma once
 
 #include <array>
-#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "breccia/microstructure/index.hpp"
@@ -22,7 +22,9 @@ struct CellFace {
   std::size_t first = 0, second = 0;  ///< numbers of the sites, from 0
   Index<dim> image{};                 ///< sides of the box by which the second site is displaced
 
-  friend auto operator<=>(const CellFace&, const CellFace&) = default;
+  friend bool operator<(const CellFace& one, const CellFace& other) {
+    return std::tie(one.first, one.second, one.image) < std::tie(other.first, other.second, other.image);
+  }
 };
 
 /// A face between cells with its shape.
