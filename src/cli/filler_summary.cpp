@@ -12,7 +12,8 @@ std::string filler_summary(const Study& study, const std::vector<std::vector<Fil
   for (const auto& stage : study.stages) {
     if (serves_as_matrix(study.stages, stage.name)) continue;
     const auto whole = filler_of_the_whole(study, stage, packed);
-    if (whole.fraction > 0.0) text += fmt::format("{}: filler of the whole: {}\n", stage.name, in_words(whole));
+    const bool has_any = whole.fraction > 0.0 || whole.porosity > 0.0;
+    if (has_any) text += fmt::format("{}: {}\n", stage.name, in_words(whole));
   }
   return text;
 }

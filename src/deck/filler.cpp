@@ -126,6 +126,9 @@ std::optional<Coating> read_coating(const Section& section, const std::vector<Sh
   const auto coating = section.optional_section("coating");
   if (!coating) return std::nullopt;
   auto material = read_material_reference(*coating, "material", materials);
+  if (is_void(material)) {
+    coating->report("material", "a particle in a void carries nothing: expected a filler of void in its place");
+  }
   return Coating{std::move(material), coating->quantity("thickness", Dimension::length, Range::positive())};
 }
 

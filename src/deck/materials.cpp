@@ -28,6 +28,11 @@ std::vector<ShiftedMaterial> read_materials(const Section& deck) {
   std::vector<ShiftedMaterial> materials;
   for (const auto& name : section.keys()) {
     if (!is_printable(name)) section.report(name, "expected a name without line breaks and other control characters");
+    if (name == name_of_void) {
+      section.report(name, "a void has no moduli: fillers and labels of pixels name it without a table of its own");
+      if (section.kind(name) == Kind::table) section.section(name).accept_all_keys();
+      continue;
+    }
     materials.push_back(read_shifted_material(section.section(name), name));
   }
   return materials;
@@ -37,6 +42,7 @@ Material read_material_reference(const Section& section, const std::string& key,
                                  const std::vector<ShiftedMaterial>& materials) {
   const auto name = section.text(key);
   if (name.empty()) return {};
+  if (name == name_of_void) return void_material();
   if (const auto* const found = find_material(materials, name)) return found->material;
   std::vector<std::string> names;
   names.reserve(materials.size());

@@ -53,7 +53,9 @@ StageMatrix read_matrix(const Section& section, const std::vector<Stage>& earlie
     if (stage.name == name) return EarlierStage{name};
     known.push_back(stage.name);
   }
-  if (section.kind("name") == Kind::text && section.text("name") == name) {
+  if (name == name_of_void) {
+    section.report("matrix", "expected a solid: only fillers are voids");
+  } else if (section.kind("name") == Kind::text && section.text("name") == name) {
     section.report("matrix", "a stage cannot be its own matrix: expected a material or an earlier stage");
   } else if (has_name(later, name)) {
     section.report("matrix",

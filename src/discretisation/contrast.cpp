@@ -33,4 +33,14 @@ bool are_stiffer_than_matrix(std::span<const Material> by_phase) {
                              [&](const Material& other) { return is_lower(by_phase.front().shear, other.shear); });
 }
 
+Moduli least_of_solids(std::span<const Moduli> by_phase) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  Moduli least = {.bulk = infinite, .shear = infinite};
+  for (const auto& phase : by_phase) {
+    if (is_void(phase)) continue;
+    least = {.bulk = std::min(least.bulk, phase.bulk), .shear = std::min(least.shear, phase.shear)};
+  }
+  return least;
+}
+
 }  // namespace breccia

@@ -94,7 +94,15 @@ MixtureRule::MixtureRule(Mixture mixture) : mixture_(std::move(mixture)) {
 
 MixtureRule::MixtureRule(Mixture mixture, std::span<const Material> by_phase) : MixtureRule(std::move(mixture)) {
   const auto is_matrix = [](const MixedPart& part) { return part.phase == matrix; };
-  is_held_ = std::ranges::any_of(mixture_, is_matrix) && are_softer_than_matrix(by_phase);
+  const auto is_empty = [&](const MixedPart& part) { return is_void(by_phase[part.phase]); };
+  if (std::ranges::any_of(mixture_, is_empty)) {
+    // The matrix, where the cell has some, since it has the least number.
+    for (const auto& part : mixture_) {
+      if (!is_empty(part)) holding_ = std::min(holding_.value_or(part.phase), part.phase);
+    }
+  } else if (std::ranges::any_of(mixture_, is_matrix) && are_softer_than_matrix(by_phase)) {
+    holding_ = matrix;
+  }
 }
 
 template <int dim>
@@ -126,7 +134,7 @@ Moduli MixtureRule::moduli(std::span<const Moduli> by_phase) const {
 template <int dim>
 PronySeries MixtureRule::modulus(std::span<const Material> by_phase, PronySeries (*of_phase)(const Material&),
                                  Eigen::Index mode) const {
-  const auto held = by_phase[matrix].shear.scaled(of_unit_shear()[mode]);
+  const auto held = holding_ ? by_phase[*holding_].shear.scaled(of_unit_shear()[mode]) : PronySeries();
   std::vector<double> shares;
   for (const auto& share : shares_) shares.push_back(share[mode]);
   std::vector<PronySeries> moduli;
@@ -134,10 +142,10 @@ PronySeries MixtureRule::modulus(std::span<const Material> by_phase, PronySeries
     const auto& material = by_phase[part.phase];
     moduli.push_back(of_phase(material));
     require_falling(moduli.back(), material.name, dim);
-    if (is_held_) moduli.back() = PronySeries::sum(with_times_of(held, moduli.back()), held);
+    if (holding_) moduli.back() = PronySeries::sum(with_times_of(held, moduli.back()), held);
   }
   const auto mixed = breccia::in_series(moduli, shares);
-  return is_held_ ? rest(mixed, held) : mixed;
+  return holding_ ? rest(mixed, held) : mixed;
 }
 
 template <int dim>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -16,8 +17,9 @@ namespace breccia {
 using VolumeAndShear = Eigen::Array2d;
 
 /// The way in which the phases of a mixed cell act together (theory, Eqs. 40 and 40a). All are in series, unless all
-/// phases of the composite are softer in shear than its matrix at all times: then the matrix holds their strains near
-/// to that of the cell, by the constraint of Hill.
+/// phases of the composite are softer in shear than its matrix at all times, or one of the cell is a void: then the
+/// matrix, or another phase where a cell has no matrix, holds their strains near to that of the cell, by the constraint
+/// of Hill.
 class MixtureRule {
  public:
   /// The phase that can hold others, by the order of phases that a stage has.
@@ -34,12 +36,12 @@ class MixtureRule {
   [[nodiscard]] const Mixture& mixture() const noexcept { return mixture_; }
   /// The shares of the phases in the mean strain [-].
   [[nodiscard]] const std::vector<VolumeAndShear>& shares() const noexcept { return shares_; }
-  /// Whether the matrix holds the strains of the phases.
-  [[nodiscard]] bool is_held() const noexcept { return is_held_; }
+  /// Whether a phase holds the strains of the others.
+  [[nodiscard]] bool is_held() const noexcept { return holding_.has_value(); }
 
-  /// The modulus c [Pa] with which the matrix holds the strains of the phases; 0 in series.
+  /// The modulus c [Pa] with which a phase holds the strains of all; 0 in series.
   [[nodiscard]] VolumeAndShear constraint(std::span<const Moduli> by_phase) const {
-    return is_held_ ? VolumeAndShear(by_phase[matrix].shear * of_unit_shear()) : VolumeAndShear::Zero();
+    return holding_ ? VolumeAndShear(by_phase[*holding_].shear * of_unit_shear()) : VolumeAndShear::Zero();
   }
   /// m + c for each phase of the mixture, in its order [Pa].
   template <int dim>
@@ -58,7 +60,7 @@ class MixtureRule {
   [[nodiscard]] Material material(std::span<const Material> by_phase) const;
 
  private:
-  /// The constraint of a matrix with a shear modulus of 1.
+  /// The constraint of a phase with a shear modulus of 1.
   [[nodiscard]] static VolumeAndShear of_unit_shear() noexcept {
     constexpr double of_volume = 3.0, of_shear = 10.0;  // chosen on arrays of soft discs (theory, section 2)
     return {of_volume, of_shear};
@@ -70,7 +72,7 @@ class MixtureRule {
 
   Mixture mixture_;
   std::vector<VolumeAndShear> shares_;
-  bool is_held_ = false;
+  std::optional<PhaseIndex> holding_;  ///< the phase that holds the strains of all; nothing in series
 };
 
 }  // namespace breccia

@@ -72,7 +72,7 @@ void Classical<dim>::add_points(const Index<dim>& cell) {
   const double volume = times_power<dim>(CellShape<dim>::point_volume, grid.cell_side);
   for (int p = 0; p < CellShape<dim>::points; ++p) {
     const auto phase = discretisation.cell(cell)[static_cast<std::size_t>(p)];
-    if (phase == no_phase) continue;
+    if (phase == no_phase || is_void(problem().materials[phase])) continue;
     Point point{};
     point.position = discretisation.position(cell, p);
     point.mass = problem().mass_scaling * problem().materials[phase].density * volume;

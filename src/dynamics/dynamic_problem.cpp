@@ -59,6 +59,7 @@ template <int dim>
 void require_complete(const Discretisation<dim>& discretisation, const std::vector<Material>& materials) {
   require_phases("dynamic run", discretisation, materials.size());
   for (const auto& material : materials) {
+    if (is_void(material)) continue;
     if (!(material.density > 0.0) || !(material.bulk.unrelaxed() + material.shear.unrelaxed() > 0.0)) {
       throw InputError(fmt::format("dynamic run: material '{}' has no density or no stiffness", material.name));
     }
@@ -77,7 +78,8 @@ double stable_time_step(const Discretisation<dim>& discretisation, const std::ve
   const std::set<CellPhases<dim>> kinds(discretisation.cells().begin(), discretisation.cells().end());
   double largest = 0.0;
   for (const auto& kind : kinds) {
-    if (std::ranges::all_of(kind, [](PhaseIndex phase) { return phase == no_phase; })) continue;
+    const auto is_empty = [&](PhaseIndex phase) { return phase == no_phase || is_void(materials[phase]); };
+    if (std::ranges::all_of(kind, is_empty)) continue;
     largest = std::max(largest, largest_cell_eigenvalue<dim>(kind, materials, volumetric));
   }
   if (!(largest > 0.0)) throw InputError("dynamic run: no cell has a point");

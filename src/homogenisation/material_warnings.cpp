@@ -107,6 +107,7 @@ std::vector<std::string> warnings_on_materials(const Study& study, const Stage& 
 std::vector<std::string> warnings_of_soft_fillers(const Study& study, const Stage& stage) {
   std::vector<std::string> warnings;
   for (const auto& filler : stage.fillers) {
+    if (is_void(filler.material)) continue;
     auto warning = warning_of_soft_filler(filler.material, binder_of(study, stage), study.tests.first_time,
                                           study.tests.abscissa());
     if (warning && std::ranges::find(warnings, *warning) == warnings.end()) warnings.push_back(*std::move(warning));

@@ -265,7 +265,7 @@ std::optional<std::string> warning_of_cut_filler(const Stage& stage, const std::
   const double share = cuts ? filler_on_sides(stage, packed).value_or(0.0) : 0.0;
   if (!(share > 0.0)) return std::nullopt;
   return fmt::format(
-      "the sides of the box cut filler, over {:.2g} % of their {}: a displacement boundary moves it with the sides, "
+      "the sides of the box cut filler, over {:.0f} % of their {}: a displacement boundary moves it with the sides, "
       "and its modulus is an upper bound, far too high where the filler is far stiffer than the matrix; a traction "
       "boundary leaves it free, a lower bound; both come closer in a larger box{}",
       100.0 * share, stage.dimensions() == 3 ? "area" : "length",

@@ -47,6 +47,10 @@ WholeFiller filler_of_the_whole(const Study& study, const Stage& stage,
   WholeFiller whole;
   double mass = 0.0;  // mass of the filler per volume of the composite [kg/m^3]
   for (const auto& [material, fraction, is_coating] : parts) {
+    if (is_void(*material)) {
+      whole.porosity += fraction;
+      continue;
+    }
     auto& shares = is_coating ? whole.coatings : whole.materials;
     shares.push_back({material->name, fraction, fraction * material->density / density});
     if (is_coating) continue;
@@ -58,8 +62,10 @@ WholeFiller filler_of_the_whole(const Study& study, const Stage& stage,
 }
 
 std::string in_words(const WholeFiller& filler) {
-  auto text =
-      fmt::format("{:.1f} % by volume, {:.1f} % by mass", 100.0 * filler.fraction, 100.0 * filler.mass_fraction);
+  const auto voids = fmt::format("voids: {:.1f} % by volume", 100.0 * filler.porosity);
+  if (!(filler.fraction > 0.0)) return voids;
+  auto text = fmt::format("filler of the whole: {:.1f} % by volume, {:.1f} % by mass", 100.0 * filler.fraction,
+                          100.0 * filler.mass_fraction);
   const auto listed = [](const std::vector<FillerShare>& shares) {
     std::vector<std::string> words;
     words.reserve(shares.size());
@@ -70,6 +76,7 @@ std::string in_words(const WholeFiller& filler) {
   };
   if (filler.materials.size() > 1) text += fmt::format(" ({})", listed(filler.materials));
   if (!filler.coatings.empty()) text += fmt::format("; coatings by mass: {}", listed(filler.coatings));
+  if (filler.porosity > 0.0) text += "; " + voids;
   return text;
 }
 

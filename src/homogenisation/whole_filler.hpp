@@ -17,9 +17,10 @@ struct FillerShare {
 
 /// The filler of a stage together with the filler of the stages that it builds on.
 struct WholeFiller {
-  double fraction = 0.0;               ///< fraction by volume, without coatings [-]
+  double fraction = 0.0;               ///< fraction by volume, without coatings and voids [-]
   double mass_fraction = 0.0;          ///< without coatings [-]
-  std::vector<FillerShare> materials;  ///< fillers, in the order in which the stages add them
+  double porosity = 0.0;               ///< fraction of the voids by volume [-]
+  std::vector<FillerShare> materials;  ///< solid fillers, in the order in which the stages add them
   std::vector<FillerShare> coatings;   ///< coatings, in the same order
 };
 
@@ -28,7 +29,8 @@ struct WholeFiller {
 WholeFiller filler_of_the_whole(const Study& study, const Stage& stage,
                                 const std::vector<std::vector<FillerStatistics>>& packed);
 
-/// The filler in words: "80.1 % by volume, 88.0 % by mass (ap 71.0 %, al 17.0 %)"; the shares in brackets are by mass.
+/// The filler in words: "filler of the whole: 80.1 % by volume, 88.0 % by mass (ap 71.0 %, al 17.0 %); voids: 2.0 % by
+/// volume"; the shares in brackets are by mass.
 std::string in_words(const WholeFiller& filler);
 
 }  // namespace breccia

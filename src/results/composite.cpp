@@ -139,9 +139,10 @@ void add_materials(const StudyContent& content, const StageContent& stage, const
   double rest = 1.0;
   bool relaxes_by_binder_alone = true;
   for (const auto& share : stage.shares) {
+    rest -= share.fraction;
+    if (share.material == name_of_void) continue;
     const auto& material = material_of(content, share.material, place).material;
     composite.density += share.fraction * material.density;
-    rest -= share.fraction;
     relaxes_by_binder_alone = relaxes_by_binder_alone && is_elastic(material);
   }
   composite.density += rest * binder.material.density;
@@ -169,8 +170,9 @@ StudyContent study_content(const Study& study, const StudyResult& result) {
   for (std::size_t i = 0; i < result.stages.size(); ++i) {
     const auto& stage = study.stages[i];
     packed.push_back(result.stages[i].microstructure.fillers);
-    auto [fraction, mass_fraction, materials, coatings] = filler_of_the_whole(study, stage, packed);
+    auto [fraction, mass_fraction, porosity, materials, coatings] = filler_of_the_whole(study, stage, packed);
     materials.insert(materials.end(), coatings.begin(), coatings.end());
+    if (porosity > 0.0) materials.push_back({name_of_void, porosity});
     content.stages.push_back({stage.name, name_of(stage.matrix), stage.dimensions(), std::move(materials)});
   }
   return content;

@@ -12,6 +12,7 @@ StageContent content_of(const StageEntry& stage) {
   if (const auto& coatings = stage.whole_filler->coatings) {
     content.shares.insert(content.shares.end(), coatings->begin(), coatings->end());
   }
+  if (const auto porosity = stage.whole_filler->porosity) content.shares.push_back({name_of_void, *porosity});
   return content;
 }
 

@@ -290,12 +290,14 @@ struct WholeFillerEntry {
   double fraction = 0.0, mass_fraction = 0.0;
   std::vector<FillerShare> materials = {};
   std::optional<std::vector<FillerShare>> coatings = {};
+  std::optional<double> porosity = {};
 };
 template <>
 inline constexpr auto fields<WholeFillerEntry> = std::tuple(field("fraction", &WholeFillerEntry::fraction),
                                                             field("mass_fraction", &WholeFillerEntry::mass_fraction),
                                                             field("materials", &WholeFillerEntry::materials),
-                                                            field_if_any("coatings", &WholeFillerEntry::coatings));
+                                                            field_if_any("coatings", &WholeFillerEntry::coatings),
+                                                            field_if_any("porosity", &WholeFillerEntry::porosity));
 
 struct StageEntry {
   std::string name = {}, matrix = {};

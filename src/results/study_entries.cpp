@@ -318,9 +318,10 @@ StageEntry entry_of(const Stage& stage, const StageResult& result, const Study& 
 
 /// The entry on the filler of the whole composite; nothing without a filler.
 std::optional<WholeFillerEntry> entry_of(const WholeFiller& filler) {
-  if (!(filler.fraction > 0.0)) return std::nullopt;
-  WholeFillerEntry entry{filler.fraction, filler.mass_fraction, filler.materials, std::nullopt};
+  if (!(filler.fraction > 0.0) && !(filler.porosity > 0.0)) return std::nullopt;
+  WholeFillerEntry entry{filler.fraction, filler.mass_fraction, filler.materials};
   if (!filler.coatings.empty()) entry.coatings = filler.coatings;
+  if (filler.porosity > 0.0) entry.porosity = filler.porosity;
   return entry;
 }
 

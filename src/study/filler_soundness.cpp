@@ -213,7 +213,7 @@ struct CheckAmount {
 };
 
 void check_filler(const Filler& filler, const Stage& stage, const std::string& part, StudyMistakes& mistakes) {
-  check_material(filler.material, part, mistakes);
+  if (filler.material != void_material()) check_material(filler.material, part, mistakes);
   if (filler.coating) {
     check_material(filler.coating->material, part + ", coating", mistakes);
     mistakes.check_quantity(part, "thickness of the coating", filler.coating->thickness, Range::positive(),

@@ -37,6 +37,10 @@ void check_poisson_ratio(const Material& material, const std::string& part, Stud
 }  // namespace
 
 void check_material(const Material& material, const std::string& part, StudyMistakes& mistakes) {
+  if (material.name == name_of_void) {
+    mistakes.add(part, "expected a solid: only fillers are voids");
+    return;
+  }
   if (!is_printable(material.name)) mistakes.check_name(part, material.name);
   mistakes.check_quantity(part, "density", material.density, Range::positive(), Dimension::density);
   mistakes.check_quantity(part, "unrelaxed bulk modulus", material.bulk.unrelaxed(), Range::positive(),

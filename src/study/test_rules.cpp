@@ -69,6 +69,7 @@ std::vector<std::string> lacking_in_films(const Tests& tests, const Stage& stage
   };
   const auto& grains = stage.fillers.front().material;
   if (!grains.shear.is_elastic() || !grains.bulk.is_elastic()) lacks("expected grains that are elastic");
+  if (is_void(grains)) lacks(R"(expected solid grains; with model = "cells" they may be voids)");
   if (const auto* method = stage.packed_by<LaguerrePacking<3>>(); method != nullptr && !method->is_random()) {
     if (!method->film_shares.empty()) {
       lacks("in three dimensions films have nearly one thickness: expected sites without film_share");

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "discretisation/contrast.hpp"
+
 namespace breccia {
 
 namespace {
@@ -40,11 +42,9 @@ double ShearModulusBounds::surrounded_by(double bulk, double shear, double time)
 }
 
 double ShearModulusBounds::lower(double time) const {
-  double bulk = phases_.front().bulk.at(time), shear = phases_.front().shear.at(time);
-  for (const auto& phase : phases_) {
-    bulk = std::min(bulk, phase.bulk.at(time));
-    shear = std::min(shear, phase.shear.at(time));
-  }
+  std::vector<Moduli> moduli;
+  for (const auto& phase : phases_) moduli.push_back({.bulk = phase.bulk.at(time), .shear = phase.shear.at(time)});
+  const auto [bulk, shear] = least_of_solids(moduli);
   return surrounded_by(bulk, shear, time);
 }
 

@@ -4,6 +4,14 @@
 
 namespace breccia {
 
+Material void_material() {
+  return {.name = name_of_void, .density = 0.0, .bulk = PronySeries(0.0), .shear = PronySeries(0.0)};
+}
+
+bool is_void(const Material& material) {
+  return material.bulk.unrelaxed() == 0.0 && material.shear.unrelaxed() == 0.0;
+}
+
 PronySeries plane_strain_bulk_modulus(const Material& material) {
   return PronySeries::sum(material.bulk, material.shear.scaled(1.0 / 3.0));
 }

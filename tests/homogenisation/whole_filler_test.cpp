@@ -46,7 +46,7 @@ TEST(WholeFiller, OfAChainOfStagesWithTwoMaterials) {
   EXPECT_NEAR(whole.materials[0].mass_fraction, 97.2 / 1825.8, 1e-15);
   EXPECT_EQ(whole.materials[1].material, "ap");
   EXPECT_NEAR(whole.materials[1].fraction, 0.82, 1e-15);
-  EXPECT_EQ(in_words(whole), "85.6 % by volume, 92.9 % by mass (al 5.3 %, ap 87.6 %)");
+  EXPECT_EQ(in_words(whole), "filler of the whole: 85.6 % by volume, 92.9 % by mass (al 5.3 %, ap 87.6 %)");
 }
 
 // The fraction of the stages of PBX-9501 is 1 - 0.35 * 0.37 * 0.48.
@@ -57,7 +57,7 @@ TEST(WholeFiller, OfPbx9501) {
                   stage("PBX-9501", EarlierStage{"HB-2"}, "hmx", 1850.0)};
   const auto whole = filler_of_the_whole(study, study.stages[2], packed({0.65, 0.63, 0.52}));
   EXPECT_NEAR(whole.fraction, 0.93784, 1e-15);
-  EXPECT_EQ(in_words(whole), "93.8 % by volume, 95.0 % by mass");
+  EXPECT_EQ(in_words(whole), "filler of the whole: 93.8 % by volume, 95.0 % by mass");
   EXPECT_NEAR(filler_of_the_whole(study, study.stages[0], packed({0.65})).fraction, 0.65, 1e-15);
 }
 
@@ -77,6 +77,19 @@ TEST(WholeFiller, NeedsTheFractionOfEveryStage) {
   Study study;
   study.stages = {stage("filled", material("binder", 900.0), "ap", 1950.0)};
   EXPECT_THROW(static_cast<void>(filler_of_the_whole(study, study.stages[0], {})), InputError);
+}
+
+TEST(WholeFiller, LeavesVoidsOut) {
+  Study study;
+  study.stages = {stage("a", material("binder", 1000.0), "stone", 2500.0), stage("b", EarlierStage{"a"}, "", 0.0)};
+  study.stages[1].fillers.emplace_back().material = void_material();
+  const auto whole = filler_of_the_whole(study, study.stages[1], packed({0.5, 0.2}));
+  EXPECT_NEAR(whole.porosity, 0.2, 1e-15);
+  EXPECT_NEAR(whole.fraction, 0.4, 1e-15);
+  EXPECT_NEAR(whole.mass_fraction, 2500.0 / 3500.0, 1e-15);
+  EXPECT_EQ(in_words(whole), "filler of the whole: 40.0 % by volume, 71.4 % by mass; voids: 20.0 % by volume");
+  study.stages[1].matrix = material("binder", 1000.0);
+  EXPECT_EQ(in_words(filler_of_the_whole(study, study.stages[1], packed({0.5, 0.2}))), "voids: 20.0 % by volume");
 }
 
 }  // namespace

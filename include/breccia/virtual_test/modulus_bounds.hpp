@@ -16,7 +16,8 @@ class ShearModulusBounds {
   template <int dim>
   ShearModulusBounds(const Discretisation<dim>& discretisation, const std::vector<Material>& materials);
 
-  /// Lower bound [Pa] at a time [s].
+  /// Lower bound [Pa] at a time [s]. With voids, of which the bound is 0, an estimate: the solid phase of the least
+  /// moduli surrounds all others.
   [[nodiscard]] double lower(double time) const;
   /// Upper bound [Pa] at a time [s].
   [[nodiscard]] double upper(double time) const;

@@ -16,6 +16,15 @@ struct Material {
   friend bool operator==(const Material&, const Material&) = default;
 };
 
+/// The name of a void, which no other material has.
+inline constexpr const char* name_of_void = "void";
+
+/// A void: neither mass nor stiffness.
+Material void_material();
+
+/// Whether a material has no stiffness at any time.
+bool is_void(const Material& material);
+
 /// The modulus of equal strains along both axes in plane strain, K(t) + G(t)/3 [Pa]. It never rises with time, even
 /// where K(t) of a composite does.
 PronySeries plane_strain_bulk_modulus(const Material& material);

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
+#include "discretisation/contrast.hpp"
 #include "homogenisation/plan/cell_memory.hpp"
 #include "homogenisation/plan/expected_snapshots.hpp"
 #include "homogenisation/plan/measured_costs.hpp"
@@ -47,10 +47,9 @@ constexpr measured_costs::IterationsOfCube iterations_under(Boundary boundary) {
 /// that preconditions them. The latter is that of a wave under a periodic boundary and a shear modulus between walls
 /// (theory, section 18).
 double root_of_contrast(const std::vector<Moduli>& phases, Boundary boundary) {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  Moduli least = {.bulk = infinite, .shear = infinite}, most = {.bulk = 0.0, .shear = 0.0};
+  const auto least = least_of_solids(phases);
+  Moduli most = {.bulk = 0.0, .shear = 0.0};
   for (const auto& [bulk, shear] : phases) {
-    least = {.bulk = std::min(least.bulk, bulk), .shear = std::min(least.shear, shear)};
     most = {.bulk = std::max(most.bulk, bulk), .shear = std::max(most.shear, shear)};
   }
   const double contrast = boundary == Boundary::periodic ? std::max(most.shear / least.shear, most.bulk / least.bulk)

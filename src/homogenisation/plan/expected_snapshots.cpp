@@ -20,6 +20,7 @@ double decades_of(const std::vector<CarsonPoint>& path) {
   for (std::size_t phase = 0; phase < path.front().moduli.size(); ++phase) {
     const auto shear = [phase](const CarsonPoint& point) { return point.moduli[phase].shear; };
     const auto [least, most] = std::ranges::minmax_element(path, {}, shear);
+    if (is_void(least->moduli[phase])) continue;
     decades += std::min(measured_costs::most_decades, std::log10(shear(*most) / shear(*least)));
   }
   return decades;

@@ -24,10 +24,11 @@ std::vector<double> field_times_of(const Study& study, const Stage& stage, int c
   return are_wanted ? study.tests.field_times : std::vector<double>();
 }
 
-/// All fillers of a stage, averaged to one.
+/// All solid fillers of a stage, averaged to one, and the voids.
 struct ExpectedFiller {
+  double voids = 0.0;            ///< share of the voids in all fillers [-]
   double density = 0.0;          ///< mean density [kg/m^3]
-  double bulk_compliance = 0.0;  ///< mean unrelaxed bulk compliance [1/Pa]
+  double bulk_compliance = 0.0;  ///< unrelaxed bulk compliance times the share, summed over the solid fillers [1/Pa]
   double shear = 0.0;            ///< unrelaxed shear modulus of the stiffest filler [Pa]
 };
 
@@ -37,6 +38,10 @@ ExpectedFiller expected_filler(const Stage& stage) {
   ExpectedFiller expected;
   for (const auto& filler : stage.fillers) {
     const double share = all ? *filler.fraction / *all : 1.0 / static_cast<double>(stage.fillers.size());
+    if (is_void(filler.material)) {
+      expected.voids += share;
+      continue;
+    }
     expected.density += share * filler.material.density;
     expected.bulk_compliance += share * (1.0 / filler.material.bulk.unrelaxed());
     expected.shear = std::max(expected.shear, filler.material.shear.unrelaxed());
@@ -164,16 +169,19 @@ Material expected_matrix(const Study& study, const Stage& stage) {
   auto matrix = expected_matrix(study, earlier);
   if (earlier.fillers.empty()) return matrix;
   const double fraction = fraction_asked_of(earlier).value_or(0.5);
-  const auto [density, bulk_compliance, shear] = expected_filler(earlier);
+  const auto [voids, density, bulk_compliance, shear] = expected_filler(earlier);
   // The shear modulus is that of rigid discs, or spheres, in an incompressible matrix (Hashin's lower bound), and the
   // bulk modulus that under uniform pressure (rule of mixtures).
-  const double rigid =
-      stage.dimensions() == 3 ? 1.0 + 2.5 * fraction / (1.0 - fraction) : (1.0 + fraction) / (1.0 - fraction);
+  const double solid = (1.0 - voids) * fraction;
+  const double rigid = stage.dimensions() == 3 ? 1.0 + 2.5 * solid / (1.0 - solid) : (1.0 + solid) / (1.0 - solid);
   // No composite is quite as stiff as its filler.
   constexpr double softer = 1.0 - 1e-6;
-  const double stiffening = std::min(rigid, softer * shear / matrix.shear.unrelaxed());
-  const double bulk = 1.0 / mixed(1.0 / matrix.bulk.unrelaxed(), bulk_compliance, fraction);
-  return {name, mixed(matrix.density, density, fraction), PronySeries(bulk), matrix.shear.scaled(stiffening)};
+  const double stiffening = solid > 0.0 ? std::min(rigid, softer * shear / matrix.shear.unrelaxed()) : 1.0;
+  const double bulk = 1.0 / ((1.0 - fraction) / matrix.bulk.unrelaxed() + fraction * bulk_compliance);
+  // Voids take as much off as Hashin's upper bound has it for a shear modulus of discs, in an incompressible matrix.
+  const double porous = (1.0 - voids * fraction) / (1.0 + voids * fraction);
+  return {name, mixed(matrix.density, density, fraction), PronySeries(porous * bulk),
+          matrix.shear.scaled(porous * stiffening)};
 }
 
 }  // namespace breccia

@@ -1,12 +1,12 @@
 #include "quasistatic/reduced/cell_composite.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
 
+#include "discretisation/contrast.hpp"
 #include "quasistatic/operator/cube_forces.hpp"
 #include "quasistatic/operator/recovery.hpp"
 #include "quasistatic/operator/square_forces.hpp"
@@ -123,7 +123,26 @@ Displacement CellSolver<dim>::solve(Load load, Displacement guess) {
   auto forces = is_strained ? held_back(load) : composite_->load_forces(load);
   auto solution = solver_->solve(std::move(forces), std::move(guess), least_energy(load));
   solution.set_macroscopic(is_strained ? 1.0 : 0.0);
+  require_stiff(load, solution);
   return solution;
+}
+
+/// Throws InputError where voids leave the composite no stiffness under a load, or less than a solver can tell from
+/// nothing.
+template <int dim>
+void CellSolver<dim>::require_stiff(Load load, const Displacement& solution) const {
+  if (std::ranges::none_of(moduli_, [](const Moduli& phase) { return is_void(phase); })) return;
+  constexpr double least_share = 1e-6;
+  const auto& elastic_operator = composite_->elastic_operator();
+  const auto forces = forces_under(elastic_operator, moduli_, solution, unit_strain<dim>(load));
+  const double energy = work(forces, solution) / elastic_operator.volume();
+  const double modulus = composite_->boundary() == Boundary::traction ? 1.0 / energy : energy;
+  const auto [bulk, shear] = least_of_solids(moduli_);
+  if (modulus > least_share * std::min(bulk, shear)) return;
+  throw InputError(
+      fmt::format("the composite has no stiffness under the load {} and the boundary {}: voids part its solid, or lie "
+                  "at sides on which tractions act",
+                  name_of(load), name_of(composite_->boundary())));
 }
 
 /// The forces against the uniform strain of a load.
@@ -137,15 +156,13 @@ Forces CellSolver<dim>::held_back(Load load) const {
   return forces;
 }
 
-/// Twice the energy of a box of one material with the least moduli of all phases, under the uniform strain of a load; a
-/// smaller value in plane strain under `bulk`. Nothing under a traction boundary, which prescribes no strain.
+/// Twice the energy of a box of one material with the least moduli of all solid phases, under the uniform strain of a
+/// load; a smaller value in plane strain under `bulk`. Nothing under a traction boundary, which prescribes no strain.
 template <int dim>
 std::optional<double> CellSolver<dim>::least_energy(Load load) const {
   if (composite_->boundary() == Boundary::traction) return std::nullopt;
   const auto modulus = load == Load::bulk ? &Moduli::bulk : &Moduli::shear;
-  double least = std::numeric_limits<double>::infinity();
-  for (const auto& of_phase : moduli_) least = std::min(least, of_phase.*modulus);
-  return least * composite_->elastic_operator().volume();
+  return least_of_solids(moduli_).*modulus * composite_->elastic_operator().volume();
 }
 
 template class CellComposite<2>;

@@ -8,6 +8,7 @@
 
 #include "breccia/error.hpp"
 
+#include "discretisation/contrast.hpp"
 #include "quasistatic/operator/block_division.hpp"
 #include "quasistatic/operator/plane_division.hpp"
 #include "quasistatic/solvers/direct/assembled_solver.hpp"
@@ -33,8 +34,21 @@ void ElasticSolver<dim>::set_moduli(std::span<const Moduli> moduli) {
   for (const auto& [bulk, shear] : moduli) stiffest = std::max(stiffest, bulk + shear);
   constexpr double rounding = 2e-15;
   rounding_ = rounding * stiffest * std::sqrt(static_cast<double>(effort_.unknowns));
-  moduli_.assign(moduli.begin(), moduli.end());
-  update_stiffness(moduli);
+  moduli_ = solvable(moduli);
+  update_stiffness(moduli_);
+}
+
+template <int dim>
+std::vector<Moduli> ElasticSolver<dim>::solvable(std::span<const Moduli> moduli) const {
+  constexpr double of_softest = 1e-8, of_stiffest = 1e-13;
+  const auto [bulk, shear] = least_of_solids(moduli);
+  double stiffest = 0.0;
+  for (const auto& phase : moduli) stiffest = std::max({stiffest, phase.bulk, phase.shear});
+  const double trace = std::max(of_softest * std::min(bulk, shear), of_stiffest * stiffest);
+  std::vector<Moduli> with_trace(moduli.begin(), moduli.end());
+  std::ranges::replace_if(
+      with_trace, [](const Moduli& phase) { return is_void(phase); }, Moduli{.bulk = trace, .shear = trace});
+  return with_trace;
 }
 
 template <int dim>

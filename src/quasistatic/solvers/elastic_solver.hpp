@@ -80,6 +80,9 @@ class ElasticSolver {
   virtual void update_stiffness(std::span<const Moduli> moduli) = 0;
   /// Finds the fluctuation of a displacement for these nodal forces, whose memory may be freed.
   virtual Convergence iterate(NodalVector on_nodes, Displacement& displacement) = 0;
+  /// The moduli of phases with which the solver computes: voids have a trace of stiffness (theory, section 10), unless
+  /// the solver takes none.
+  [[nodiscard]] virtual std::vector<Moduli> solvable(std::span<const Moduli> moduli) const;
   /// The accuracy at which an iteration ends: "a residual of 1.0e-10 of the load".
   [[nodiscard]] virtual std::string accuracy_wanted() const;
 

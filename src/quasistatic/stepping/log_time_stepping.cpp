@@ -10,13 +10,14 @@
 namespace breccia {
 namespace {
 
-/// All phases except crystals, so that any of them may relax.
+/// All phases except crystals and voids, so that any of them may relax.
 template <int dim>
 std::vector<VaryingPhase> isotropic_phases(const QuasistaticProblem<dim>& problem) {
   std::vector<VaryingPhase> phases;
   for (std::size_t m = 0; m < problem.materials.size(); ++m) {
     const auto phase = static_cast<PhaseIndex>(m);
-    if (!problem.crystals.contains(phase)) phases.push_back({phase, fmt::format("phase {}", m)});
+    if (!problem.crystals.contains(phase) && !is_void(problem.materials[m]))
+      phases.push_back({phase, fmt::format("phase {}", m)});
   }
   return phases;
 }

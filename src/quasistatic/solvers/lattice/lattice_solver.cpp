@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
 
+#include "discretisation/contrast.hpp"
 #include "parallel/reduction.hpp"
 #include "quasistatic/operator/cube_forces.hpp"
 
@@ -24,14 +24,10 @@ LatticeSolver::LatticeSolver(const ElasticOperator<3>& elastic_operator, const L
       preconditioner_(make_lattice_preconditioner(lattice_, threads_)) {}
 
 void LatticeSolver::update_stiffness(std::span<const Moduli> moduli) {
-  // The box of one material has the least moduli of all phases, so that no displacement has less energy in the
-  // composite than in this box. The estimate of the error is therefore a bound, except under a traction boundary
-  // (theory, section 18).
-  constexpr double largest = std::numeric_limits<double>::infinity();
-  reference_ = {.bulk = largest, .shear = largest};
-  for (const auto& [bulk, shear] : moduli) {
-    reference_ = {.bulk = std::min(reference_.bulk, bulk), .shear = std::min(reference_.shear, shear)};
-  }
+  // The box of one material has the least moduli of all solid phases, so that without voids no displacement has less
+  // energy in the composite than in this box. The estimate of the error is then a bound, except under a traction
+  // boundary (theory, section 18).
+  reference_ = least_of_solids(moduli);
   if (!(reference_.shear > 0.0) || !(reference_.bulk > 0.0)) {
     throw NumericalError(
         "quasi-static solver: a modulus of a phase is zero or negative, which the iterative method in 3 dimensions "

@@ -23,6 +23,9 @@ class LatticeSolver final : public ElasticSolver<3> {
 
  private:
   void update_stiffness(std::span<const Moduli> moduli) override;
+  [[nodiscard]] std::vector<Moduli> solvable(std::span<const Moduli> moduli) const override {
+    return {moduli.begin(), moduli.end()};
+  }
   Convergence iterate(NodalVector on_nodes, Displacement& displacement) override;
   [[nodiscard]] std::string accuracy_wanted() const override;
 
