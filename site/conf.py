@@ -16,7 +16,7 @@ version = release = re.search(r"project\(breccia\s+VERSION ([\d.]+)", (ROOT / "C
 extensions = ["myst_parser", "nbsphinx", "sphinx.ext.autodoc", "sphinx.ext.napoleon",
               "navigation", "katex_math", "equations", "source_pages", "gallery", "cpp_reference", "python_reference"]
 root_doc = "README"
-include_patterns = ["README.md", "CHANGELOG.md", "docs/*.md", "examples/README.md", "examples/python/*.ipynb",
+include_patterns = ["README.md", "CHANGELOG.md", "docs/*.md", "docs/studies/*.md", "examples/README.md", "examples/python/*.ipynb",
                     "site/*.md"]
 
 myst_enable_extensions = ["dollarmath"]

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Prints the tables of docs/pbx9501-films.md and draws its figure, by gnuplot.
+"""Prints the tables of docs/studies/pbx9501-films.md and draws its figure, by gnuplot.
 
     examples/films/evaluate.py RESULTS [FIGURE]
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs all cases of docs/pbx9501-films.md: PBX-9501 from grains and films of binder
+# Runs all cases of docs/studies/pbx9501-films.md: PBX-9501 from grains and films of binder
 # (tests.model = "films"), for several seeds, numbers of grains, boundaries, meshes, fractions and sizes. About a quarter
 # of an hour of processor time, at most 3 GB. What is done already is not run again.
 #

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs all cases of docs/pbx9501-grains.md: PBX-9501 from grains that interlock, for several seeds, numbers of grains,
+# Runs all cases of docs/studies/pbx9501-grains.md: PBX-9501 from grains that interlock, for several seeds, numbers of grains,
 # cells a film, boundaries, sizes and stages. About three quarters of an hour of processor time, at most 5 GB. What is done
 # already is not run again.
 #

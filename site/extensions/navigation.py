@@ -16,7 +16,7 @@ def pages_by_heading(overview: str) -> dict[str, list[str]]:
     for line in overview.splitlines():
         if match := re.fullmatch(r"(\w[\w ]+):", line):
             heading = match[1]
-        elif match := re.match(r"- \[[^]]*\]\(([\w-]+)\.md\)", line):
+        elif match := re.match(r"- \[[^]]*\]\(([\w/-]+)\.md\)", line):
             pages.setdefault(heading, []).append(f"docs/{match[1]}")
     return pages
 

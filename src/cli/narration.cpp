@@ -15,6 +15,7 @@
 
 #include "cli/interruption.hpp"
 #include "cli/sweep_summary.hpp"
+#include "homogenisation/crystal_words.hpp"
 #include "homogenisation/debonding_words.hpp"
 #include "io/display.hpp"
 #include "io/units.hpp"
@@ -53,6 +54,7 @@ std::string describe(const Stage& stage, const StageResult& result) {
   if (const auto* grains = packed.grains()) {
     text += fmt::format(", films of {}", readable(grains->film, Dimension::length));
     if (has_points) text += fmt::format(" ({:.2g} cells)", grains->film / stage.cell_size());
+    if (const auto& crystal = stage.fillers.front().crystal) text += "\n  " + words_on_crystals(stage, *crystal);
     if (stage.bonds) text += "\n  " + words_on_debonding(stage, *grains);
   }
   if (stage.fillers.size() > 1) {

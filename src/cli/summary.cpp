@@ -44,8 +44,10 @@ std::string poisson_ratios(const Material& material, const Tests& tests) {
   return fmt::format("{} at {}, {} at {}", first, time(tests.first_time), last, time(tests.last_time));
 }
 
-std::string describe(const Material& material, const Tests& tests) {
-  return fmt::format("  {}\n    density  {}\n    bulk     {}\n    shear    {}\n    Poisson  {}\n", material.name,
+std::string describe(const ShiftedMaterial& shifted, const Tests& tests) {
+  const auto& material = shifted.material;
+  return fmt::format("  {}{}\n    density  {}\n    bulk     {}\n    shear    {}\n    Poisson  {}\n", material.name,
+                     shifted.constants ? ", a crystal: isotropic means by Hill" : "",
                      readable(material.density, Dimension::density), describe(material.bulk), describe(material.shear),
                      poisson_ratios(material, tests));
 }
@@ -275,7 +277,7 @@ std::string describe(const Study& study) {
 std::string summary(const Study& study) {
   auto text = fmt::format("{}\n{} (hash {})\n\nmaterials\n", study.title, study.provenance.deck.string(),
                           study.provenance.hash);
-  for (const auto& [material, shift] : study.materials) text += describe(material, study.tests);
+  for (const auto& shifted : study.materials) text += describe(shifted, study.tests);
   text += "\nstages\n";
   for (const auto& stage : study.stages) text += describe(stage, model_of(study.tests, stage));
   return text + "\ntests\n" + describe(study);

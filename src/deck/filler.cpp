@@ -9,6 +9,7 @@
 
 #include "breccia/error.hpp"
 
+#include "deck/crystals.hpp"
 #include "deck/filler_sections.hpp"
 #include "deck/gap.hpp"
 #include "deck/materials.hpp"
@@ -132,10 +133,21 @@ std::optional<Coating> read_coating(const Section& section, const std::vector<Sh
   return Coating{std::move(material), coating->quantity("thickness", Dimension::length, Range::positive())};
 }
 
+/// The crystals of a filler, if its material is one, with their orientations.
+std::optional<Crystal> read_crystal(const Section& section, const std::vector<ShiftedMaterial>& materials) {
+  const auto material = section.kind("material") == Kind::text ? section.text("material") : std::string();
+  const auto* const found = find_material(materials, material);
+  if (found != nullptr && found->constants) return Crystal{*found->constants, read_orientations(section)};
+  section.refuse({"orientations"}, "only crystals have them, whose material has a stiffness");
+  return std::nullopt;
+}
+
 /// Reads one filler of a stage whose packing has been read.
 Filler read_filler(const Section& section, const Stage& stage, const std::vector<ShiftedMaterial>& materials) {
   Filler filler;
-  filler.material = read_material_reference(section, "material", materials);
+  filler.crystal = read_crystal(section, materials);
+  filler.material = filler.crystal ? find_material(materials, section.text("material"))->material
+                                   : read_material_reference(section, "material", materials);
   section.refuse({"image"}, image_elsewhere);
   filler.shape = read_shape(section, stage);
   if (!stage.has_grains()) filler.coating = read_coating(section, materials);

@@ -7,6 +7,7 @@
 
 #include "breccia/viscoelasticity/temperature_shift.hpp"
 
+#include "deck/crystals.hpp"
 #include "deck/moduli.hpp"
 #include "deck/temperature_shift.hpp"
 #include "io/nearest_name.hpp"
@@ -16,6 +17,16 @@ namespace breccia {
 
 ShiftedMaterial read_shifted_material(const Section& section, const std::string& name) {
   Material reference = {name, section.quantity("density", Dimension::density, Range::positive()), {}, {}};
+  if (section.has("stiffness")) {
+    section.refuse({"bulk", "shear", "young", "poisson", "temperature_shift"},
+                   "the stiffness of a crystal gives all of its moduli");
+    const auto constants = read_stiffness(section);
+    if (!constants) return {reference};
+    const auto means = isotropic_means(*constants);
+    reference.bulk = PronySeries(means.bulk());
+    reference.shear = PronySeries(means.shear());
+    return {.material = reference, .constants = constants};
+  }
   auto moduli = read_moduli(section);
   reference.bulk = std::move(moduli.bulk);
   reference.shear = std::move(moduli.shear);
@@ -38,15 +49,22 @@ std::vector<ShiftedMaterial> read_materials(const Section& deck) {
   return materials;
 }
 
+void refuse_crystal(const Section& section, const std::string& key) {
+  section.report(key, "a crystal, which has a stiffness, is expected as a filler of grains alone");
+}
+
 Material read_material_reference(const Section& section, const std::string& key,
                                  const std::vector<ShiftedMaterial>& materials) {
   const auto name = section.text(key);
   if (name.empty()) return {};
   if (name == name_of_void) return void_material();
-  if (const auto* const found = find_material(materials, name)) return found->material;
+  if (const auto* const found = find_material(materials, name)) {
+    if (found->constants) refuse_crystal(section, key);
+    return found->material;
+  }
   std::vector<std::string> names;
   names.reserve(materials.size());
-  for (const auto& [known, shift] : materials) names.push_back(known.name);
+  for (const auto& [known, shift, constants] : materials) names.push_back(known.name);
   section.report(key, fmt::format("unknown material \"{}\"{}", name, suggestion(name, names)));
   return {};
 }

@@ -15,7 +15,10 @@ std::vector<ShiftedMaterial> read_materials(const Section& deck);
 /// Reads one material.
 ShiftedMaterial read_shifted_material(const Section& section, const std::string& name);
 
-/// The material that a key names; a material without a name after a mistake was reported.
+/// Reports that a key names a crystal where an isotropic material is expected.
+void refuse_crystal(const Section& section, const std::string& key);
+
+/// The isotropic material that a key names; a material without a name after a mistake was reported.
 Material read_material_reference(const Section& section, const std::string& key,
                                  const std::vector<ShiftedMaterial>& materials);
 

@@ -15,6 +15,7 @@
 #include "deck/filler.hpp"
 #include "deck/film_bonds.hpp"
 #include "deck/image.hpp"
+#include "deck/materials.hpp"
 #include "deck/packing.hpp"
 #include "io/nearest_name.hpp"
 #include "study/filler_sizes.hpp"
@@ -45,9 +46,12 @@ StageMatrix read_matrix(const Section& section, const std::vector<Stage>& earlie
   const auto name = section.text("matrix");
   if (name.empty()) return {};
   std::vector<std::string> known;
-  for (const auto& [material, shift] : materials) {
-    if (material.name == name) return material;
-    known.push_back(material.name);
+  for (const auto& one : materials) {
+    if (one.material.name == name) {
+      if (one.constants) refuse_crystal(section, "matrix");
+      return one.material;
+    }
+    known.push_back(one.material.name);
   }
   for (const auto& stage : earlier) {
     if (stage.name == name) return EarlierStage{name};

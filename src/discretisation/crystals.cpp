@@ -1,8 +1,12 @@
 #include "breccia/discretisation/crystals.hpp"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
@@ -17,6 +21,46 @@ StiffnessTensor<dim> isotropic_stiffness(const Moduli& moduli) {
   constexpr int shears = tensor_components<dim> - dim;
   stiffness.template bottomRightCorner<shears, shears>().diagonal().setConstant(moduli.shear);
   return stiffness;
+}
+
+StiffnessTensor<3> stiffness_tensor(const ElasticConstants& constants) {
+  StiffnessTensor<3> stiffness;
+  for (std::size_t i = 1; i <= 6; ++i) {
+    for (std::size_t j = 1; j <= 6; ++j) {
+      stiffness(static_cast<Eigen::Index>(i) - 1, static_cast<Eigen::Index>(j) - 1) =
+          constants[place_of_constant(i, j)];
+    }
+  }
+  return stiffness;
+}
+
+Eigen::Matrix3d crystal_axes(double phi1, double phi, double phi2) {
+  using Eigen::Vector3d;
+  return (Eigen::AngleAxisd(phi1, Vector3d::UnitZ()) * Eigen::AngleAxisd(phi, Vector3d::UnitX()) *
+          Eigen::AngleAxisd(phi2, Vector3d::UnitZ()))
+      .toRotationMatrix();
+}
+
+StiffnessTensor<3> rotated(const StiffnessTensor<3>& stiffness, const Eigen::Matrix3d& axes) {
+  // The columns are the stresses in the box of unit stresses in the crystal: the matrix M of Bond (1943), with which
+  // C' = M C M'.
+  constexpr std::array<std::array<int, 2>, 6> pairs = {{{0, 0}, {1, 1}, {2, 2}, {1, 2}, {2, 0}, {0, 1}}};
+  StiffnessTensor<3> bond;
+  for (std::size_t row = 0; row < pairs.size(); ++row) {
+    const auto [i, j] = pairs[row];
+    for (std::size_t column = 0; column < pairs.size(); ++column) {
+      const auto [k, l] = pairs[column];
+      const double once = axes(i, k) * axes(j, l);
+      bond(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) =
+          k == l ? once : once + axes(i, l) * axes(j, k);
+    }
+  }
+  return bond * stiffness * bond.transpose();
+}
+
+StiffnessTensor<2> in_plane_strain(const StiffnessTensor<3>& stiffness) {
+  const std::vector<int> components = {0, 1, 5};
+  return stiffness(components, components);
 }
 
 template <int dim>

@@ -21,6 +21,10 @@ void require_sound(const FilmProblem<dim>& problem) {
   require_positive(problem.thickness, "the thickness of the films", " m");
   require_positive(problem.grain.bulk, "the bulk modulus of the grains", " Pa");
   require_positive(problem.grain.shear, "the shear modulus of the grains", " Pa");
+  if (!problem.crystals.empty() && problem.crystals.size() != problem.tessellation.size()) {
+    mistakes.push_back(fmt::format("expected a crystal for each of {} grains, got {}", problem.tessellation.size(),
+                                   problem.crystals.size()));
+  }
   if constexpr (dim == 2) {
     require_positive(problem.elements.face_share, "the length of the elements", "");
   } else if (problem.elements.divisions < 1) {

@@ -100,6 +100,7 @@ struct MicrostructureEntry {
   double seconds = 0.0;                              ///< wall time [s]
   std::optional<double> film = {}, film_cells = {};  ///< thickness of the films between grains [m], [-]
   std::optional<DebondingEntry> debonding = {};
+  std::optional<std::string> crystals = {};  ///< the orientations of the grains and their isotropic means, in words
   std::optional<double> smallest_diameter = {}, largest_diameter = {};  ///< [m]
   std::optional<std::vector<int>> pixels = {};  ///< number of pixels of an image along its sides
   std::optional<double> pixel_side = {};        ///< [m]
@@ -119,6 +120,7 @@ inline constexpr auto fields<MicrostructureEntry> = std::tuple(
     field("smallest_wall_gap_m", &MicrostructureEntry::wall_gap), field("wall_time_s", &MicrostructureEntry::seconds),
     field_if_any("film_m", &MicrostructureEntry::film), field_if_any("film_cells", &MicrostructureEntry::film_cells),
     field_if_any("debonding", &MicrostructureEntry::debonding),
+    field_if_any("crystals", &MicrostructureEntry::crystals),
     field_if_any("smallest_diameter_m", &MicrostructureEntry::smallest_diameter),
     field_if_any("largest_diameter_m", &MicrostructureEntry::largest_diameter),
     field_if_any("pixels", &MicrostructureEntry::pixels), field_if_any("pixel_m", &MicrostructureEntry::pixel_side),

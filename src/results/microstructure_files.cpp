@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <numbers>
 #include <set>
 #include <vector>
 
@@ -9,6 +10,7 @@
 
 #include "breccia/results/label_files.hpp"
 
+#include "homogenisation/box/crystal_orientations.hpp"
 #include "homogenisation/box/debonded_films.hpp"
 #include "io/text_file.hpp"
 #include "microstructure/tessellation/tessellation_statistics.hpp"
@@ -47,6 +49,18 @@ void write_grains(const std::filesystem::path& directory, const Stage& stage, co
   columns.push_back({"equivalent_diameter_m", diameters});
   columns.push_back({"aspect_ratio", aspect_ratios});
   columns.push_back({"neighbours", neighbours});
+  if (const auto angles = crystal_orientations(stage, weights.size()); !angles.empty()) {
+    std::array<std::vector<double>, 3> degrees;
+    for (const auto& [phi1, phi, phi2] : angles) {
+      constexpr double degree = std::numbers::pi / 180.0;
+      degrees[0].push_back(phi1 / degree);
+      degrees[1].push_back(phi / degree);
+      degrees[2].push_back(phi2 / degree);
+    }
+    columns.push_back({"phi1_deg", degrees[0]});
+    columns.push_back({"phi_deg", degrees[1]});
+    columns.push_back({"phi2_deg", degrees[2]});
+  }
   const auto& film_shares = tessellation.sites().film_shares;
   if (!film_shares.empty()) columns.push_back({"film_share", film_shares});
   write_csv(directory / "grains.csv", columns,

@@ -14,6 +14,7 @@
 
 #include "breccia/homogenisation/stage_discretisation.hpp"
 
+#include "homogenisation/crystal_words.hpp"
 #include "homogenisation/debonding_words.hpp"
 #include "homogenisation/narrow_gaps.hpp"
 #include "homogenisation/quality.hpp"
@@ -241,6 +242,7 @@ struct AddContent {
     const auto& filler = packed.fillers.front();
     entry.film = grains.statistics.film;
     entry.film_cells = grains.statistics.film / stage.cell_size();
+    if (const auto& crystal = stage.fillers.front().crystal) entry.crystals = words_on_crystals(stage, *crystal);
     if (stage.bonds) {
       entry.debonding = {.kind = std::string(name_of(stage.bonds->kind)),
                          .films = grains.statistics.debonded_films,
@@ -352,7 +354,7 @@ StudyDocument document_of(const Study& study, const StudyResult& result, const S
     document.frequencies = {1.0 / (per_cycle * study.tests.last_time), 1.0 / (per_cycle * study.tests.first_time)};
   }
   if (result.seconds) document.date = date_of_now();
-  for (const auto& [material, shift] : study.materials) {
+  for (const auto& [material, shift, constants] : study.materials) {
     document.materials.emplace_back(entry_of(material)).shift = shift;
   }
   for (const auto& stage : study.stages) document.stage_names.push_back(stage.name);

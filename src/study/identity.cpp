@@ -86,8 +86,9 @@ class Content {
     add_all(name, density, bulk, shear);
   }
   void add(const ShiftedMaterial& shifted) {
-    const auto& [material, shift] = shifted;
+    const auto& [material, shift, constants] = shifted;
     add_all(material, shift);
+    if (constants) add_all(std::string("crystal"), *constants);
   }
   void add(const TemperatureShift& shift) {
     const auto& [law, temperature] = shift;
@@ -132,8 +133,29 @@ class Content {
     add_all(sites[0], sites[1], image);
   }
   void add(const Filler& filler) {
-    const auto& [material, fraction, smallest, largest, sizes, gap, gap_source, coating, shape] = filler;
+    const auto& [material, fraction, smallest, largest, sizes, gap, gap_source, coating, shape, crystal] = filler;
     add_all(material, fraction, smallest, largest, sizes, gap, gap_source, coating, shape);
+    if (crystal) add_all(std::string("crystal"), *crystal);
+  }
+  void add(const ElasticConstants& constants) {
+    for (const double constant : constants) add(constant);
+  }
+  void add(const Crystal& crystal) {
+    const auto& [constants, orientations] = crystal;
+    add_all(constants, orientations);
+  }
+  void add(const RandomOrientations& random) {
+    const auto& [seed] = random;
+    add(seed);
+  }
+  void add(const AlignedOrientations&) {}
+  void add(const ListedOrientations& listed) {
+    const auto& [file, angles] = listed;
+    add_all(file, angles);
+  }
+  void add(const EulerAngles& angles) {
+    const auto& [phi1, phi, phi2] = angles;
+    add_all(phi1, phi, phi2);
   }
   void add(const Coating& coating) {
     const auto& [material, thickness] = coating;

@@ -61,6 +61,29 @@ std::vector<std::string> bonds_without_films(const Study& study) {
   return mistakes;
 }
 
+/// The stages of crystals that are not computed as grains and films, or whose moduli vary, a line each.
+std::vector<std::string> misplaced_crystals(const Study& study) {
+  std::vector<std::string> mistakes;
+  for (const auto& stage : study.stages) {
+    for (const auto& filler : stage.fillers) {
+      if (!filler.crystal) continue;
+      const auto part = fmt::format("crystals of stage {}, {}: ", stage.name, filler.material.name);
+      if (model_of(study.tests, stage) != Model::films) {
+        mistakes.push_back(fmt::format(
+            R"({}expected grains, packing.method = "laguerre", and tests.model = "films"; elsewhere a material with )"
+            "their isotropic means, bulk = \"{}\" and shear = \"{}\", takes their place",
+            part, readable(filler.material.bulk.unrelaxed(), Dimension::pressure),
+            readable(filler.material.shear.unrelaxed(), Dimension::pressure)));
+      }
+      if (std::ranges::find(study.tests.varied, filler.material.name, &VariedMaterial::name) !=
+          study.tests.varied.end()) {
+        mistakes.push_back(part + "expected moduli that do not vary");
+      }
+    }
+  }
+  return mistakes;
+}
+
 /// The requests of the tests that the model of films does not support in one stage of grains, a line each.
 std::vector<std::string> lacking_in_films(const Tests& tests, const Stage& stage) {
   std::vector<std::string> mistakes;
@@ -275,6 +298,7 @@ Mixing default_mixing(const Study& study) {
 std::vector<std::string> contradictions(const Study& study) {
   auto mistakes = films_along_walls(study);
   std::ranges::move(bonds_without_films(study), std::back_inserter(mistakes));
+  std::ranges::move(misplaced_crystals(study), std::back_inserter(mistakes));
   std::ranges::move(lacking_in_films(study), std::back_inserter(mistakes));
   if (!study.stages.empty()) {
     std::ranges::move(mistakes_of_loads(study.tests.loads, study.stages.front().dimensions()),

@@ -7,6 +7,7 @@
 #include "breccia/discretisation/moduli.hpp"
 #include "breccia/discretisation/phase.hpp"
 #include "breccia/discretisation/tensor.hpp"
+#include "breccia/viscoelasticity/elastic_constants.hpp"
 
 namespace breccia {
 
@@ -22,6 +23,19 @@ using Crystals = std::map<PhaseIndex, StiffnessTensor<dim>>;
 /// The stiffness of an isotropic solid, in plane strain without strain out of the plane.
 template <int dim>
 [[nodiscard]] StiffnessTensor<dim> isotropic_stiffness(const Moduli& moduli);
+
+/// The stiffness of a crystal in its own axes.
+[[nodiscard]] StiffnessTensor<3> stiffness_tensor(const ElasticConstants& constants);
+
+/// The axes of a crystal with Bunge's Euler angles [rad], as columns, in those of the box: the axes of the box are
+/// turned about z by phi1, about the new x by phi and about the new z by phi2.
+[[nodiscard]] Eigen::Matrix3d crystal_axes(double phi1, double phi, double phi2);
+
+/// The stiffness, in the axes of the box, of a crystal whose axes are the columns of a rotation.
+[[nodiscard]] StiffnessTensor<3> rotated(const StiffnessTensor<3>& stiffness, const Eigen::Matrix3d& axes);
+
+/// The stiffness in plane strain: that for the strains xx, yy and xy without any other.
+[[nodiscard]] StiffnessTensor<2> in_plane_strain(const StiffnessTensor<3>& stiffness);
 
 /// Moduli of an isotropic solid that stores no more energy than the given solid under any strain: twice its shear
 /// modulus, and three times its bulk modulus, are the least eigenvalue of C in an orthonormal basis of the strains.

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "breccia/discretisation/boundary.hpp"
+#include "breccia/discretisation/crystals.hpp"
 #include "breccia/discretisation/moduli.hpp"
 #include "breccia/films/debonding.hpp"
 #include "breccia/microstructure/tessellation.hpp"
@@ -36,6 +38,8 @@ struct FilmProblem {
   Tessellation<dim> tessellation;
   double thickness = 0.0;  ///< thickness of the films [m]; where they have shares, of a film with a mean share of one
   Moduli grain = {};       ///< moduli of the grains [Pa]
+  /// Stiffness of each grain in the axes of the box [Pa], where the grains are crystals; else empty.
+  std::vector<StiffnessTensor<3>> crystals = {};
   Boundary boundary = Boundary::periodic;
   FilmElements<dim> elements = {};
   /// Number of layers of elements that resolve the binder across every film (theory, Eq. 66a). If absent, films are
@@ -44,7 +48,8 @@ struct FilmProblem {
   DebondedFilms<dim> debonded = {};  ///< with a periodic boundary; with layers, open ones alone
 };
 
-/// Throws InputError with all mistakes: a thickness, a share, a modulus or a number of layers that is not positive, a
+/// Throws InputError with all mistakes: a thickness, a share, a modulus or a number of layers that is not positive,
+/// crystals that are not one for each grain, a
 /// boundary that does not fit the walls of the tessellation, debonded films with another boundary than a periodic one
 /// or, with layers, of another kind than open ones.
 template <int dim>

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "breccia/microstructure/vector.hpp"
+#include "breccia/study/crystal.hpp"
 #include "breccia/viscoelasticity/material.hpp"
 
 namespace breccia {
@@ -84,6 +85,8 @@ struct Filler {
   GapSource gap_source = GapSource::length;
   std::optional<Coating> coating = {};
   std::optional<FillerShape> shape = {};  ///< shape of the particles; discs or spheres if absent
+  /// Grains that are crystals, with the model of grains and films; the material has Hill's means of their constants.
+  std::optional<Crystal> crystal = {};
 
   /// Thickness of the coating [m]; 0 where there is none.
   [[nodiscard]] double coating_thickness() const { return coating ? coating->thickness : 0.0; }

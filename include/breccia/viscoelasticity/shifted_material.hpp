@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "breccia/viscoelasticity/elastic_constants.hpp"
 #include "breccia/viscoelasticity/material.hpp"
 #include "breccia/viscoelasticity/temperature_shift.hpp"
 
@@ -13,6 +14,8 @@ namespace breccia {
 struct ShiftedMaterial {
   Material material;                           ///< material at the temperature of the shift
   std::optional<TemperatureShift> shift = {};  ///< nothing where no law is known
+  /// Constants of a crystal, whose material has Hill's means of them; nothing for an isotropic material.
+  std::optional<ElasticConstants> constants = {};
 };
 
 /// Whether neither modulus of a material relaxes.

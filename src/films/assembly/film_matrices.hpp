@@ -30,6 +30,8 @@ struct FilmMatrices {
   /// Area, in space volume, of grains and binder in a box of 1: without gaps, and of films that slide the work for
   /// which they count in a uniform shear.
   double content = 0.0;
+  double content_of_grains = 0.0;  ///< the part of the content that is grains
+  double shear_of_grains = 0.0;    ///< sum of the contents of grains, each times its modulus under the load shear [Pa]
 };
 
 }  // namespace breccia::films

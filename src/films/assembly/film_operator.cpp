@@ -50,13 +50,14 @@ FilmOperator<dim>::FilmOperator(const FilmProblem<dim>& problem) : boundary_(pro
   if (volume_factors_.info() != Eigen::Success) {
     throw NumericalError("films: the volumes of films and junctions cannot be inverted; a film may be too thin");
   }
-  require_patch(problem.grain.shear);
+  require_patch();
 }
 
 template <int dim>
-void FilmOperator<dim>::require_patch(double grain_shear) const {
+void FilmOperator<dim>::require_patch() const {
   const auto strain = uniform_strain(Load::shear);
-  const double grains = work(grain_forces(Load::shear, strain), strain) / grain_shear;
+  const double grains =
+      work(grain_forces(Load::shear, strain), strain) * matrices_.content_of_grains / matrices_.shear_of_grains;
   const double found = grains + work(shear_forces(Load::shear, strain), strain);
   constexpr double rounding = 1e-6;
   if (std::abs(found - content()) <= rounding * content()) return;

@@ -55,7 +55,7 @@ class FilmOperator {
  private:
   /// A patch test: throws NumericalError where the shear energy of a uniform strain is not that of the content of
   /// grains and binder.
-  void require_patch(double grain_shear) const;
+  void require_patch() const;
   [[nodiscard]] Eigen::VectorXd extended(Load load, const FilmVector& displacement) const;
   [[nodiscard]] FilmVector reduced(Load load, const Eigen::VectorXd& forces) const;
 

@@ -48,6 +48,13 @@ class MatrixAssembly {
   /// Holds a pressure at zero: its entries, earlier and later ones, give way to a row of its own.
   void hold_pressure(int pressure) { is_pressure_held_[static_cast<std::size_t>(pressure)] = true; }
   void add_content(double content) { result_.content += content; }
+  /// Adds the content of a grain of this elasticity, for the strains in Voigt's order.
+  template <class Elasticity>
+  void add_content_of_grain(double content, const Elasticity& elasticity) {
+    add_content(content);
+    result_.content_of_grains += content;
+    result_.shear_of_grains += content * elasticity(elasticity.rows() - 1, elasticity.cols() - 1);
+  }
   /// Adds the forces of the stresses, in Voigt's order, on an unknown.
   void add_traction(int unknown, const Eigen::Matrix<double, 1, Matrices::macroscopic>& forces);
   /// Sets the position, relative to the first node, of the node to whose displacement component an unknown belongs.

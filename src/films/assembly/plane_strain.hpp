@@ -1,8 +1,11 @@
 #pragma once
 
+#include <cstddef>
+
 #include <Eigen/Core>
 
 #include "breccia/discretisation/moduli.hpp"
+#include "breccia/films/film_problem.hpp"
 
 namespace breccia::films {
 
@@ -27,6 +30,21 @@ using StrainRows = Eigen::Matrix<double, 3, Eigen::Dynamic>;  ///< matrix that g
   Eigen::Matrix3d stiffness;
   stiffness << diagonal, off_diagonal, 0.0, off_diagonal, diagonal, 0.0, 0.0, 0.0, moduli.shear;
   return stiffness;
+}
+
+/// The stress zz of a grain in plane strain, by unit strains xx, yy and xy [Pa].
+[[nodiscard]] inline Eigen::Vector3d elasticity_out_of_plane(const FilmProblem<2>& problem, std::size_t grain) {
+  if (!problem.crystals.empty()) {
+    const auto& crystal = problem.crystals[grain];
+    return {crystal(2, 0), crystal(2, 1), crystal(2, 5)};
+  }
+  const double first_lame = problem.grain.bulk - 2.0 / 3.0 * problem.grain.shear;
+  return {first_lame, first_lame, 0.0};
+}
+
+/// The elasticity of a grain in plane strain [Pa].
+[[nodiscard]] inline Eigen::Matrix3d elasticity_of_grain(const FilmProblem<2>& problem, std::size_t grain) {
+  return problem.crystals.empty() ? plane_strain_stiffness(problem.grain) : in_plane_strain(problem.crystals[grain]);
 }
 
 }  // namespace breccia::films

@@ -100,12 +100,12 @@ class ResolvedFilms {
   ResolvedFilms(const ResolvedMesh& mesh, Boundary boundary)
       : mesh_(mesh), unknowns_(mesh, boundary), sum_(unknowns_.count(), unknowns_.pressures()) {}
 
-  void add_grains(const Moduli& moduli) {
-    const auto elasticity = plane_strain_stiffness(moduli);
-    for (const auto& element : mesh_.grains) {
-      const auto triangle = quadratic_triangle(element.positions);
-      sum_.add_grain(unknowns_of(element), triangle_stiffness(triangle, elasticity));
-      sum_.add_content(triangle.area);
+  void add_grains(const FilmProblem<2>& problem) {
+    for (std::size_t e = 0; e < mesh_.grains.size(); ++e) {
+      const auto elasticity = elasticity_of_grain(problem, mesh_.grain_of_element[e]);
+      const auto triangle = quadratic_triangle(mesh_.grains[e].positions);
+      sum_.add_grain(unknowns_of(mesh_.grains[e]), triangle_stiffness(triangle, elasticity));
+      sum_.add_content_of_grain(triangle.area, elasticity);
     }
   }
 
@@ -185,7 +185,7 @@ class ResolvedFilms {
 FilmMatrices<2> resolved_films(const FilmProblem<2>& problem) {
   const auto mesh = resolved_mesh(problem);
   ResolvedFilms films(mesh, problem.boundary);
-  films.add_grains(problem.grain);
+  films.add_grains(problem);
   films.add_binder();
   if (problem.boundary == Boundary::traction) {
     films.add_tractions();

@@ -29,9 +29,9 @@ class ThinFilms {
         unknowns_(mesh.unknowns()),
         sum_(unknowns_.count(), unknowns_.pressures()) {}
 
-  void add_grains(const Moduli& moduli) {
-    const auto elasticity = plane_strain_stiffness(moduli);
+  void add_grains(const FilmProblem<2>& problem) {
     for (std::size_t g = 0; g < meshes_.size(); ++g) {
+      const auto elasticity = elasticity_of_grain(problem, g);
       const auto& positions = meshes_[g].nodes;
       for (const auto& triangle : meshes_[g].triangles) {
         std::vector<NodeImage> nodes;
@@ -41,7 +41,7 @@ class ThinFilms {
             quadratic_triangle({positions[triangle[0]], positions[triangle[1]], positions[triangle[2]]});
         sum_.add_grain(unknowns_of(nodes, {}), triangle_stiffness(functions, elasticity));
       }
-      sum_.add_content(films::area(network_.grains[g].corners));
+      sum_.add_content_of_grain(films::area(network_.grains[g].corners), elasticity);
     }
   }
 
@@ -198,7 +198,7 @@ class ThinFilms {
 FilmMatrices<2> thin_films(const FilmProblem<2>& problem) {
   const FilmMesh mesh(problem);
   ThinFilms films(mesh, problem.boundary);
-  films.add_grains(problem.grain);
+  films.add_grains(problem);
   films.add_tractions();
   if (problem.boundary == Boundary::traction) films.add_uniform_gradients();
   films.add_films();

@@ -58,7 +58,7 @@ class Recovery {
   Recovery(const FilmComposite<2>& composite, const FilmProblem<2>& problem, Load load,
            const quasistatic::CompositeState<FilmVector>& state)
       : mesh_(problem),
-        grain_(problem.grain),
+        problem_(&problem),
         side_(problem.tessellation.side()),
         boundary_(problem.boundary),
         strain_(strain_of<2>(load)),
@@ -137,8 +137,8 @@ class Recovery {
     std::vector<NodeImage> nodes;
     for (std::size_t n = 0; n < mesh.nodes.size(); ++n) nodes.push_back({g, n, Eigen::Vector2i::Zero()});
     const auto displacements = displacements_of(*displacement_, nodes);
-    const auto elasticity = plane_strain_stiffness(grain_);
-    const double first_lame = grain_.bulk - 2.0 / 3.0 * grain_.shear;
+    const auto elasticity = elasticity_of_grain(*problem_, g);
+    const auto out_of_plane = elasticity_out_of_plane(*problem_, g);
     const Eigen::Vector2d offset = displacement_->macroscopic() * affine_motion(mesh_.position(nodes[0])) * strain_;
     std::vector<std::size_t> points(mesh.nodes.size());
     std::vector<bool> is_added(mesh.nodes.size(), false);
@@ -159,7 +159,7 @@ class Recovery {
       }
       const Eigen::Vector3d stress = elasticity * mean;
       cell.strain = as_tensor(mean);
-      cell.stress = {stress[0], stress[1], first_lame * (mean[0] + mean[1]), stress[2]};
+      cell.stress = {stress[0], stress[1], out_of_plane.dot(mean), stress[2]};
       for (std::size_t n = 0; n < cell.corners; ++n) {
         const auto node = triangle[n];
         if (!is_added[node]) {
@@ -323,7 +323,7 @@ class Recovery {
   }
 
   FilmMesh mesh_;
-  Moduli grain_;
+  const FilmProblem<2>* problem_;
   double side_;
   Boundary boundary_;
   Eigen::Vector3d strain_;

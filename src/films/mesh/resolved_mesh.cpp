@@ -26,8 +26,9 @@ class MeshBuilder {
  public:
   explicit MeshBuilder(Walls walls) : nodes_(walls) {}
 
-  void add_grain(const GrainMesh& grain) {
+  void add_grain(const GrainMesh& grain, std::size_t number) {
     for (const auto& triangle : grain.triangles) {
+      mesh_.grain_of_element.push_back(number);
       mesh_.grains.push_back(
           triangle_of({grain.nodes[triangle[0]], grain.nodes[triangle[1]], grain.nodes[triangle[2]]}));
     }
@@ -159,7 +160,7 @@ ResolvedMesh resolved_mesh(const FilmProblem<2>& problem) {
   for (const auto& junction : network.junctions) add_junction(mesh, network, junction, layers);
   for (std::size_t g = 0; g < network.grains.size(); ++g) {
     for (auto& shares : divisions[g]) shares.pop_back();
-    mesh.add_grain(grain_mesh(network.grains[g], divisions[g]));
+    mesh.add_grain(grain_mesh(network.grains[g], divisions[g]), g);
   }
   return mesh.finish();
 }

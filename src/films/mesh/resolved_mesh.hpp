@@ -24,6 +24,7 @@ using MeshQuadrilateral = MeshElement<4, 9>;
 struct ResolvedMesh {
   std::vector<Eigen::Vector2d> nodes;  ///< positions of the nodes of elements with quadratic displacements
   std::vector<MeshTriangle> grains;
+  std::vector<std::size_t> grain_of_element;  ///< number of the grain of each element of `grains`
   /// The elements of the binder: the films, and the junctions around their centres.
   std::vector<MeshQuadrilateral> quadrilaterals;
   std::vector<MeshTriangle> triangles;

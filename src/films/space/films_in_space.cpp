@@ -8,6 +8,7 @@
 #include "films/assembly/matrix_assembly.hpp"
 #include "films/space/film_wedge.hpp"
 #include "films/space/solid_elements.hpp"
+#include "films/space/solid_strain.hpp"
 #include "films/space/solid_unknowns.hpp"
 #include "films/space/space_mesh.hpp"
 
@@ -20,16 +21,17 @@ class SpaceAssembly {
   explicit SpaceAssembly(const SpaceMesh& mesh)
       : mesh_(mesh), sum_(mesh.unknowns(), static_cast<int>(mesh.sheets().nodes.size())) {}
 
-  void add_grains(const Moduli& moduli) {
+  void add_grains(const FilmProblem<3>& problem) {
     const auto& solids = mesh_.grains().solids();
     for (std::size_t g = 0; g < solids.size(); ++g) {
+      const auto elasticity = elasticity_of_grain(problem, g);
       for (const auto& tetrahedron : solids[g].tetrahedra) {
         std::vector<SolidNode> nodes;
         nodes.reserve(tetrahedron.size());
         for (const auto node : tetrahedron) nodes.push_back({g, node, Eigen::Vector3i::Zero()});
         const std::array corners = {position(nodes[0]), position(nodes[1]), position(nodes[2]), position(nodes[3])};
-        sum_.add_grain(unknowns_of(nodes, {}), tetrahedron_stiffness(corners, moduli));
-        sum_.add_content(volume_of(corners));
+        sum_.add_grain(unknowns_of(nodes, {}), tetrahedron_stiffness(corners, elasticity));
+        sum_.add_content_of_grain(volume_of(corners), elasticity);
       }
     }
   }
@@ -122,7 +124,7 @@ class SpaceAssembly {
 FilmMatrices<3> films_in_space(const FilmProblem<3>& problem) {
   const SpaceMesh mesh(problem);
   SpaceAssembly films(mesh);
-  films.add_grains(problem.grain);
+  films.add_grains(problem);
   films.add_films();
   films.add_channels();
   films.add_corners();

@@ -8,6 +8,7 @@
 #include "films/assembly/matrix_assembly.hpp"
 #include "films/space/resolved_solids.hpp"
 #include "films/space/solid_elements.hpp"
+#include "films/space/solid_strain.hpp"
 #include "films/space/solid_unknowns.hpp"
 
 namespace breccia::films {
@@ -47,9 +48,11 @@ FilmMatrices<3> resolved_in_space(const FilmProblem<3>& problem) {
   const auto numbers = numbers_of_pressures(mesh);
   const auto pressures = static_cast<int>(std::ranges::count_if(numbers, [](int number) { return number != held; }));
   MatrixAssembly<3> sum(displacements_of(static_cast<int>(mesh.nodes.size())), pressures);
-  for (const auto& tetrahedron : mesh.grains) {
-    sum.add_grain(unknowns_of(tetrahedron), tetrahedron_stiffness(tetrahedron.corners, problem.grain));
-    sum.add_content(volume_of(tetrahedron.corners));
+  for (std::size_t t = 0; t < mesh.grains.size(); ++t) {
+    const auto& tetrahedron = mesh.grains[t];
+    const auto elasticity = elasticity_of_grain(problem, mesh.grain_of_element[t]);
+    sum.add_grain(unknowns_of(tetrahedron), tetrahedron_stiffness(tetrahedron.corners, elasticity));
+    sum.add_content_of_grain(volume_of(tetrahedron.corners), elasticity);
   }
   for (const auto& tetrahedron : mesh.binder) {
     const auto element = taylor_hood_element(tetrahedron.corners);

@@ -31,8 +31,9 @@ Eigen::Vector3d graded_point(const std::array<Eigen::Vector3d, corners>& of, con
 /// Gives corners and middles of edges their nodes, and collects tetrahedra.
 class SolidMesher {
  public:
-  void add_grain(const GrainSolid& solid) {
+  void add_grain(const GrainSolid& solid, std::size_t number) {
     for (const auto& tetrahedron : solid.tetrahedra) {
+      mesh_.grain_of_element.push_back(number);
       add({solid.nodes[tetrahedron[0]], solid.nodes[tetrahedron[1]], solid.nodes[tetrahedron[2]],
            solid.nodes[tetrahedron[3]]},
           mesh_.grains);
@@ -147,7 +148,8 @@ class SolidMesher {
 
 ResolvedSolids resolved_solids(const SpaceMesh& mesh, int layers) {
   SolidMesher mesher;
-  for (const auto& solid : mesh.grains().solids()) mesher.add_grain(solid);
+  const auto& solids = mesh.grains().solids();
+  for (std::size_t g = 0; g < solids.size(); ++g) mesher.add_grain(solids[g], g);
   for (std::size_t t = 0; t < mesh.sheets().triangles.size(); ++t) {
     if (!mesh.debonding(t)) mesher.add_film(mesh.film(t), layers);
   }

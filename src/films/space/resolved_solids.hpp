@@ -22,6 +22,7 @@ struct QuadraticTetrahedron {
 struct ResolvedSolids {
   std::vector<Eigen::Vector3d> nodes;
   std::vector<QuadraticTetrahedron> grains, binder;
+  std::vector<std::size_t> grain_of_element;  ///< number of the grain of each element of `grains`
 };
 
 /// The mesh of grains whose films, channels and junctions are cut into a number of layers across every film. Layers are

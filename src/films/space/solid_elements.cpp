@@ -55,8 +55,8 @@ double volume_of(const TetrahedronCorners& corners) {
   return (corners[1] - corners[0]).cross(corners[2] - corners[0]).dot(corners[3] - corners[0]) / 6.0;
 }
 
-Eigen::Matrix<double, 30, 30> tetrahedron_stiffness(const TetrahedronCorners& corners, const Moduli& moduli) {
-  const auto elasticity = isotropic_stiffness(moduli);
+Eigen::Matrix<double, 30, 30> tetrahedron_stiffness(const TetrahedronCorners& corners,
+                                                    const Eigen::Matrix<double, 6, 6>& elasticity) {
   Eigen::Matrix<double, 30, 30> stiffness = Eigen::Matrix<double, 30, 30>::Zero();
   for (const auto& point : integration_points(corners)) {
     const auto strain = solid_strain_rows(point.gradients);
@@ -67,8 +67,8 @@ Eigen::Matrix<double, 30, 30> tetrahedron_stiffness(const TetrahedronCorners& co
 
 BinderElement taylor_hood_element(const TetrahedronCorners& corners) {
   const double volume = volume_of(corners);
-  BinderElement element{tetrahedron_stiffness(corners, {.bulk = 0.0, .shear = 1.0}), Eigen::MatrixXd::Zero(4, 30),
-                        Eigen::MatrixXd::Constant(4, 4, volume / 20.0)};
+  BinderElement element{tetrahedron_stiffness(corners, isotropic_stiffness({.bulk = 0.0, .shear = 1.0})),
+                        Eigen::MatrixXd::Zero(4, 30), Eigen::MatrixXd::Constant(4, 4, volume / 20.0)};
   element.volume.diagonal().array() += volume / 20.0;
   for (const auto& [barycentric, gradients] : integration_points(corners)) {
     const auto strain = solid_strain_rows(gradients);

@@ -25,9 +25,10 @@ struct BinderElement {
   Eigen::MatrixXd volume;      ///< integrals of products of these functions
 };
 
-/// Stiffness of a tetrahedron with straight edges and quadratic displacements, of an isotropic material.
+/// Stiffness of a tetrahedron with straight edges and quadratic displacements, of a material of this elasticity for
+/// strains in Voigt's order.
 [[nodiscard]] Eigen::Matrix<double, 30, 30> tetrahedron_stiffness(const TetrahedronCorners& corners,
-                                                                  const Moduli& moduli);
+                                                                  const Eigen::Matrix<double, 6, 6>& elasticity);
 
 /// A tetrahedron with straight edges, quadratic displacements and linear pressures (Taylor and Hood).
 [[nodiscard]] BinderElement taylor_hood_element(const TetrahedronCorners& corners);

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <cstddef>
+
 #include <Eigen/Core>
 
 #include "breccia/discretisation/moduli.hpp"
+#include "breccia/films/film_problem.hpp"
 
 namespace breccia::films {
 
@@ -31,6 +34,11 @@ using SolidStrainRows =
   stiffness.diagonal().head<3>().array() += 2.0 * moduli.shear;
   stiffness.diagonal().tail<3>().setConstant(moduli.shear);
   return stiffness;
+}
+
+/// The elasticity of a grain [Pa].
+[[nodiscard]] inline Eigen::Matrix<double, 6, 6> elasticity_of_grain(const FilmProblem<3>& problem, std::size_t grain) {
+  return problem.crystals.empty() ? isotropic_stiffness(problem.grain) : problem.crystals[grain];
 }
 
 }  // namespace breccia::films

@@ -236,7 +236,8 @@ std::vector<StageResult> Responder::respond() const {
 ModulusAndGradient Responder::modulus_and_gradient(const std::string& stage, TestLoad load, Boundary boundary,
                                                    double laplace_variable) const {
   std::map<std::string, Moduli> moduli;
-  for (const auto& [material, shift] : materials_) moduli[material.name] = carson_moduli(material, laplace_variable);
+  for (const auto& [material, shift, constants] : materials_)
+    moduli[material.name] = carson_moduli(material, laplace_variable);
   return modulus_and_gradient(stage, load, boundary, moduli);
 }
 

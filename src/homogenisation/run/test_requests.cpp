@@ -7,6 +7,7 @@
 #include "breccia/homogenisation/stage_discretisation.hpp"
 
 #include "discretisation/mixed_cells.hpp"
+#include "homogenisation/box/crystal_orientations.hpp"
 #include "homogenisation/box/debonded_films.hpp"
 #include "homogenisation/mixtures.hpp"
 #include "homogenisation/varying_phases.hpp"
@@ -146,6 +147,7 @@ FilmProblem<dim> film_problem(const Tests& tests, const Stage& stage, const Stag
   return {.tessellation = std::move(tessellation),
           .thickness = grains.statistics.film,
           .grain = {.bulk = material.bulk.unrelaxed(), .shear = material.shear.unrelaxed()},
+          .crystals = crystal_stiffnesses(stage, grains.sites.sites.size()),
           .elements = elements_of<dim>(tests.films),
           .layers = tests.films.layers,
           .debonded = {stage.bonds.value_or(FilmBonds{}).kind, std::move(debonded)}};

@@ -6,7 +6,7 @@ import {matrixStageOf} from "./stages.js";
 
 /// The sentences on a stage of a study (study.json).
 export function sentencesOnReliability(record, stage) {
-  return [onModel(stage), onDebonding(stage), onBounds(record, stage), onAnisotropy(record, stage.quality), onGaps(stage), onGrids(stage), onPacking(stage),
+  return [onModel(stage), onCrystals(stage), onDebonding(stage), onBounds(record, stage), onAnisotropy(record, stage.quality), onGaps(stage), onGrids(stage), onPacking(stage),
     onSeparation(record, stage)].filter((sentence) => sentence !== "");
 }
 
@@ -17,6 +17,11 @@ function textOnParticles({fillers = [], microstructure: made}) {
   if (Number.isFinite(made.film_m)) return "polygonal grains";
   const shapes = [...new Set(fillers.map(({shape}) => shape ?? "discs"))];
   return shapes.length > 0 ? listed(shapes) : "particles";
+}
+
+/// A sentence on grains that are crystals.
+function onCrystals({microstructure: {crystals} = {}}) {
+  return crystals === undefined ? "" : `The grains: ${crystals}.`;
 }
 
 /// A sentence on films that are debonded.

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+
+#include "breccia/study/crystal.hpp"
+
+#include "deckfile/deck.hpp"
+
+namespace breccia {
+
+/// Reads `stiffness = { symmetry = "monoclinic", C11 = "18.4 GPa", ... }` of a material; nothing after a mistake.
+[[nodiscard]] std::optional<ElasticConstants> read_stiffness(const Section& material);
+
+/// Reads `orientations` of a filler whose particles are crystals: "random", "aligned", { seed = 3 }, or the name of a
+/// file of Bunge's Euler angles.
+[[nodiscard]] Orientations read_orientations(const Section& filler);
+
+}  // namespace breccia

@@ -1,0 +1,35 @@
+#include "homogenisation/crystal_words.hpp"
+
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "io/display.hpp"
+
+namespace breccia {
+namespace {
+
+struct OrientationsInWords {
+  const Stage& stage;
+
+  std::string operator()(const RandomOrientations& random) const {
+    return fmt::format("at random orientations (seed {})", random.seed.value_or(stage.seed().value_or(1)));
+  }
+  std::string operator()(const AlignedOrientations&) const { return "with the axes of the box"; }
+  std::string operator()(const ListedOrientations& listed) const {
+    return fmt::format("with the orientations of {}", listed.file.filename().string());
+  }
+};
+
+}  // namespace
+
+std::string words_on_crystals(const Stage& stage, const Crystal& crystal) {
+  const auto means = isotropic_means(crystal.constants);
+  const auto pressure = [](double value) { return display(value, "Pa", 3); };
+  return fmt::format("crystals {}; isotropic means by Hill: K {} (Reuss {}, Voigt {}), G {} ({}, {})",
+                     std::visit(OrientationsInWords{stage}, crystal.orientations), pressure(means.bulk()),
+                     pressure(means.bulk_reuss), pressure(means.bulk_voigt), pressure(means.shear()),
+                     pressure(means.shear_reuss), pressure(means.shear_voigt));
+}
+
+}  // namespace breccia
