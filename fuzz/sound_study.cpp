@@ -51,7 +51,7 @@ struct RequireSizes {
 };
 
 void require_sound(const Filler& filler) {
-  require_sound(filler.material);
+  if (filler.material != void_material()) require_sound(filler.material);
   if (filler.fraction) require(*filler.fraction > 0.0 && *filler.fraction < 1.0, "a fraction between 0 and 1");
   if (filler.smallest) require(*filler.smallest < *filler.largest, "sizes from the smallest to the largest");
   if (filler.sizes) std::visit(RequireSizes(), *filler.sizes);
@@ -104,7 +104,7 @@ void require_sound(const Stage& stage) {
 }  // namespace
 
 void require_sound(const Study& study) {
-  for (const auto& [material, shift] : study.materials) require_sound(material);
+  for (const auto& [material, shift, constants] : study.materials) require_sound(material);
   require(!study.stages.empty(), "stages");
   for (const auto& stage : study.stages) require_sound(stage);
   const auto& tests = study.tests;

@@ -22,22 +22,24 @@
 namespace breccia {
 namespace {
 
+/// The indices of a constant, as they are written.
+using Number = std::array<std::size_t, 2>;
+
 /// A constant that follows from those that are given: C_ij = sum of factor C_kl.
 struct DependentConstant {
-  std::array<std::size_t, 2> number;
-  std::vector<std::pair<double, std::array<std::size_t, 2>>> terms;
+  Number number;
+  std::vector<std::pair<double, Number>> terms;
 };
 
 /// The constants of crystals of one symmetry, in the axes of Nye (1985): the threefold, fourfold or sixfold axis is z,
 /// the twofold one of a monoclinic crystal y. All others are zero.
 struct Symmetry {
   std::string_view name;
-  std::vector<std::array<std::size_t, 2>> given;
+  std::vector<Number> given;
   std::vector<DependentConstant> dependent = {};
 };
 
-const std::vector<Symmetry>& symmetries() {
-  using Number = std::array<std::size_t, 2>;
+std::vector<Symmetry> all_symmetries() {
   const auto equal = [](Number number, Number other) { return DependentConstant{number, {{1.0, other}}}; };
   const DependentConstant in_plane_shear = {{6, 6}, {{0.5, {1, 1}}, {-0.5, {1, 2}}}};
   const std::vector<DependentConstant> about_z = {equal({2, 2}, {1, 1}), equal({2, 3}, {1, 3}), equal({5, 5}, {4, 4})};
@@ -49,27 +51,30 @@ const std::vector<Symmetry>& symmetries() {
   for (std::size_t i = 1; i <= 6; ++i) {
     for (std::size_t j = i; j <= 6; ++j) all.push_back({i, j});
   }
-  static const std::vector<Symmetry> known = {
-      {"cubic",
-       {{1, 1}, {1, 2}, {4, 4}},
-       with(about_z, {equal({3, 3}, {1, 1}), equal({1, 3}, {1, 2}), equal({2, 3}, {1, 2}), equal({6, 6}, {4, 4})})},
-      {"hexagonal", {{1, 1}, {1, 2}, {1, 3}, {3, 3}, {4, 4}}, with(about_z, {in_plane_shear})},
-      {"trigonal",
-       {{1, 1}, {1, 2}, {1, 3}, {1, 4}, {3, 3}, {4, 4}},
-       with(about_z, {in_plane_shear, {{2, 4}, {{-1.0, {1, 4}}}}, equal({5, 6}, {1, 4})})},
-      {"tetragonal", {{1, 1}, {1, 2}, {1, 3}, {3, 3}, {4, 4}, {6, 6}}, about_z},
-      {"orthorhombic", {{1, 1}, {1, 2}, {1, 3}, {2, 2}, {2, 3}, {3, 3}, {4, 4}, {5, 5}, {6, 6}}},
-      {"monoclinic",
-       {{1, 1}, {1, 2}, {1, 3}, {1, 5}, {2, 2}, {2, 3}, {2, 5}, {3, 3}, {3, 5}, {4, 4}, {4, 6}, {5, 5}, {6, 6}}},
-      {"triclinic", all}};
+  return {{"cubic",
+           {{1, 1}, {1, 2}, {4, 4}},
+           with(about_z, {equal({3, 3}, {1, 1}), equal({1, 3}, {1, 2}), equal({2, 3}, {1, 2}), equal({6, 6}, {4, 4})})},
+          {"hexagonal", {{1, 1}, {1, 2}, {1, 3}, {3, 3}, {4, 4}}, with(about_z, {in_plane_shear})},
+          {"trigonal",
+           {{1, 1}, {1, 2}, {1, 3}, {1, 4}, {3, 3}, {4, 4}},
+           with(about_z, {in_plane_shear, {{2, 4}, {{-1.0, {1, 4}}}}, equal({5, 6}, {1, 4})})},
+          {"tetragonal", {{1, 1}, {1, 2}, {1, 3}, {3, 3}, {4, 4}, {6, 6}}, about_z},
+          {"orthorhombic", {{1, 1}, {1, 2}, {1, 3}, {2, 2}, {2, 3}, {3, 3}, {4, 4}, {5, 5}, {6, 6}}},
+          {"monoclinic",
+           {{1, 1}, {1, 2}, {1, 3}, {1, 5}, {2, 2}, {2, 3}, {2, 5}, {3, 3}, {3, 5}, {4, 4}, {4, 6}, {5, 5}, {6, 6}}},
+          {"triclinic", all}};
+}
+
+const std::vector<Symmetry>& symmetries() {
+  static const auto known = all_symmetries();
   return known;
 }
 
-double& constant(ElasticConstants& constants, const std::array<std::size_t, 2>& number) {
+double& constant(ElasticConstants& constants, const Number& number) {
   return constants[place_of_constant(number[0], number[1])];
 }
 
-std::string name_of_constant(const std::array<std::size_t, 2>& number) {
+std::string name_of_constant(const Number& number) {
   return fmt::format("C{}{}", number[0], number[1]);
 }
 
@@ -123,11 +128,13 @@ std::optional<ElasticConstants> read_stiffness(const Section& material) {
     for (const auto& [factor, other] : terms) sum += factor * constant(constants, other);
     constant(constants, number) = sum;
   }
-  if (const double least = least_stiffness(constants); !(least > 0.0)) {
-    material.report("stiffness",
-                    fmt::format("expected a positive definite stiffness; there is a strain whose energy is negative or "
-                                "zero (least eigenvalue {})",
-                                readable(least, Dimension::pressure)));
+  constexpr double least_share = 1e-6;
+  if (const double least = least_stiffness(constants); !(least > least_share * std::ranges::max(constants))) {
+    material.report(
+        "stiffness",
+        fmt::format("expected a positive definite stiffness; there is a strain whose energy is negative, or "
+                    "all but zero (least eigenvalue {})",
+                    readable(least, Dimension::pressure)));
     return std::nullopt;
   }
   return constants;
@@ -143,6 +150,12 @@ Orientations read_orientations(const Section& filler) {
   if (text == "random") return RandomOrientations{};
   if (text == "aligned") return AlignedOrientations{};
   ListedOrientations listed;
+  if (text.find('.') == std::string::npos) {
+    filler.report("orientations",
+                  fmt::format(R"(expected "random", "aligned", {{ seed = 3 }} or the name of a file, got "{}"{})", text,
+                              suggestion(text, std::array<std::string, 2>{"random", "aligned"})));
+    return listed;
+  }
   listed.file = filler.file("orientations");
   if (!listed.file.empty()) {
     filler.report_errors_of("orientations", [&] { listed.angles = read_angles(listed.file); });

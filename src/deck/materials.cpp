@@ -21,7 +21,7 @@ ShiftedMaterial read_shifted_material(const Section& section, const std::string&
     section.refuse({"bulk", "shear", "young", "poisson", "temperature_shift"},
                    "the stiffness of a crystal gives all of its moduli");
     const auto constants = read_stiffness(section);
-    if (!constants) return {reference};
+    if (!constants) return {reference};  // its moduli are unknown, and it is no void
     const auto means = isotropic_means(*constants);
     reference.bulk = PronySeries(means.bulk());
     reference.shear = PronySeries(means.shear());
@@ -65,6 +65,7 @@ Material read_material_reference(const Section& section, const std::string& key,
   std::vector<std::string> names;
   names.reserve(materials.size());
   for (const auto& [known, shift, constants] : materials) names.push_back(known.name);
+  names.emplace_back(name_of_void);
   section.report(key, fmt::format("unknown material \"{}\"{}", name, suggestion(name, names)));
   return {};
 }

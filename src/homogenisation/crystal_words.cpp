@@ -15,7 +15,9 @@ struct OrientationsInWords {
   std::string operator()(const RandomOrientations& random) const {
     return fmt::format("at random orientations (seed {})", random.seed.value_or(stage.seed().value_or(1)));
   }
-  std::string operator()(const AlignedOrientations&) const { return "with the axes of the box"; }
+  std::string operator()(const AlignedOrientations&) const {
+    return "with the axes of the box, which make it anisotropic";
+  }
   std::string operator()(const ListedOrientations& listed) const {
     return fmt::format("with the orientations of {}", listed.file.filename().string());
   }

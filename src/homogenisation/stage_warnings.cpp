@@ -90,6 +90,12 @@ std::optional<std::string> warning_of_missing_flow(const Study& study, const Sta
   if (stage.fillers.empty() || !lacks_flow || !has_narrow_gaps(stage, packed) || has_soft_fillers(study, stage)) {
     return std::nullopt;
   }
+  const auto is_empty = [](const Filler& filler) { return is_void(filler.material); };
+  if (std::ranges::any_of(stage.fillers, is_empty)) {
+    return "beside voids the matrix does not flow through gaps narrower than a cell: between stiff particles these are "
+           "in "
+           "series, and the modulus at long times comes out too high where they are not resolved";
+  }
   return "its cells are in series, without flow through gaps: a filler or a coating is not stiffer in shear than the "
          "matrix at all times; where the filler is the softer one, coarse grids come out some 10 to 30 % too soft";
 }
@@ -265,10 +271,11 @@ std::optional<std::string> warning_of_cut_filler(const Stage& stage, const std::
   const double share = cuts ? filler_on_sides(stage, packed).value_or(0.0) : 0.0;
   if (!(share > 0.0)) return std::nullopt;
   return fmt::format(
-      "the sides of the box cut filler, over {:.0f} % of their {}: a displacement boundary moves it with the sides, "
+      "the sides of the box cut filler, over {} % of their {}: a displacement boundary moves it with the sides, "
       "and its modulus is an upper bound, far too high where the filler is far stiffer than the matrix; a traction "
       "boundary leaves it free, a lower bound; both come closer in a larger box{}",
-      100.0 * share, stage.dimensions() == 3 ? "area" : "length",
+      share < 0.1 ? fmt::format("{:.2g}", 100.0 * share) : fmt::format("{:.0f}", 100.0 * share),
+      stage.dimensions() == 3 ? "area" : "length",
       stage.is_periodic()
           ? ", and the boundary \"periodic\" does neither: its modulus comes nearest to that of the material"
           : "");

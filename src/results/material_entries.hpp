@@ -60,12 +60,13 @@ struct MaterialEntry {
   double density = 0.0;  ///< [kg/m^3]
   PronySeries bulk = {}, shear = {};
   std::optional<TemperatureShift> shift = {};
+  std::optional<std::vector<double>> constants = {};  ///< of a crystal, as ElasticConstants [Pa]
 };
 template <>
-inline constexpr auto fields<MaterialEntry> = std::tuple(field("name", &MaterialEntry::name),
-                                                         field("density_kg_per_m3", &MaterialEntry::density),
-                                                         field("bulk", &MaterialEntry::bulk),
-                                                         field("shear", &MaterialEntry::shear),
-                                                         field_if_any("temperature_shift", &MaterialEntry::shift));
+inline constexpr auto fields<MaterialEntry> =
+    std::tuple(field("name", &MaterialEntry::name), field("density_kg_per_m3", &MaterialEntry::density),
+               field("bulk", &MaterialEntry::bulk), field("shear", &MaterialEntry::shear),
+               field_if_any("temperature_shift", &MaterialEntry::shift),
+               field_if_any("elastic_constants_Pa", &MaterialEntry::constants));
 
 }  // namespace breccia

@@ -26,7 +26,7 @@ std::optional<std::string> note_on_completeness(const std::filesystem::path& dir
 
 std::vector<ShiftedMaterial> materials_of(const StudyDocument& document) {
   std::vector<ShiftedMaterial> materials;
-  for (const auto& [name, density, bulk, shear, shift] : document.materials) {
+  for (const auto& [name, density, bulk, shear, shift, constants] : document.materials) {
     materials.push_back({{name, density, bulk, shear}, shift});
   }
   return materials;

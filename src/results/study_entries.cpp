@@ -355,7 +355,9 @@ StudyDocument document_of(const Study& study, const StudyResult& result, const S
   }
   if (result.seconds) document.date = date_of_now();
   for (const auto& [material, shift, constants] : study.materials) {
-    document.materials.emplace_back(entry_of(material)).shift = shift;
+    auto& entry = document.materials.emplace_back(entry_of(material));
+    entry.shift = shift;
+    if (constants) entry.constants.emplace(constants->begin(), constants->end());
   }
   for (const auto& stage : study.stages) document.stage_names.push_back(stage.name);
   std::vector<std::vector<FillerStatistics>> fillers;

@@ -59,6 +59,7 @@ std::vector<std::string> mistakes_of_name(const std::string& name, std::span<con
   if (name.size() > longest_name) {
     mistakes.push_back(fmt::format("expected a name of at most {} letters, got {}", longest_name, name.size()));
   }
+  if (name == name_of_void) mistakes.push_back(fmt::format("\"{}\" is the name of a filler without stiffness", name));
   const auto reserved = reserved_names();
   if (std::ranges::find(reserved, lower_case(name)) != reserved.end()) {
     mistakes.push_back(fmt::format("\"{}\" is the name of a file of results", name));

@@ -79,6 +79,7 @@ std::vector<std::string> mistakes_of_varied(const VariedMaterial& varied, const 
     for (const auto& material : materials) names.push_back(material.name);
     return {fmt::format("no stage has a material \"{}\"{}", varied.name, suggestion(varied.name, names))};
   }
+  if (is_void(*found)) return {"a void has no moduli that could vary"};
   if (!found->bulk.is_elastic() || !found->shear.is_elastic()) {
     return {fmt::format("{} relaxes, so that its moduli vary without this; expected an elastic material", varied.name)};
   }

@@ -9,7 +9,7 @@ Material void_material() {
 }
 
 bool is_void(const Material& material) {
-  return material.bulk.unrelaxed() == 0.0 && material.shear.unrelaxed() == 0.0;
+  return material.name == name_of_void && material.bulk.unrelaxed() == 0.0 && material.shear.unrelaxed() == 0.0;
 }
 
 PronySeries plane_strain_bulk_modulus(const Material& material) {

@@ -77,10 +77,15 @@ TEST(PorousComposite, ThatIsPartedIsRefused) {
                "packing = { method = \"image\", file = \"layers.npy\", labels = [{ value = 0, material = \"void\" }, "
                "{ value = 1, material = \"bitumen\" }] }\n");
   study.write("deck.toml", deck);
-  const auto run = study.breccia("run");
-  EXPECT_EQ(run.exit_code, 2) << run.output;
-  EXPECT_THAT(run.errors,
-              HasSubstr("the composite has no stiffness under the load shear and the boundary periodic: voids part"));
+  for (const auto* method : {R"(tests.method="quasistatic")", R"(tests.method="dynamic")", "tests.solver=stepping"}) {
+    const auto run = study.breccia("run", {"--overwrite", "--set", method});
+    EXPECT_EQ(run.exit_code, 2) << method << run.output;
+    EXPECT_THAT(run.errors,
+                HasSubstr("the composite has no stiffness under the load shear and the boundary periodic: voids part"));
+  }
+  const auto traction = study.breccia("run", {"--overwrite", "--set", R"(tests.boundaries=["traction"])"});
+  EXPECT_EQ(traction.exit_code, 2) << traction.output;
+  EXPECT_THAT(traction.errors, HasSubstr("a void lies at a side of the box, on which the boundary \"traction\""));
 }
 
 }  // namespace

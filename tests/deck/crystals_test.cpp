@@ -13,6 +13,7 @@ namespace breccia {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr std::string_view cubic = R"(symmetry = "cubic", C11 = "20 GPa", C12 = "14 GPa", C44 = "12 GPa")";
 
@@ -80,6 +81,8 @@ TEST_F(CrystalsOfADeck, MistakesAreNamed) {
   EXPECT_THAT(mistakes(deck(R"(symmetry = "cubic", C11 = "10 GPa", C12 = "14 GPa", C44 = "12 GPa")")),
               HasSubstr("stiffness: expected a positive definite stiffness"));
   EXPECT_THAT(mistakes(deck(cubic, R"(, orientations = "none.csv")")), HasSubstr("none.csv"));
+  EXPECT_THAT(mistakes(deck(cubic, R"(, orientations = "alinged")")), HasSubstr("did you mean \"aligned\"?"));
+  EXPECT_THAT(mistakes(deck(R"(symmetry = "cubik", C11 = "1 GPa")")), Not(HasSubstr("voids")));
   EXPECT_THAT(mistakes(deck(test::join(cubic, " }\nbulk = \"1 GPa\"\nextra = { x = 1"))),
               HasSubstr("bulk: the stiffness of a crystal gives all of its moduli"));
 }

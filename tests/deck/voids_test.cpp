@@ -56,6 +56,18 @@ TEST_F(VoidsOfADeck, AreNoGrainsBetweenFilms) {
               HasSubstr("expected solid grains; with model = \"cells\" they may be voids"));
 }
 
+TEST_F(VoidsOfADeck, AreNoStages) {
+  auto text = with_filler("material = \"hmx\"");
+  text.replace(text.find("name = \"a\""), 10, "name = \"void\"");
+  EXPECT_THAT(mistakes(text), HasSubstr("\"void\" is the name of a filler without stiffness"));
+}
+
+TEST_F(VoidsOfADeck, DoNotVary) {
+  EXPECT_THAT(mistakes(test::join(with_filler("material = \"void\""),
+                                  "[tests.quasistatic]\nvary = { void = { shear = [\"1 MPa\", \"1 GPa\"] } }\n")),
+              HasSubstr("a void has no moduli that could vary"));
+}
+
 TEST_F(VoidsOfADeck, AreWrittenInSmallLetters) {
   EXPECT_THAT(mistakes(with_filler("material = \"Void\"")), HasSubstr("unknown material \"Void\""));
 }

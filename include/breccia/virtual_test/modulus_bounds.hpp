@@ -8,7 +8,8 @@
 namespace breccia {
 
 /// Bounds on the shear modulus of a composite, those of Hashin (1965) in plane strain and those of Hashin and Shtrikman
-/// (1963) in 3 dimensions, with the relaxation moduli of the phases used as elastic moduli (theory, Eq. 15 and 15a).
+/// (1963) in 3 dimensions, with the relaxation moduli of the phases used as elastic moduli (theory, Eq. 15 and 15a);
+/// with voids, whose lower bound is 0, the lower one is an estimate.
 /// They serve to plan runs; no result depends on them.
 class ShearModulusBounds {
  public:

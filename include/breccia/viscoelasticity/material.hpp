@@ -22,7 +22,7 @@ inline constexpr const char* name_of_void = "void";
 /// A void: neither mass nor stiffness.
 Material void_material();
 
-/// Whether a material has no stiffness at any time.
+/// Whether a material is a void.
 bool is_void(const Material& material);
 
 /// The modulus of equal strains along both axes in plane strain, K(t) + G(t)/3 [Pa]. It never rises with time, even

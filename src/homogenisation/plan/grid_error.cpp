@@ -138,6 +138,7 @@ std::string_view materials_without_rule(const Study& study, const Stage& stage, 
   if (are_stiffer_than_matrix(materials_of(stage, expected_matrix(study, stage)))) return {};
   const bool are_soft = has_soft_fillers(study, stage);
   if (!are_soft) return "fillers or coatings that are neither stiffer nor softer than the matrix at all times";
+  if (stage.has_grains()) return "grains that are softer than the matrix";
   return stage.dimensions() == 3 ? "fillers that are softer than the matrix, in three dimensions" : std::string_view();
 }
 

@@ -121,6 +121,11 @@ std::optional<Moduli> CellKinds<dim>::uniform_moduli(std::size_t kind, std::span
   return moduli[phases.front()];
 }
 
+template <int dim>
+bool CellKinds<dim>::is_empty(std::size_t kind, std::span<const Moduli> moduli) const {
+  return !mixed_[kind] && std::ranges::all_of(phases_[kind], [&](PhaseIndex phase) { return is_void(moduli[phase]); });
+}
+
 template class CellKinds<2>;
 template class CellKinds<3>;
 

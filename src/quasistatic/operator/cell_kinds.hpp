@@ -57,6 +57,8 @@ class CellKinds {
   /// Moduli [Pa] of the cells of a kind, if all points have the same moduli and the stiffness is that of averaged
   /// volumetric strains.
   [[nodiscard]] std::optional<Moduli> uniform_moduli(std::size_t kind, std::span<const Moduli> moduli) const;
+  /// Whether the cells of a kind are nothing but void, for moduli by material.
+  [[nodiscard]] bool is_empty(std::size_t kind, std::span<const Moduli> moduli) const;
 
  private:
   /// The stiffness of a crystal, and the shear modulus that represents it in lists of moduli [Pa].

@@ -101,7 +101,7 @@ std::vector<CarsonPoint> relaxation_path(std::span<const Material> materials, co
   append_between(path, materials, 1.0 / begin, 1.0 / end);
   auto relaxed = point_at(materials, 0.0);
   const bool is_solid =
-      std::ranges::all_of(relaxed.moduli, [](const Moduli& at_equilibrium) { return at_equilibrium.shear > 0.0; });
+      std::ranges::all_of(relaxed.moduli, [](const Moduli& phase) { return phase.shear > 0.0 || is_void(phase); });
   if (is_solid) append(path, std::move(relaxed), rounding);
   return path;
 }

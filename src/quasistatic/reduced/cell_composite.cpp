@@ -7,6 +7,7 @@
 #include "breccia/error.hpp"
 
 #include "discretisation/contrast.hpp"
+#include "parallel/reduction.hpp"
 #include "quasistatic/operator/cube_forces.hpp"
 #include "quasistatic/operator/recovery.hpp"
 #include "quasistatic/operator/square_forces.hpp"
@@ -120,11 +121,32 @@ void CellSolver<dim>::restore_preconditioner(const StateReader& state, const std
 template <int dim>
 Displacement CellSolver<dim>::solve(Load load, Displacement guess) {
   const bool is_strained = composite_->boundary() != Boundary::traction;
+  if (!is_strained) require_solid_sides();
   auto forces = is_strained ? held_back(load) : composite_->load_forces(load);
   auto solution = solver_->solve(std::move(forces), std::move(guess), least_energy(load));
   solution.set_macroscopic(is_strained ? 1.0 : 0.0);
   require_stiff(load, solution);
   return solution;
+}
+
+/// Throws InputError where a void lies at a side of the box, on which the tractions of the boundary act.
+template <int dim>
+void CellSolver<dim>::require_solid_sides() const {
+  const auto& elastic_operator = composite_->elastic_operator();
+  bool has_void = false;
+  elastic_operator.nodes().for_cells([&](const Index<dim>& cell) {
+    const auto& cells = elastic_operator.grid().cells;
+    bool is_at_side = false;
+    for (std::size_t axis = 0; axis < cell.size(); ++axis) {
+      is_at_side = is_at_side || cell[axis] == 0 || cell[axis] == cells[axis] - 1;
+    }
+    const auto& kinds = elastic_operator.kinds();
+    has_void = has_void || (is_at_side && kinds.is_empty(kinds.of(cell), moduli_));
+  });
+  if (!(parallel::largest(has_void ? 1.0 : 0.0) > 0.0)) return;
+  throw InputError(
+      "a void lies at a side of the box, on which the boundary \"traction\" presses: expected the boundary "
+      "\"displacement\" or \"periodic\", or a box whose sides are solid");
 }
 
 /// Throws InputError where voids leave the composite no stiffness under a load, or less than a solver can tell from
@@ -140,8 +162,7 @@ void CellSolver<dim>::require_stiff(Load load, const Displacement& solution) con
   const auto [bulk, shear] = least_of_solids(moduli_);
   if (modulus > least_share * std::min(bulk, shear)) return;
   throw InputError(
-      fmt::format("the composite has no stiffness under the load {} and the boundary {}: voids part its solid, or lie "
-                  "at sides on which tractions act",
+      fmt::format("the composite has no stiffness under the load {} and the boundary {}: voids part its solid",
                   name_of(load), name_of(composite_->boundary())));
 }
 

@@ -85,6 +85,7 @@ class CellSolver {
  private:
   [[nodiscard]] Forces held_back(Load load) const;
   [[nodiscard]] std::optional<double> least_energy(Load load) const;
+  void require_solid_sides() const;
   void require_stiff(Load load, const Displacement& solution) const;
 
   const CellComposite<dim>* composite_;

@@ -4,6 +4,7 @@
 
 #include "quasistatic/operator/displacement_state.hpp"
 #include "quasistatic/reduced/cell_composite.hpp"
+#include "quasistatic/reduced/stiff_composite.hpp"
 #include "quasistatic/solvers/linear_effort_state.hpp"
 #include "quasistatic/stepping/log_time_runs.hpp"
 
@@ -43,6 +44,7 @@ SteppingResult<dim> run_log_time_stepping(const QuasistaticProblem<dim>& problem
   quasistatic::require_steps(loads, times);
   require_loads("log-time stepping", dim, loads);
   require_phases_in_cells("log-time stepping", problem.discretisation, problem.materials.size());
+  require_stiff(problem, loads);
   const quasistatic::CellComposite<dim> composite(problem, isotropic_phases(problem));
   const auto series = series_of(composite, problem.materials);
   quasistatic::CellSolver<dim> solver(composite, problem.linear);
