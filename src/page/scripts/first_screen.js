@@ -237,7 +237,8 @@ export function showModuli(curves) {
   if (binder !== undefined) {
     columns.push([`over ${binder.name}`, (time) => (hasFlowedAway(binder, time) ? "–" : ratios(binder.at(time), time))]);
   }
-  for (const bulk of isShear ? othersOf("bulk", curves, result) : []) {
+  const bulks = isShear ? othersOf("bulk", curves, result).filter(({cells}) => cells === result[0].cells) : [];
+  for (const bulk of bulks) {
     columns.push([`${bulkSymbolOf(stageOf(stage))}, ${bulk.boundary}`, (time) => modulusText(bulk, time)]);
   }
   for (const young of othersOf("young", curves, result)) {
