@@ -217,13 +217,19 @@ std::string describe(const QuasistaticOptions& options, const std::vector<Varied
   return fmt::format("    method   quasi-static, {}, {} strain\n", how, describe(volumetric));
 }
 
-std::string describe(Mixing mixing) {
-  const auto how = [mixing]() -> std::string_view {
-    switch (mixing) {
+bool has_voids(const Stage& stage) {
+  return std::ranges::any_of(stage.fillers, [](const Filler& filler) { return is_void(filler.material); });
+}
+
+/// The cells that an interface crosses.
+std::string describe_mixing(const Study& study) {
+  const auto how = [&]() -> std::string {
+    switch (study.tests.mixing) {
       case Mixing::series:
         return "mixed in series";
       case Mixing::flow:
-        return "mixed in series, with flow through gaps below 1.5 cells between stiffer fillers,";
+        return fmt::format("mixed in series, with flow through gaps below 1.5 cells between stiffer fillers{},",
+                           std::ranges::any_of(study.stages, has_voids) ? " in stages without voids" : "");
       case Mixing::points:
         return "each point of the phase at its place";
     }
@@ -264,7 +270,7 @@ std::string describe(const Study& study) {
     text += describe(tests.films, study.stages.front().dimensions());
   }
   const auto has_cells = [&tests](const Stage& stage) { return model_of(tests, stage) == Model::cells; };
-  if (std::ranges::any_of(study.stages, has_cells)) text += describe(tests.mixing);
+  if (std::ranges::any_of(study.stages, has_cells)) text += describe_mixing(study);
   for (const auto method : tests.methods) {
     text += method == Method::dynamic ? describe(tests.dynamic, tests.volumetric)
                                       : describe(tests.quasistatic, tests.varied, tests.volumetric);

@@ -195,8 +195,9 @@ TEST(Fillers, AreInTheFillerOfTheWhole) {
   ASSERT_EQ(whole.coatings.size(), 1U);
   EXPECT_EQ(whole.coatings[0].material, "wax");
   EXPECT_NEAR(whole.coatings[0].fraction, 0.05, 1e-15);
-  EXPECT_EQ(in_words(whole),
-            "30.0 % by volume, 62.9 % by mass (steel 41.6 %, sand 21.3 %); coatings by mass: wax 2.4 %");
+  EXPECT_EQ(
+      in_words(whole),
+      "filler of the whole: 30.0 % by volume, 62.9 % by mass (steel 41.6 %, sand 21.3 %); coatings by mass: wax 2.4 %");
 }
 
 }  // namespace
