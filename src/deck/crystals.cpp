@@ -85,7 +85,7 @@ const Symmetry* read_symmetry(const Section& section) {
   std::vector<std::string> names;
   for (const auto& one : symmetries()) names.emplace_back(one.name);
   if (!name.empty()) {
-    section.report("symmetry", fmt::format("expected one of \"{}\", got \"{}\"{}", fmt::join(names, "\", \""), name,
+    section.report("symmetry", fmt::format(R"(expected one of "{}", got "{}"{})", fmt::join(names, R"(", ")"), name,
                                            suggestion(name, names)));
   }
   section.accept_all_keys();
