@@ -62,7 +62,7 @@ WholeFiller filler_of_the_whole(const Study& study, const Stage& stage,
 }
 
 std::string in_words(const WholeFiller& filler) {
-  const auto voids = fmt::format("voids: {:.1f} % by volume", 100.0 * filler.porosity);
+  auto voids = fmt::format("voids: {:.1f} % by volume", 100.0 * filler.porosity);
   if (!(filler.fraction > 0.0)) return voids;
   auto text = fmt::format("filler of the whole: {:.1f} % by volume, {:.1f} % by mass", 100.0 * filler.fraction,
                           100.0 * filler.mass_fraction);
