@@ -11,9 +11,8 @@ std::string filler_summary(const Study& study, const std::vector<std::vector<Fil
   std::string text;
   for (const auto& stage : study.stages) {
     if (serves_as_matrix(study.stages, stage.name)) continue;
-    const auto whole = filler_of_the_whole(study, stage, packed);
-    const bool has_any = whole.fraction > 0.0 || whole.porosity > 0.0;
-    if (has_any) text += fmt::format("{}: {}\n", stage.name, in_words(whole));
+    const auto words = in_words(filler_of_the_whole(study, stage, packed));
+    if (!words.empty()) text += fmt::format("{}: {}\n", stage.name, words);
   }
   return text;
 }

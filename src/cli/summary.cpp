@@ -217,10 +217,6 @@ std::string describe(const QuasistaticOptions& options, const std::vector<Varied
   return fmt::format("    method   quasi-static, {}, {} strain\n", how, describe(volumetric));
 }
 
-bool has_voids(const Stage& stage) {
-  return std::ranges::any_of(stage.fillers, [](const Filler& filler) { return is_void(filler.material); });
-}
-
 /// The cells that an interface crosses.
 std::string describe_mixing(const Study& study) {
   const auto how = [&]() -> std::string {
@@ -229,7 +225,7 @@ std::string describe_mixing(const Study& study) {
         return "mixed in series";
       case Mixing::flow:
         return fmt::format("mixed in series, with flow through gaps below 1.5 cells between stiffer fillers{},",
-                           std::ranges::any_of(study.stages, has_voids) ? " in stages without voids" : "");
+                           std::ranges::any_of(study.stages, &Stage::has_voids) ? " in stages without voids" : "");
       case Mixing::points:
         return "each point of the phase at its place";
     }

@@ -13,8 +13,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "breccia/discretisation/crystals.hpp"
 #include "breccia/error.hpp"
-#include "breccia/words.hpp"
 
 #include "io/nearest_name.hpp"
 #include "tables/csv.hpp"
@@ -129,7 +129,8 @@ std::optional<ElasticConstants> read_stiffness(const Section& material) {
     constant(constants, number) = sum;
   }
   constexpr double least_share = 1e-6;
-  if (const double least = least_stiffness(constants); !(least > least_share * std::ranges::max(constants))) {
+  if (const double least = least_stiffness<3>(stiffness_tensor(constants));
+      !(least > least_share * std::ranges::max(constants))) {
     material.report(
         "stiffness",
         fmt::format("expected a positive definite stiffness; there is a strain whose energy is negative, or "

@@ -133,21 +133,23 @@ std::optional<Coating> read_coating(const Section& section, const std::vector<Sh
   return Coating{std::move(material), coating->quantity("thickness", Dimension::length, Range::positive())};
 }
 
-/// The crystals of a filler, if its material is one, with their orientations.
-std::optional<Crystal> read_crystal(const Section& section, const std::vector<ShiftedMaterial>& materials) {
-  const auto material = section.kind("material") == Kind::text ? section.text("material") : std::string();
-  const auto* const found = find_material(materials, material);
-  if (found != nullptr && found->constants) return Crystal{*found->constants, read_orientations(section)};
+/// Reads the material of a filler, and the orientations of its particles where the material is a crystal.
+void read_material(const Section& section, const std::vector<ShiftedMaterial>& materials, Filler& filler) {
+  const auto name = section.kind("material") == Kind::text ? section.optional_text("material") : std::nullopt;
+  const auto* const named = find_material(materials, name.value_or(""));
+  if (named != nullptr && named->constants) {
+    filler.material = named->material;
+    filler.crystal = Crystal{*named->constants, read_orientations(section)};
+    return;
+  }
+  filler.material = read_material_reference(section, "material", materials);
   section.refuse({"orientations"}, "only crystals have them, whose material has a stiffness");
-  return std::nullopt;
 }
 
 /// Reads one filler of a stage whose packing has been read.
 Filler read_filler(const Section& section, const Stage& stage, const std::vector<ShiftedMaterial>& materials) {
   Filler filler;
-  filler.crystal = read_crystal(section, materials);
-  filler.material = filler.crystal ? find_material(materials, section.text("material"))->material
-                                   : read_material_reference(section, "material", materials);
+  read_material(section, materials, filler);
   section.refuse({"image"}, image_elsewhere);
   filler.shape = read_shape(section, stage);
   if (!stage.has_grains()) filler.coating = read_coating(section, materials);

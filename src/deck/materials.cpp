@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "breccia/discretisation/crystals.hpp"
 #include "breccia/viscoelasticity/temperature_shift.hpp"
 
 #include "deck/crystals.hpp"
@@ -22,7 +23,7 @@ ShiftedMaterial read_shifted_material(const Section& section, const std::string&
                    "the stiffness of a crystal gives all of its moduli");
     const auto constants = read_stiffness(section);
     if (!constants) return {reference};  // its moduli are unknown, and it is no void
-    const auto means = isotropic_means(*constants);
+    const auto means = isotropic_means(stiffness_tensor(*constants));
     reference.bulk = PronySeries(means.bulk());
     reference.shear = PronySeries(means.shear());
     return {.material = reference, .constants = constants};

@@ -7,6 +7,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
@@ -64,18 +65,34 @@ StiffnessTensor<2> in_plane_strain(const StiffnessTensor<3>& stiffness) {
 }
 
 template <int dim>
-Moduli softer_moduli(const StiffnessTensor<dim>& stiffness) {
-  constexpr double rounding = 1e-9;
-  if (!stiffness.allFinite() || (stiffness - stiffness.transpose()).norm() > rounding * stiffness.norm()) {
-    throw InputError("crystals: expected a symmetric stiffness of finite components");
-  }
+double least_stiffness(const StiffnessTensor<dim>& stiffness) {
   // Engineering shears are root 2 times the coordinates in an orthonormal basis.
   auto orthonormal = stiffness;
   constexpr int shears = tensor_components<dim> - dim;
   orthonormal.template bottomRows<shears>() *= std::sqrt(2.0);
   orthonormal.template rightCols<shears>() *= std::sqrt(2.0);
   const Eigen::SelfAdjointEigenSolver<StiffnessTensor<dim>> solver(orthonormal, Eigen::EigenvaluesOnly);
-  const double least = solver.eigenvalues().minCoeff();
+  return solver.eigenvalues().minCoeff();
+}
+
+IsotropicMeans isotropic_means(const StiffnessTensor<3>& stiffness) {
+  const StiffnessTensor<3> compliance = stiffness.inverse();
+  const auto normal = [](const StiffnessTensor<3>& m) { return m(0, 0) + m(1, 1) + m(2, 2); };
+  const auto mixed = [](const StiffnessTensor<3>& m) { return m(0, 1) + m(1, 2) + m(2, 0); };
+  const auto shears = [](const StiffnessTensor<3>& m) { return m(3, 3) + m(4, 4) + m(5, 5); };
+  return {.bulk_voigt = (normal(stiffness) + 2.0 * mixed(stiffness)) / 9.0,
+          .bulk_reuss = 1.0 / (normal(compliance) + 2.0 * mixed(compliance)),
+          .shear_voigt = (normal(stiffness) - mixed(stiffness) + 3.0 * shears(stiffness)) / 15.0,
+          .shear_reuss = 15.0 / (4.0 * normal(compliance) - 4.0 * mixed(compliance) + 3.0 * shears(compliance))};
+}
+
+template <int dim>
+Moduli softer_moduli(const StiffnessTensor<dim>& stiffness) {
+  constexpr double rounding = 1e-9;
+  if (!stiffness.allFinite() || (stiffness - stiffness.transpose()).norm() > rounding * stiffness.norm()) {
+    throw InputError("crystals: expected a symmetric stiffness of finite components");
+  }
+  const double least = least_stiffness<dim>(stiffness);
   if (!(least > 0.0)) {
     throw InputError(
         fmt::format("crystals: expected a positive definite stiffness, its least eigenvalue is {} Pa", least));
@@ -85,6 +102,8 @@ Moduli softer_moduli(const StiffnessTensor<dim>& stiffness) {
 
 template StiffnessTensor<2> isotropic_stiffness<2>(const Moduli&);
 template StiffnessTensor<3> isotropic_stiffness<3>(const Moduli&);
+template double least_stiffness<2>(const StiffnessTensor<2>&);
+template double least_stiffness<3>(const StiffnessTensor<3>&);
 template Moduli softer_moduli<2>(const StiffnessTensor<2>&);
 template Moduli softer_moduli<3>(const StiffnessTensor<3>&);
 

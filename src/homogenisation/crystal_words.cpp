@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "breccia/discretisation/crystals.hpp"
+
 #include "io/display.hpp"
 
 namespace breccia {
@@ -26,7 +28,7 @@ struct OrientationsInWords {
 }  // namespace
 
 std::string words_on_crystals(const Stage& stage, const Crystal& crystal) {
-  const auto means = isotropic_means(crystal.constants);
+  const auto means = isotropic_means(stiffness_tensor(crystal.constants));
   const auto pressure = [](double value) { return display(value, "Pa", 3); };
   return fmt::format("crystals {}; isotropic means by Hill: K {} (Reuss {}, Voigt {}), G {} ({}, {})",
                      std::visit(OrientationsInWords{stage}, crystal.orientations), pressure(means.bulk()),

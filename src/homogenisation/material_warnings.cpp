@@ -76,6 +76,7 @@ std::vector<std::string> warnings_of_unknown_times(const Material& matrix, const
 
 std::optional<std::string> warning_of_soft_filler(const Material& filler, const Material& binder, double time,
                                                   Abscissa abscissa) {
+  if (is_void(filler)) return std::nullopt;
   const auto softer = [&](const char* name, const PronySeries& of_filler,
                           const PronySeries& of_binder) -> std::optional<std::string> {
     const double its_modulus = of_filler.at(time), modulus = of_binder.at(time);
@@ -107,7 +108,6 @@ std::vector<std::string> warnings_on_materials(const Study& study, const Stage& 
 std::vector<std::string> warnings_of_soft_fillers(const Study& study, const Stage& stage) {
   std::vector<std::string> warnings;
   for (const auto& filler : stage.fillers) {
-    if (is_void(filler.material)) continue;
     auto warning = warning_of_soft_filler(filler.material, binder_of(study, stage), study.tests.first_time,
                                           study.tests.abscissa());
     if (warning && std::ranges::find(warnings, *warning) == warnings.end()) warnings.push_back(*std::move(warning));

@@ -90,11 +90,9 @@ std::optional<std::string> warning_of_missing_flow(const Study& study, const Sta
   if (stage.fillers.empty() || !lacks_flow || !has_narrow_gaps(stage, packed) || has_soft_fillers(study, stage)) {
     return std::nullopt;
   }
-  const auto is_empty = [](const Filler& filler) { return is_void(filler.material); };
-  if (std::ranges::any_of(stage.fillers, is_empty)) {
-    return "beside voids the matrix does not flow through gaps narrower than a cell: between stiff particles these are "
-           "in "
-           "series, and the modulus at long times comes out too high where they are not resolved";
+  if (stage.has_voids()) {
+    return "beside voids the matrix does not flow through gaps narrower than a cell: those between stiff particles are "
+           "in series, and the modulus at long times comes out too high where they are not resolved";
   }
   return "its cells are in series, without flow through gaps: a filler or a coating is not stiffer in shear than the "
          "matrix at all times; where the filler is the softer one, coarse grids come out some 10 to 30 % too soft";

@@ -62,7 +62,8 @@ WholeFiller filler_of_the_whole(const Study& study, const Stage& stage,
 }
 
 std::string in_words(const WholeFiller& filler) {
-  auto voids = fmt::format("voids: {:.1f} % by volume", 100.0 * filler.porosity);
+  auto voids =
+      filler.porosity > 0.0 ? fmt::format("voids: {:.1f} % by volume", 100.0 * filler.porosity) : std::string();
   if (!(filler.fraction > 0.0)) return voids;
   auto text = fmt::format("filler of the whole: {:.1f} % by volume, {:.1f} % by mass", 100.0 * filler.fraction,
                           100.0 * filler.mass_fraction);
@@ -76,7 +77,7 @@ std::string in_words(const WholeFiller& filler) {
   };
   if (filler.materials.size() > 1) text += fmt::format(" ({})", listed(filler.materials));
   if (!filler.coatings.empty()) text += fmt::format("; coatings by mass: {}", listed(filler.coatings));
-  if (filler.porosity > 0.0) text += "; " + voids;
+  if (!voids.empty()) text += "; " + voids;
   return text;
 }
 

@@ -30,7 +30,7 @@ WholeFiller filler_of_the_whole(const Study& study, const Stage& stage,
                                 const std::vector<std::vector<FillerStatistics>>& packed);
 
 /// The filler in words: "filler of the whole: 80.1 % by volume, 88.0 % by mass (ap 71.0 %, al 17.0 %); voids: 2.0 % by
-/// volume"; the shares in brackets are by mass.
+/// volume"; the shares in brackets are by mass. Empty without filler and voids.
 std::string in_words(const WholeFiller& filler);
 
 }  // namespace breccia

@@ -75,6 +75,10 @@ bool Stage::is_periodic() const {
   return visit_nested(WallsOf(), packing) == Walls::periodic;
 }
 
+bool Stage::has_voids() const {
+  return std::ranges::any_of(fillers, [](const Filler& filler) { return is_void(filler.material); });
+}
+
 bool Stage::has_cut_grains() const {
   return has_grains() && !fillers.empty() && !is_periodic() && !has_films_along_walls();
 }

@@ -37,6 +37,24 @@ template <int dim>
 /// The stiffness in plane strain: that for the strains xx, yy and xy without any other.
 [[nodiscard]] StiffnessTensor<2> in_plane_strain(const StiffnessTensor<3>& stiffness);
 
+/// Moduli of an aggregate of crystals without any texture [Pa]. No such aggregate is stiffer than the mean of the
+/// stiffnesses (Voigt) or softer than that of the compliances (Reuss).
+struct IsotropicMeans {
+  double bulk_voigt, bulk_reuss, shear_voigt, shear_reuss;
+
+  /// Hill's means of the two (1952).
+  [[nodiscard]] double bulk() const { return 0.5 * (bulk_voigt + bulk_reuss); }
+  [[nodiscard]] double shear() const { return 0.5 * (shear_voigt + shear_reuss); }
+};
+
+/// The isotropic means of a stiffness that is positive definite.
+[[nodiscard]] IsotropicMeans isotropic_means(const StiffnessTensor<3>& stiffness);
+
+/// The least eigenvalue of a symmetric stiffness in an orthonormal basis of the strains [Pa]: positive for a stable
+/// solid. Instantiated for 2 and 3 dimensions.
+template <int dim>
+[[nodiscard]] double least_stiffness(const StiffnessTensor<dim>& stiffness);
+
 /// Moduli of an isotropic solid that stores no more energy than the given solid under any strain: twice its shear
 /// modulus, and three times its bulk modulus, are the least eigenvalue of C in an orthonormal basis of the strains.
 /// Throws InputError unless C is symmetric and positive definite. Instantiated for 2 and 3 dimensions.

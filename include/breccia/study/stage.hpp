@@ -60,6 +60,8 @@ struct Stage {
   [[nodiscard]] bool has_grains() const { return packing_name() == PackingName::laguerre; }
   /// Whether an image fills the box.
   [[nodiscard]] bool has_image() const { return packing_name() == PackingName::image; }
+  /// Whether a filler is void.
+  [[nodiscard]] bool has_voids() const;
   /// Whether hard walls cut the grains that fill the box.
   [[nodiscard]] bool has_cut_grains() const;
   /// Whether grains fill the box and half a film runs along its hard walls.

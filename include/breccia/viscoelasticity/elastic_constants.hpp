@@ -16,20 +16,4 @@ using ElasticConstants = std::array<double, 21>;
   return 6 * row - row * (row + 1) / 2 + column;
 }
 
-/// Moduli of an aggregate of crystals without any texture [Pa]. No such aggregate is stiffer than the mean of the
-/// stiffnesses (Voigt) or softer than that of the compliances (Reuss).
-struct IsotropicMeans {
-  double bulk_voigt, bulk_reuss, shear_voigt, shear_reuss;
-
-  /// Hill's means of the two (1952).
-  [[nodiscard]] double bulk() const { return 0.5 * (bulk_voigt + bulk_reuss); }
-  [[nodiscard]] double shear() const { return 0.5 * (shear_voigt + shear_reuss); }
-};
-
-/// The least eigenvalue of the stiffness in an orthonormal basis of the strains [Pa]: positive for a stable solid.
-[[nodiscard]] double least_stiffness(const ElasticConstants& constants);
-
-/// The isotropic means of the constants of a stable solid.
-[[nodiscard]] IsotropicMeans isotropic_means(const ElasticConstants& constants);
-
 }  // namespace breccia

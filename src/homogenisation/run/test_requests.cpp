@@ -179,7 +179,7 @@ Material expected_matrix(const Study& study, const Stage& stage) {
   // No composite is quite as stiff as its filler.
   constexpr double softer = 1.0 - 1e-6;
   const double stiffening = solid > 0.0 ? std::min(rigid, softer * shear / matrix.shear.unrelaxed()) : 1.0;
-  const double bulk = 1.0 / ((1.0 - fraction) / matrix.bulk.unrelaxed() + fraction * bulk_compliance);
+  const double bulk = 1.0 / mixed(1.0 / matrix.bulk.unrelaxed(), bulk_compliance, fraction);
   // Voids take as much off as Hashin's upper bound has it for a shear modulus of discs, in an incompressible matrix.
   const double porous = (1.0 - voids * fraction) / (1.0 + voids * fraction);
   return {name, mixed(matrix.density, density, fraction), PronySeries(porous * bulk),

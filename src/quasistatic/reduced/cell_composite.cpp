@@ -121,11 +121,12 @@ void CellSolver<dim>::restore_preconditioner(const StateReader& state, const std
 template <int dim>
 Displacement CellSolver<dim>::solve(Load load, Displacement guess) {
   const bool is_strained = composite_->boundary() != Boundary::traction;
-  if (!is_strained) require_solid_sides();
+  const bool has_voids = std::ranges::any_of(moduli_, [](const Moduli& phase) { return is_void(phase); });
+  if (has_voids && !is_strained) require_solid_sides();
   auto forces = is_strained ? held_back(load) : composite_->load_forces(load);
   auto solution = solver_->solve(std::move(forces), std::move(guess), least_energy(load));
   solution.set_macroscopic(is_strained ? 1.0 : 0.0);
-  require_stiff(load, solution);
+  if (has_voids) require_stiffness(load, solution);
   return solution;
 }
 
@@ -152,8 +153,7 @@ void CellSolver<dim>::require_solid_sides() const {
 /// Throws InputError where voids leave the composite no stiffness under a load, or less than a solver can tell from
 /// nothing.
 template <int dim>
-void CellSolver<dim>::require_stiff(Load load, const Displacement& solution) const {
-  if (std::ranges::none_of(moduli_, [](const Moduli& phase) { return is_void(phase); })) return;
+void CellSolver<dim>::require_stiffness(Load load, const Displacement& solution) const {
   constexpr double least_share = 1e-6;
   const auto& elastic_operator = composite_->elastic_operator();
   const auto forces = forces_under(elastic_operator, moduli_, solution, unit_strain<dim>(load));

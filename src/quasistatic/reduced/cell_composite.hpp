@@ -86,7 +86,7 @@ class CellSolver {
   [[nodiscard]] Forces held_back(Load load) const;
   [[nodiscard]] std::optional<double> least_energy(Load load) const;
   void require_solid_sides() const;
-  void require_stiff(Load load, const Displacement& solution) const;
+  void require_stiffness(Load load, const Displacement& solution) const;
 
   const CellComposite<dim>* composite_;
   std::unique_ptr<ElasticSolver<dim>> solver_;

@@ -1,6 +1,8 @@
-#include "breccia/viscoelasticity/elastic_constants.hpp"
+// Tests of the constants of crystals and of their means.
 
 #include <gtest/gtest.h>
+
+#include "breccia/discretisation/crystals.hpp"
 
 namespace breccia {
 namespace {
@@ -24,7 +26,7 @@ TEST(ElasticConstants, AreThoseOfTheUpperTriangleRowByRow) {
 }
 
 TEST(ElasticConstants, OfACubicCrystalHaveTheMeansOfVoigtAndReuss) {
-  const auto means = isotropic_means(cubic(168.0, 121.0, 75.0));
+  const auto means = isotropic_means(stiffness_tensor(cubic(168.0, 121.0, 75.0)));
   EXPECT_NEAR(means.bulk_voigt, 410.0 / 3.0, 1e-11);
   EXPECT_NEAR(means.bulk_reuss, 410.0 / 3.0, 1e-11);
   EXPECT_NEAR(means.shear_voigt, (47.0 + 3.0 * 75.0) / 5.0, 1e-11);
@@ -33,15 +35,15 @@ TEST(ElasticConstants, OfACubicCrystalHaveTheMeansOfVoigtAndReuss) {
 }
 
 TEST(ElasticConstants, OfAnIsotropicSolidHaveItsModuli) {
-  const auto means = isotropic_means(cubic(3.0 + 4.0, 3.0 - 2.0, 3.0));
+  const auto means = isotropic_means(stiffness_tensor(cubic(3.0 + 4.0, 3.0 - 2.0, 3.0)));
   for (const double bulk : {means.bulk_voigt, means.bulk_reuss, means.bulk()}) EXPECT_NEAR(bulk, 3.0, 1e-14);
   for (const double shear : {means.shear_voigt, means.shear_reuss, means.shear()}) EXPECT_NEAR(shear, 3.0, 1e-14);
 }
 
 TEST(ElasticConstants, AreStableWhereNoStrainHasNegativeEnergy) {
-  EXPECT_NEAR(least_stiffness(cubic(168.0, 121.0, 75.0)), 47.0, 1e-11);
-  EXPECT_NEAR(least_stiffness(cubic(168.0, 121.0, 10.0)), 20.0, 1e-11) << "twice C44";
-  EXPECT_LT(least_stiffness(cubic(100.0, 121.0, 75.0)), 0.0);
+  EXPECT_NEAR(least_stiffness<3>(stiffness_tensor(cubic(168.0, 121.0, 75.0))), 47.0, 1e-11);
+  EXPECT_NEAR(least_stiffness<3>(stiffness_tensor(cubic(168.0, 121.0, 10.0))), 20.0, 1e-11) << "twice C44";
+  EXPECT_LT(least_stiffness<3>(stiffness_tensor(cubic(100.0, 121.0, 75.0))), 0.0);
 }
 
 }  // namespace
