@@ -141,14 +141,6 @@ TEST(Voids, ThatPartTheSolidAreRefused) {
   expect_no_stiffness_with_a_layer<3>();
 }
 
-// Where the matrix is nearly incompressible, sparse factors must still see the trace of stiffness in the voids.
-TEST(Voids, InANearlyIncompressibleMatrixHaveFactors) {
-  const auto problem = problem_of(array_of_voids<2>(0.2, 96), elastic(1e7));
-  const auto moduli = moduli_of(problem);
-  EXPECT_NEAR(moduli[0], 0.582, 0.01);
-  EXPECT_LT(moduli[2], 4.1);
-}
-
 /// A piece of solid within a void moves with nothing.
 TEST(Voids, HoldAPieceOfSolidWithoutEffect) {
   Grid<2> grid{.cells = {20, 20}, .cell_side = 0.05};
