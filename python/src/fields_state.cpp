@@ -43,14 +43,15 @@ py::tuple state_of(const GridFields<dim>& all) {
   return py::make_tuple(all.grid.cells, all.grid.cell_side, states);
 }
 
-py::tuple state_of(const NetworkFields& all) {
+template <int dim>
+py::tuple state_of(const NetworkFields<dim>& all) {
   py::list states;
   for (const auto& [time, fields] : all.at_times) {
     // A cell holds only plain numbers, so that its bytes are its state.
-    static_assert(std::is_trivially_copyable_v<FilmCell>);
+    static_assert(std::is_trivially_copyable_v<FilmCell<dim>>);
     const auto* const cells = reinterpret_cast<const char*>(fields.cells.data());
     states.append(py::make_tuple(time, flat(fields.points), flat(fields.displacement),
-                                 py::bytes(cells, fields.cells.size() * sizeof(FilmCell)), fields.corners));
+                                 py::bytes(cells, fields.cells.size() * sizeof(FilmCell<dim>)), fields.corners));
   }
   return py::make_tuple(states);
 }
@@ -73,17 +74,18 @@ GridFields<dim> grid_fields_from(const py::tuple& whole) {
   return all;
 }
 
-NetworkFields network_fields_from(const py::tuple& whole) {
-  NetworkFields all;
+template <int dim>
+NetworkFields<dim> network_fields_from(const py::tuple& whole) {
+  NetworkFields<dim> all;
   for (const auto& one : whole[0]) {
     const auto state = one.cast<py::tuple>();
     auto& [time, fields] = all.at_times.emplace_back();
     time = state[0].cast<double>();
-    fields.points = rows_from<2>(state[1]);
-    fields.displacement = rows_from<2>(state[2]);
+    fields.points = rows_from<dim>(state[1]);
+    fields.displacement = rows_from<dim>(state[2]);
     const auto cells = state[3].cast<std::string>();
-    fields.cells.resize(cells.size() / sizeof(FilmCell));
-    std::memcpy(fields.cells.data(), cells.data(), fields.cells.size() * sizeof(FilmCell));
+    fields.cells.resize(cells.size() / sizeof(FilmCell<dim>));
+    std::memcpy(fields.cells.data(), cells.data(), fields.cells.size() * sizeof(FilmCell<dim>));
     fields.corners = state[4].cast<std::vector<std::size_t>>();
   }
   return all;
@@ -102,8 +104,10 @@ TestFields fields_from(const py::tuple& state) {
       return grid_fields_from<2>(all);
     case 1:
       return grid_fields_from<3>(all);
+    case 2:
+      return network_fields_from<2>(all);
     default:
-      return network_fields_from(all);
+      return network_fields_from<3>(all);
   }
 }
 

@@ -46,8 +46,8 @@ template <std::size_t count>
 constexpr py::ssize_t components<std::array<double, count>> = static_cast<py::ssize_t>(count);
 
 /// A number, or several, of each cell of grains and films as an array.
-template <class Value>
-py::array each_of(const std::vector<FilmCell>& cells, Value FilmCell::*member) {
+template <int dim, class Value>
+py::array each_of(const std::vector<FilmCell<dim>>& cells, Value FilmCell<dim>::*member) {
   std::vector<py::ssize_t> shape = {static_cast<py::ssize_t>(cells.size())};
   if (!std::is_same_v<Value, double>) shape.push_back(components<Value>);
   py::array_t<double> array(shape);
@@ -59,11 +59,12 @@ py::array each_of(const std::vector<FilmCell>& cells, Value FilmCell::*member) {
 }
 
 /// Fields of grains and films as a dictionary of arrays.
-py::dict fields_of(const TimedFilmFields& timed, const py::object& /*owner*/) {
+template <int dim>
+py::dict fields_of(const TimedFilmFields<dim>& timed, const py::object& /*owner*/) {
   const auto& [points, displacement, cells, corners] = timed.fields;
-  const auto places = [](const std::vector<Vector<2>>& list) {
+  const auto places = [](const std::vector<Vector<dim>>& list) {
     const double* const first = list.empty() ? nullptr : list.front().data();
-    return py::array_t<double>({static_cast<py::ssize_t>(list.size()), py::ssize_t{2}}, first);
+    return py::array_t<double>({static_cast<py::ssize_t>(list.size()), py::ssize_t{dim}}, first);
   };
   py::array_t<int> parts(static_cast<py::ssize_t>(cells.size()));
   py::array_t<std::size_t> firsts(static_cast<py::ssize_t>(cells.size() + 1));
@@ -79,13 +80,13 @@ py::dict fields_of(const TimedFilmFields& timed, const py::object& /*owner*/) {
   result["part"] = parts;
   result["corners"] = py::array_t<std::size_t>(static_cast<py::ssize_t>(corners.size()), corners.data());
   result["first_corner"] = firsts;
-  result["area"] = each_of(cells, &FilmCell::area);
-  result["strain"] = each_of(cells, &FilmCell::strain);
-  result["stress"] = each_of(cells, &FilmCell::stress);
-  result["work"] = each_of(cells, &FilmCell::work);
-  result["slip"] = each_of(cells, &FilmCell::slip);
-  result["opening"] = each_of(cells, &FilmCell::opening);
-  result["flow"] = each_of(cells, &FilmCell::flow);
+  result[dim == 2 ? "area" : "volume"] = each_of(cells, &FilmCell<dim>::content);
+  result["strain"] = each_of(cells, &FilmCell<dim>::strain);
+  result["stress"] = each_of(cells, &FilmCell<dim>::stress);
+  result["work"] = each_of(cells, &FilmCell<dim>::work);
+  result["slip"] = each_of(cells, &FilmCell<dim>::slip);
+  result["opening"] = each_of(cells, &FilmCell<dim>::opening);
+  result["flow"] = each_of(cells, &FilmCell<dim>::flow);
   return result;
 }
 

@@ -11,6 +11,7 @@ import breccia
 ROOT = Path(__file__).parents[2]
 MODEL = ROOT / "examples" / "model-composite.toml"
 FILMS = ROOT / "examples" / "pbx9501-films.toml"
+FILMS_IN_SPACE = ROOT / "examples" / "pbx9501-films-3d.toml"
 OVERRIDES = {"stages.0.cells": 24, "tests.method": "quasistatic", "tests.boundaries": ["displacement", "traction"]}
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import breccia
-from conftest import FILMS, MODEL, OVERRIDES
+from conftest import FILMS, FILMS_IN_SPACE, MODEL, OVERRIDES
 
 
 def test_fields_hold_equilibrium(model):
@@ -44,3 +44,16 @@ def test_fields_of_grains_and_films_have_the_work_of_the_load():
         assert field["displacement"].shape == field["points"].shape
         # The mean of the work over the box is the modulus.
         assert (field["work"] * field["area"]).sum() / 0.4e-3**2 == pytest.approx(test.modulus[-1], rel=2e-3)
+
+
+def test_fields_of_films_in_space_have_the_work_of_the_load():
+    study = breccia.read_study(FILMS_IN_SPACE, {"stages.0.particles": 4, "tests.films": {"divisions": 1},
+                                                "tests.times": ["1 us", "1 ms"], "tests.loads": ["shear"]})
+    result = breccia.solve(study)
+    for test in (result["PBX-9501"].tests[0], pickle.loads(pickle.dumps(result))["PBX-9501"].tests[0]):
+        field = test.fields[-1]
+        cells = len(field["part"])
+        assert set(field["part"]) == {0, 1, 2, 4} and field["points"].shape[1] == 3
+        assert field["strain"].shape == (cells, 6) and field["stress"].shape == (cells, 6)
+        box = field["volume"].sum()
+        assert (field["work"] * field["volume"]).sum() / box == pytest.approx(test.modulus[-1], rel=2e-3)

@@ -5,6 +5,7 @@
 #include "checkpoint/checkpoint.hpp"
 #include "films/fields/film_recovery.hpp"
 #include "films/film_composite.hpp"
+#include "films/space/solid_recovery.hpp"
 #include "quasistatic/reduced/greedy_sampling.hpp"
 
 namespace breccia {
@@ -20,25 +21,13 @@ struct SampledFilms {
   quasistatic::GreedySampling<films::FilmComposite<dim>> sampling;
 };
 
-/// The fields of the sampled grains and films of the plane; nothing in space.
-FilmResponses::Recovery recovery_of(const std::shared_ptr<SampledFilms<2>>& sampled, const FilmProblem<2>& problem) {
-  return [sampled, problem](std::size_t load, std::span<const Material> materials, double time) {
-    const auto& basis = sampled->sampling.bases().at(load);
-    return films::fields_of(sampled->composite, problem, basis.load(), basis.state(materials, time));
-  };
-}
-FilmResponses::Recovery recovery_of(const std::shared_ptr<SampledFilms<3>>& /*sampled*/,
-                                    const FilmProblem<3>& /*problem*/) {
-  return {};
-}
-
 }  // namespace
 
 template <int dim>
-FilmResponses sample_film_responses(const FilmProblem<dim>& problem, std::span<const Load> loads,
-                                    std::span<const Moduli> training_set, const SamplingOptions& options,
-                                    const ProgressObserver& observer, Checkpoint* checkpoint,
-                                    const std::optional<TargetCurve>& target) {
+FilmResponses<dim> sample_film_responses(const FilmProblem<dim>& problem, std::span<const Load> loads,
+                                         std::span<const Moduli> training_set, const SamplingOptions& options,
+                                         const ProgressObserver& observer, Checkpoint* checkpoint,
+                                         const std::optional<TargetCurve>& target) {
   constexpr PhaseIndex binder = 0;
   auto path = matrix_path(binder, training_set);
   path.target = target;
@@ -51,14 +40,18 @@ FilmResponses sample_film_responses(const FilmProblem<dim>& problem, std::span<c
     solver.count_from(sampling.effort());
   }
   quasistatic::sample(sampling, solver, path, options, observer, checkpoint);
-  return {.responses = sampling.responses(), .effort = solver.effort(), .fields = recovery_of(sampled, problem)};
+  const auto fields_at = [sampled, problem](std::size_t load, std::span<const Material> materials, double time) {
+    const auto& basis = sampled->sampling.bases().at(load);
+    return films::fields_of(sampled->composite, problem, basis.load(), basis.state(materials, time));
+  };
+  return {.responses = sampling.responses(), .effort = solver.effort(), .fields = fields_at};
 }
 
-template FilmResponses sample_film_responses(const FilmProblem<2>&, std::span<const Load>, std::span<const Moduli>,
-                                             const SamplingOptions&, const ProgressObserver&, Checkpoint*,
-                                             const std::optional<TargetCurve>&);
-template FilmResponses sample_film_responses(const FilmProblem<3>&, std::span<const Load>, std::span<const Moduli>,
-                                             const SamplingOptions&, const ProgressObserver&, Checkpoint*,
-                                             const std::optional<TargetCurve>&);
+template FilmResponses<2> sample_film_responses(const FilmProblem<2>&, std::span<const Load>, std::span<const Moduli>,
+                                                const SamplingOptions&, const ProgressObserver&, Checkpoint*,
+                                                const std::optional<TargetCurve>&);
+template FilmResponses<3> sample_film_responses(const FilmProblem<3>&, std::span<const Load>, std::span<const Moduli>,
+                                                const SamplingOptions&, const ProgressObserver&, Checkpoint*,
+                                                const std::optional<TargetCurve>&);
 
 }  // namespace breccia

@@ -18,14 +18,15 @@ namespace breccia {
 
 class Checkpoint;
 
+template <int dim>
 struct FilmResponses {
   /// Fields per unit load at a time [s] after a load was applied to grains with this binder. `load` is the index in the
   /// list of loads. Throws InputError unless there is one binder.
-  using Recovery = std::function<FilmFields(std::size_t load, std::span<const Material> binder, double time)>;
+  using Recovery = std::function<FilmFields<dim>(std::size_t load, std::span<const Material> binder, double time)>;
 
   std::vector<ReducedResponse> responses;  ///< responses by load
   LinearEffort effort;
-  Recovery fields;  ///< function that computes fields and owns the vectors of the basis; empty in space
+  Recovery fields;  ///< function that computes fields and owns the vectors of the basis
 };
 
 /// Builds a reduced response of grains and films for each load, as sample_responses() does for cells; the moduli of the
@@ -36,11 +37,11 @@ struct FilmResponses {
 /// is due, and an earlier state is resumed. Throws InputError when the problem is not sound or there are no loads or
 /// moduli, NumericalError when a system cannot be solved or the tolerance cannot be met.
 template <int dim>
-[[nodiscard]] FilmResponses sample_film_responses(const FilmProblem<dim>& problem, std::span<const Load> loads,
-                                                  std::span<const Moduli> training_set,
-                                                  const SamplingOptions& options = {},
-                                                  const ProgressObserver& observer = {},
-                                                  Checkpoint* checkpoint = nullptr,
-                                                  const std::optional<TargetCurve>& target = {});
+[[nodiscard]] FilmResponses<dim> sample_film_responses(const FilmProblem<dim>& problem, std::span<const Load> loads,
+                                                       std::span<const Moduli> training_set,
+                                                       const SamplingOptions& options = {},
+                                                       const ProgressObserver& observer = {},
+                                                       Checkpoint* checkpoint = nullptr,
+                                                       const std::optional<TargetCurve>& target = {});
 
 }  // namespace breccia

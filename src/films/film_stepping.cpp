@@ -4,16 +4,17 @@
 
 #include "films/fields/film_recovery.hpp"
 #include "films/film_composite.hpp"
+#include "films/space/solid_recovery.hpp"
 #include "quasistatic/solvers/linear_effort_state.hpp"
 #include "quasistatic/stepping/log_time_runs.hpp"
 
 namespace breccia {
 
 template <int dim>
-FilmSteppingResult run_film_stepping(const FilmProblem<dim>& problem, const Material& binder,
-                                     std::span<const Load> loads, std::span<const double> times,
-                                     const ProgressObserver& observer, std::span<const double> field_times,
-                                     Checkpoint* checkpoint) {
+FilmSteppingResult<dim> run_film_stepping(const FilmProblem<dim>& problem, const Material& binder,
+                                          std::span<const Load> loads, std::span<const double> times,
+                                          const ProgressObserver& observer, std::span<const double> field_times,
+                                          Checkpoint* checkpoint) {
   quasistatic::require_steps(loads, times);
   const films::FilmComposite<dim> composite(problem);
   std::vector<const PronySeries*> series(composite.parameters().size());
@@ -31,20 +32,18 @@ FilmSteppingResult run_film_stepping(const FilmProblem<dim>& problem, const Mate
                                 [&](StateWriter& state) { save(state, "/effort", solver.effort()); });
     return solver.effort();
   }();
-  FilmSteppingResult result = {runs.responses(), {}, effort};
-  if constexpr (dim == 2) {
-    for (const auto& [time, state] : runs.kept()) {
-      result.fields.push_back({time, films::fields_of(composite, problem, loads.front(), state)});
-    }
+  FilmSteppingResult<dim> result = {runs.responses(), {}, effort};
+  for (const auto& [time, state] : runs.kept()) {
+    result.fields.push_back({time, films::fields_of(composite, problem, loads.front(), state)});
   }
   return result;
 }
 
-template FilmSteppingResult run_film_stepping(const FilmProblem<2>&, const Material&, std::span<const Load>,
-                                              std::span<const double>, const ProgressObserver&, std::span<const double>,
-                                              Checkpoint*);
-template FilmSteppingResult run_film_stepping(const FilmProblem<3>&, const Material&, std::span<const Load>,
-                                              std::span<const double>, const ProgressObserver&, std::span<const double>,
-                                              Checkpoint*);
+template FilmSteppingResult<2> run_film_stepping(const FilmProblem<2>&, const Material&, std::span<const Load>,
+                                                 std::span<const double>, const ProgressObserver&,
+                                                 std::span<const double>, Checkpoint*);
+template FilmSteppingResult<3> run_film_stepping(const FilmProblem<3>&, const Material&, std::span<const Load>,
+                                                 std::span<const double>, const ProgressObserver&,
+                                                 std::span<const double>, Checkpoint*);
 
 }  // namespace breccia

@@ -15,9 +15,10 @@ namespace breccia {
 
 class Checkpoint;
 
+template <int dim>
 struct FilmSteppingResult {
-  std::vector<SteppedResponse> responses;  ///< responses by load
-  std::vector<TimedFilmFields> fields;     ///< fields of the first load; none in space
+  std::vector<SteppedResponse> responses;    ///< responses by load
+  std::vector<TimedFilmFields<dim>> fields;  ///< fields of the first load
   LinearEffort effort;
 };
 
@@ -26,10 +27,10 @@ struct FilmSteppingResult {
 /// problem is not sound, there are no loads, or the times [s] are not positive and rising; NumericalError when a linear
 /// system cannot be solved.
 template <int dim>
-[[nodiscard]] FilmSteppingResult run_film_stepping(const FilmProblem<dim>& problem, const Material& binder,
-                                                   std::span<const Load> loads, std::span<const double> times,
-                                                   const ProgressObserver& observer = {},
-                                                   std::span<const double> field_times = {},
-                                                   Checkpoint* checkpoint = nullptr);
+[[nodiscard]] FilmSteppingResult<dim> run_film_stepping(const FilmProblem<dim>& problem, const Material& binder,
+                                                        std::span<const Load> loads, std::span<const double> times,
+                                                        const ProgressObserver& observer = {},
+                                                        std::span<const double> field_times = {},
+                                                        Checkpoint* checkpoint = nullptr);
 
 }  // namespace breccia

@@ -4,13 +4,16 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
+#include "breccia/films/film_fields.hpp"
 
 #include "io/hdf5.hpp"
+#include "page/film_pieces.hpp"
 #include "page/page_bytes.hpp"
 #include "report/volume_colours.hpp"
 #include "results/volume_quantities.hpp"
@@ -43,10 +46,11 @@ CellBlocks blocks_of(const std::filesystem::path& path, const Hdf5Reader& file, 
   return {.cells = cells, .side = (cells + most_along - 1) / most_along};
 }
 
-/// Means of a tensor over the blocks, in the order xx, yy, zz, yz, zx, xy. The file is read layer by layer, since it
-/// may be larger than the memory.
+/// The place in the file of each component of a tensor xx, yy, zz, yz, zx, xy.
+constexpr std::array<std::size_t, 6> from_vtk = {0, 1, 2, 4, 5, 3};
+
+/// Means of a tensor over the blocks. The file is read layer by layer, since it may be larger than the memory.
 std::vector<CellTensor> block_means(const Hdf5Reader& file, const std::string& name, const CellBlocks& blocks) {
-  constexpr std::array<std::size_t, 6> from_vtk = {0, 1, 2, 4, 5, 3};
   std::vector<CellTensor> means(blocks.count());
   std::vector<double> cells(blocks.count(), 0.0);
   const auto in_layer = blocks.cells * blocks.cells;
@@ -92,15 +96,62 @@ Json json_of(const VolumeQuantity& quantity) {
           {"values", bytes_for_page(colours)}};
 }
 
+Json view_of_cells(const std::filesystem::path& path, const Hdf5Reader& fields, Load load, Boundary boundary,
+                   std::size_t most_along) {
+  const auto blocks = blocks_of(path, fields, most_along);
+  const std::vector<double> volumes(blocks.count(), 1.0);
+  return {{"cells", blocks.along()},
+          {"stress", json_of(stress_in_cells(block_means(fields, "stress_Pa", blocks), volumes, load, boundary))},
+          {"strain", json_of(strain_in_cells(block_means(fields, "strain", blocks), volumes, load))},
+          {"material", {{"values", bytes_for_page(phases_of_blocks(fields, blocks))}}}};
+}
+
+/// A tensor of the pieces of grains and films.
+std::vector<CellTensor> tensors_of(const Hdf5Reader& file, const std::string& name, const FilmPieces& pieces) {
+  const auto values = file.read_numbers("/VTKHDF/CellData/" + name);
+  if (values.size() != from_vtk.size() * pieces.count()) {
+    throw FileError(fmt::format("{}: expected {} components", name, from_vtk.size()));
+  }
+  std::vector<CellTensor> tensors(pieces.count());
+  for (std::size_t piece = 0; piece < tensors.size(); ++piece) {
+    for (std::size_t i = 0; i < from_vtk.size(); ++i) tensors[piece][i] = values[from_vtk.size() * piece + from_vtk[i]];
+  }
+  return tensors;
+}
+
+/// What is drawn at a piece of grains and films: its phase, or the number after those of binder and grains in a gap.
+std::uint8_t drawn_phase(std::int64_t part) {
+  constexpr std::uint8_t of_binder = 0, of_grain = 1, of_gap = 2;
+  if (static_cast<FilmPart>(part) == FilmPart::grain) return of_grain;
+  return static_cast<FilmPart>(part) == FilmPart::gap ? of_gap : of_binder;
+}
+
+Json view_of_films(const Hdf5Reader& file, double side, Load load, Boundary boundary, std::size_t along) {
+  const auto pieces = film_pieces(file);
+  const auto volumes = volumes_of(pieces);
+  const auto piece_of_cell = pieces_in_cells(pieces, side, along);
+  const auto in_cells = [&](VolumeQuantity of_pieces) {
+    std::vector<double> values;
+    values.reserve(piece_of_cell.size());
+    for (const auto piece : piece_of_cell) values.push_back(of_pieces.values[piece]);
+    of_pieces.values = std::move(values);
+    return json_of(of_pieces);
+  };
+  std::vector<std::uint8_t> phases;
+  phases.reserve(piece_of_cell.size());
+  for (const auto piece : piece_of_cell) phases.push_back(drawn_phase(pieces.parts[piece]));
+  return {{"cells", along},
+          {"stress", in_cells(stress_in_cells(tensors_of(file, "stress_Pa", pieces), volumes, load, boundary))},
+          {"strain", in_cells(strain_in_cells(tensors_of(file, "strain", pieces), volumes, load))},
+          {"material", {{"values", bytes_for_page(phases)}}}};
+}
+
 }  // namespace
 
-Json field_view(const std::filesystem::path& file, Load load, Boundary boundary, std::size_t most_along) {
+Json field_view(const std::filesystem::path& file, double side, Load load, Boundary boundary, std::size_t most_along) {
   const Hdf5Reader fields(file);
-  const auto blocks = blocks_of(file, fields, most_along);
-  return {{"cells", blocks.along()},
-          {"stress", json_of(stress_in_cells(block_means(fields, "stress_Pa", blocks), load, boundary))},
-          {"strain", json_of(strain_in_cells(block_means(fields, "strain", blocks), load))},
-          {"material", {{"values", bytes_for_page(phases_of_blocks(fields, blocks))}}}};
+  if (fields.has("/VTKHDF/CellData/part")) return view_of_films(fields, side, load, boundary, most_along);
+  return view_of_cells(file, fields, load, boundary, most_along);
 }
 
 }  // namespace breccia

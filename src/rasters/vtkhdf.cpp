@@ -34,24 +34,30 @@ void check(const std::filesystem::path& path, std::size_t count, const MeshField
   }
 }
 
-void check(const std::filesystem::path& path, const PolygonMesh& mesh) {
-  constexpr std::int64_t fewest = 3;
+/// The type of a piece in VTK: VTK_TRIANGLE, VTK_QUAD or VTK_POLYGON in the plane, VTK_TETRA or VTK_WEDGE in space; 0
+/// for another number of corners.
+template <int dim>
+std::uint8_t vtk_type(std::int64_t corners) {
+  constexpr std::uint8_t none = 0, triangle = 5, polygon = 7, quadrilateral = 9, tetrahedron = 10, wedge = 13;
+  if constexpr (dim == 3) {
+    if (corners == 4) return tetrahedron;
+    return corners == 6 ? wedge : none;
+  }
+  if (corners < 3) return none;
+  if (corners == 3) return triangle;
+  return corners == 4 ? quadrilateral : polygon;
+}
+
+template <int dim>
+void check(const std::filesystem::path& path, const PieceMesh<dim>& mesh) {
   const auto sum = std::accumulate(mesh.corner_counts.begin(), mesh.corner_counts.end(), std::int64_t{0});
   const auto points = static_cast<std::int64_t>(mesh.points.size());
   const bool has_all_points =
       std::ranges::all_of(mesh.corners, [points](std::int64_t point) { return point >= 0 && point < points; });
-  const bool has_polygons =
-      std::ranges::all_of(mesh.corner_counts, [](std::int64_t corners) { return corners >= fewest; });
-  if (sum == static_cast<std::int64_t>(mesh.corners.size()) && has_all_points && has_polygons) return;
-  throw InputError(
-      fmt::format("{}: the corners of the polygons do not fit their numbers or the points", path.string()));
-}
-
-/// VTK_TRIANGLE, VTK_QUAD or VTK_POLYGON.
-std::uint8_t vtk_type(std::int64_t corners) {
-  constexpr std::uint8_t triangle = 5, polygon = 7, quadrilateral = 9;
-  if (corners == 3) return triangle;
-  return corners == 4 ? quadrilateral : polygon;
+  const bool has_types =
+      std::ranges::all_of(mesh.corner_counts, [](std::int64_t corners) { return vtk_type<dim>(corners) != 0; });
+  if (sum == static_cast<std::int64_t>(mesh.corners.size()) && has_all_points && has_types) return;
+  throw InputError(fmt::format("{}: the corners of the pieces do not fit their numbers or the points", path.string()));
 }
 
 /// Cells of any kind, in the lists of VTK. The functions return the entries of a list in a range of indices [first,
@@ -85,24 +91,28 @@ CellMesh::Part<Number> part_of(std::vector<Number> all) {
   };
 }
 
-CellMesh cells_of(const PolygonMesh& polygons) {
+template <int dim>
+CellMesh cells_of(const PieceMesh<dim>& pieces) {
   std::vector<double> coordinates;
-  for (const auto& [x, y] : polygons.points) coordinates.insert(coordinates.end(), {x, y, 0.0});
+  for (const auto& point : pieces.points) {
+    coordinates.insert(coordinates.end(), point.begin(), point.end());
+    if (dim == 2) coordinates.push_back(0.0);
+  }
   Integers offsets = {0};
   std::vector<std::uint8_t> types;
-  for (const auto corners : polygons.corner_counts) {
+  for (const auto corners : pieces.corner_counts) {
     offsets.push_back(offsets.back() + corners);
-    types.push_back(vtk_type(corners));
+    types.push_back(vtk_type<dim>(corners));
   }
-  return {.points = polygons.points.size(),
-          .cells = polygons.corner_counts.size(),
-          .corners = polygons.corners.size(),
+  return {.points = pieces.points.size(),
+          .cells = pieces.corner_counts.size(),
+          .corners = pieces.corners.size(),
           .coordinates =
               [all = std::move(coordinates)](std::size_t begin, std::size_t end) {
                 return std::vector<double>(all.begin() + static_cast<std::ptrdiff_t>(3 * begin),
                                            all.begin() + static_cast<std::ptrdiff_t>(3 * end));
               },
-          .corner = part_of(polygons.corners),
+          .corner = part_of(pieces.corners),
           .offset = part_of(std::move(offsets)),
           .cell_type = part_of(std::move(types))};
 }
@@ -269,11 +279,17 @@ template void VtkhdfFile::add_field<std::uint8_t>(const std::string&, std::size_
 template void VtkhdfFile::write(const std::string&, std::size_t, const std::vector<float>&);
 template void VtkhdfFile::write(const std::string&, std::size_t, const std::vector<std::uint8_t>&);
 
-void write_vtkhdf(const std::filesystem::path& path, const PolygonMesh& mesh,
-                  const std::vector<MeshField>& polygon_fields, const std::vector<MeshField>& point_fields,
+template <int dim>
+void write_vtkhdf(const std::filesystem::path& path, const PieceMesh<dim>& mesh,
+                  const std::vector<MeshField>& piece_fields, const std::vector<MeshField>& point_fields,
                   const std::vector<FieldNumber>& numbers) {
   check(path, mesh);
-  write_file(path, cells_of(mesh), polygon_fields, point_fields, numbers);
+  write_file(path, cells_of(mesh), piece_fields, point_fields, numbers);
 }
+
+template void write_vtkhdf(const std::filesystem::path&, const PieceMesh<2>&, const std::vector<MeshField>&,
+                           const std::vector<MeshField>&, const std::vector<FieldNumber>&);
+template void write_vtkhdf(const std::filesystem::path&, const PieceMesh<3>&, const std::vector<MeshField>&,
+                           const std::vector<MeshField>&, const std::vector<FieldNumber>&);
 
 }  // namespace breccia

@@ -27,20 +27,23 @@ struct CubeLattice {
   double spacing = 0.0;                ///< side of a cube [m]
 };
 
-/// Polygons in the plane.
-struct PolygonMesh {
-  std::vector<std::array<double, 2>> points;  ///< positions of the points [m]
-  /// Indices of the points of the polygons, one polygon after the other, anticlockwise.
+/// Pieces of several kinds: polygons in the plane, or tetrahedra and wedges in space.
+template <int dim>
+struct PieceMesh {
+  std::vector<std::array<double, std::size_t{dim}>> points;  ///< positions of the points [m]
+  /// Indices of the points of the pieces, one piece after the other: of a polygon anticlockwise, of a tetrahedron or a
+  /// wedge in the order of VTK, in which the first triangle of a wedge is anticlockwise from outside.
   std::vector<std::int64_t> corners;
-  std::vector<std::int64_t> corner_counts;  ///< number of corners of each polygon, at least three
+  /// Number of corners of each piece: at least three in the plane, four or six in space.
+  std::vector<std::int64_t> corner_counts;
 };
 
-/// A field on the squares or cubes of a lattice, or on the polygons or points of a mesh: a scalar (1), a vector (3) or
+/// A field on the squares or cubes of a lattice, or on the pieces or points of a mesh: a scalar (1), a vector (3) or
 /// a symmetric tensor (6: xx, yy, zz, xy, yz, xz).
 struct MeshField {
   std::string name;
   std::size_t components = 1;
-  /// Values, with the components fastest, then the polygons or points of the mesh, or the squares or cubes of a row
+  /// Values, with the components fastest, then the pieces or points of the mesh, or the squares or cubes of a row
   /// along x, the rows along y and the layers along z.
   std::variant<std::vector<float>, std::vector<std::uint8_t>> values;
 };
@@ -77,10 +80,11 @@ class VtkhdfFile {
   std::size_t cells_;
 };
 
-/// Writes fields of the polygons of a mesh, and of its points, as a VTKHDF file. Throws FileError, and InputError when
-/// a field does not fit the mesh, or its numbers of corners do not fit its corners.
-void write_vtkhdf(const std::filesystem::path& path, const PolygonMesh& mesh,
-                  const std::vector<MeshField>& polygon_fields, const std::vector<MeshField>& point_fields,
+/// Writes fields of the pieces of a mesh, and of its points, as a VTKHDF file. Throws FileError, and InputError when a
+/// field does not fit the mesh, or its numbers of corners do not fit its corners.
+template <int dim>
+void write_vtkhdf(const std::filesystem::path& path, const PieceMesh<dim>& mesh,
+                  const std::vector<MeshField>& piece_fields, const std::vector<MeshField>& point_fields,
                   const std::vector<FieldNumber>& numbers);
 
 }  // namespace breccia

@@ -74,9 +74,9 @@ std::string grain_picture(const Tessellation<2>& tessellation, double film, std:
       for (const double dy : images) {
         const auto ends = ends_of(tessellation, face, {dx, dy});
         if (ends.size() != 2 || !may_show(ends, side)) continue;
-        fmt::format_to(out, "<path d=\"M{:.6g},{:.6g}L{:.6g},{:.6g}\" stroke=\"#d92d20\" stroke-width=\"{:.3g}\"/>\n",
+        fmt::format_to(out, "<path d=\"M{:.6g},{:.6g}L{:.6g},{:.6g}\" stroke=\"{}\" stroke-width=\"{:.3g}\"/>\n",
                        ends[0][0] * scale, drawn_side - ends[0][1] * scale, ends[1][0] * scale,
-                       drawn_side - ends[1][1] * scale, width);
+                       drawn_side - ends[1][1] * scale, debonded_colour, width);
       }
     }
   }

@@ -4,7 +4,6 @@
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <string_view>
 #include <vector>
 
@@ -54,7 +53,7 @@ std::vector<std::uint8_t> drawn_labels(const LabelImage<2>& image, std::size_t s
   return drawn;
 }
 
-std::string coloured_picture(const LabelImage<2>& image, std::span<const std::size_t> colours,
+std::string coloured_picture(const LabelImage<2>& image, std::span<const std::string_view> colours,
                              std::string_view content) {
   require_valid(image);
   if (!has_equal_sides(image)) throw InputError("picture of an image: expected a square image");
@@ -62,9 +61,7 @@ std::string coloured_picture(const LabelImage<2>& image, std::span<const std::si
     throw InputError("picture of an image: a label has no colour");
   }
   std::vector<Rgb> palette;
-  for (const auto colour : colours) {
-    palette.push_back(parse_colour(colour == 0 ? matrix_colour : colour_of_phase(colour)));
-  }
+  for (const auto colour : colours) palette.push_back(parse_colour(colour));
   constexpr std::size_t most_columns = 1000;
   const auto columns = static_cast<std::size_t>(image.pixels[0]);
   const auto side = (columns + most_columns - 1) / most_columns;
@@ -81,13 +78,13 @@ std::string coloured_picture(const LabelImage<2>& image, std::span<const std::si
 }  // namespace
 
 std::string image_picture(const LabelImage<2>& image, std::span<const std::size_t> colours) {
-  return coloured_picture(image, colours, fmt::format("an image of {0} x {0} pixels", image.pixels[0]));
+  std::vector<std::string_view> of_labels;
+  for (const auto colour : colours) of_labels.push_back(colour == 0 ? matrix_colour : colour_of_phase(colour));
+  return coloured_picture(image, of_labels, fmt::format("an image of {0} x {0} pixels", image.pixels[0]));
 }
 
-std::string plane_picture(const LabelImage<2>& plane, std::string_view content) {
-  require_valid(plane);
-  std::vector<std::size_t> colours(std::size_t{std::ranges::max(plane.labels)} + 1);
-  std::iota(colours.begin(), colours.end(), std::size_t{0});
+std::string plane_picture(const LabelImage<2>& plane, std::span<const std::string_view> colours,
+                          std::string_view content) {
   return coloured_picture(plane, colours, content);
 }
 

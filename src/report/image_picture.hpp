@@ -14,8 +14,10 @@ namespace breccia {
 /// when the image is not valid or not square, or a label has no colour.
 std::string image_picture(const LabelImage<2>& image, std::span<const std::size_t> colours);
 
-/// SVG picture of a plane through a microstructure of three dimensions, whose labels are the numbers of their colours;
-/// `content` is the subject in the title of the picture.
-std::string plane_picture(const LabelImage<2>& plane, std::string_view content);
+/// SVG picture of a plane through a microstructure of three dimensions. `colours` holds for each label its colour, such
+/// as
+/// "#5b7f95"; `content` is the subject in the title of the picture.
+std::string plane_picture(const LabelImage<2>& plane, std::span<const std::string_view> colours,
+                          std::string_view content);
 
 }  // namespace breccia

@@ -10,6 +10,7 @@ inline constexpr double drawn_side = 1000.0;
 
 /// Colour of the box, where nothing is drawn above it.
 inline constexpr std::string_view matrix_colour = "#f3e9d8";
+inline constexpr std::string_view debonded_colour = "#d92d20";  ///< of films that are debonded
 
 /// Units of the drawing per metre for a box of this side [m]. Throws InputError if it is not positive and finite.
 double picture_scale(double side);

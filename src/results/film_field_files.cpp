@@ -1,10 +1,11 @@
 #include "results/film_field_files.hpp"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -18,131 +19,172 @@
 #include "report/polygon_picture.hpp"
 #include "results/field_files.hpp"
 #include "results/field_quantities.hpp"
+#include "results/film_cuts.hpp"
+#include "results/volume_quantities.hpp"
 
 namespace breccia {
 namespace {
 
 namespace fs = std::filesystem;
 
-Stress<2> in_plane_stress(const FilmCell& cell) {
-  return {.xx = cell.stress[0], .yy = cell.stress[1], .xy = cell.stress[3]};
+double stress_of(Load load, const FilmCell<2>& cell) {
+  return modulus_of<2>(load, {.xx = cell.stress[0], .yy = cell.stress[1], .xy = cell.stress[3]});
+}
+double stress_of(Load load, const FilmCell<3>& cell) {
+  return stress_under(load, cell.stress);
 }
 
-Strain<2> in_plane_strain(const FilmCell& cell) {
-  return {.xx = cell.strain[0], .yy = cell.strain[1], .xy = cell.strain[2]};
+double strain_of(Load load, const FilmCell<2>& cell) {
+  return compliance_of<2>(load, {.xx = cell.strain[0], .yy = cell.strain[1], .xy = cell.strain[2]});
+}
+double strain_of(Load load, const FilmCell<3>& cell) {
+  return strain_under(load, cell.strain);
+}
+
+/// The largest shear strain in the plane, the equivalent shear strain in space.
+double shear_of(const FilmCell<2>& cell) {
+  return std::hypot(cell.strain[0] - cell.strain[1], 2.0 * cell.strain[2]);
+}
+double shear_of(const FilmCell<3>& cell) {
+  return equivalent_shear(cell.strain);
 }
 
 /// The mean over the box of a value of the cells.
-double mean_of(const FilmFields& fields, const std::function<double(const FilmCell&)>& of_cell) {
-  double sum = 0.0, area = 0.0;
+template <int dim>
+double mean_of(const FilmFields<dim>& fields, const std::function<double(const FilmCell<dim>&)>& of_cell) {
+  double sum = 0.0, content = 0.0;
   for (const auto& cell : fields.cells) {
-    sum += cell.area * of_cell(cell);
-    area += cell.area;
+    sum += cell.content * of_cell(cell);
+    content += cell.content;
   }
-  return sum / area;
+  return sum / content;
 }
 
-void write_vtkhdf(const fs::path& path, const TimedFilmFields& timed) {
+/// Components in the order of VTK: xx, yy, zz, xy, yz, xz.
+using VtkTensor = std::array<double, 6>;
+
+VtkTensor vtk_strain(const FilmCell<2>& cell) {
+  return {cell.strain[0], cell.strain[1], 0.0, cell.strain[2], 0.0, 0.0};
+}
+VtkTensor vtk_stress(const FilmCell<2>& cell) {
+  return {cell.stress[0], cell.stress[1], cell.stress[2], cell.stress[3], 0.0, 0.0};
+}
+VtkTensor vtk_strain(const FilmCell<3>& cell) {
+  return in_order_of_vtk(cell.strain);
+}
+VtkTensor vtk_stress(const FilmCell<3>& cell) {
+  return in_order_of_vtk(cell.stress);
+}
+
+template <int dim>
+void write_file(const fs::path& path, const TimedFilmFields<dim>& timed) {
   const auto& [time, fields] = timed;
-  PolygonMesh mesh;
-  for (const auto& [x, y] : fields.points) mesh.points.push_back({x, y});
+  PieceMesh<dim> mesh{.points = fields.points, .corners = {}, .corner_counts = {}};
   for (const auto corner : fields.corners) mesh.corners.push_back(static_cast<std::int64_t>(corner));
   std::vector<std::uint8_t> material, part;
   std::vector<float> displacement, strain, stress, work, slip, opening, flow;
-  const auto append = [](std::vector<float>& values, std::initializer_list<double> components) {
+  const auto append = [](std::vector<float>& values, std::span<const double> components) {
     for (const double component : components) values.push_back(static_cast<float>(component));
   };
-  for (const auto& u : fields.displacement) append(displacement, {u[0], u[1], 0.0});
+  for (const auto& u : fields.displacement) append(displacement, std::array{u[0], u[1], dim == 3 ? u.back() : 0.0});
   for (const auto& cell : fields.cells) {
     mesh.corner_counts.push_back(static_cast<std::int64_t>(cell.corners));
     material.push_back(cell.part == FilmPart::grain ? 1 : 0);
     part.push_back(static_cast<std::uint8_t>(cell.part));
-    const auto& e = cell.strain;
-    const auto& s = cell.stress;
-    append(strain, {e[0], e[1], 0.0, e[2], 0.0, 0.0});
-    append(stress, {s[0], s[1], s[2], s[3], 0.0, 0.0});
-    append(work, {cell.work});
-    append(slip, {cell.slip});
-    append(opening, {cell.opening});
-    append(flow, {cell.flow});
+    append(strain, vtk_strain(cell));
+    append(stress, vtk_stress(cell));
+    append(work, std::array{cell.work});
+    append(slip, std::array{cell.slip});
+    append(opening, std::array{cell.opening});
+    append(flow, std::array{cell.flow});
   }
-  breccia::write_vtkhdf(path, mesh,
-                        {{"material", 1, std::move(material)},
-                         {"part", 1, std::move(part)},
-                         {"strain", 6, std::move(strain)},
-                         {"stress_Pa", 6, std::move(stress)},
-                         {"work_Pa", 1, std::move(work)},
-                         {"slip_m", 1, std::move(slip)},
-                         {"opening_m", 1, std::move(opening)},
-                         {"flow_m", 1, std::move(flow)}},
-                        {{"displacement_m", 3, std::move(displacement)}}, {{"time_s", time}});
+  write_vtkhdf(path, mesh,
+               {{"material", 1, std::move(material)},
+                {"part", 1, std::move(part)},
+                {"strain", 6, std::move(strain)},
+                {"stress_Pa", 6, std::move(stress)},
+                {"work_Pa", 1, std::move(work)},
+                {"slip_m", 1, std::move(slip)},
+                {"opening_m", 1, std::move(opening)},
+                {"flow_m", 1, std::move(flow)}},
+               {{"displacement_m", 3, std::move(displacement)}}, {{"time_s", time}});
 }
 
-/// The value that a map shows in each cell; a cell without a value is grey.
+/// A quantity that a map shows in each cell; a cell without a value is grey.
+template <int dim>
 struct MapOfCells {
-  std::function<std::optional<double>(const FilmCell&)> value_of;
+  std::function<std::optional<double>(const FilmCell<dim>&)> value_of;
   FieldQuantity quantity;
   ColourScale scale = ColourScale::linear;
 };
 
 /// The stress component of a load, relative to the applied strain or stress.
-MapOfCells stress_map(const FilmFields& fields, const TestId& test) {
+template <int dim>
+MapOfCells<dim> stress_map(const FilmFields<dim>& fields, const TestId& test) {
   const auto load = test.load.of_test().value();
-  const auto stress = [load](const FilmCell& cell) { return modulus_of<2>(load, in_plane_stress(cell)); };
-  const auto of_matter = [stress](const FilmCell& cell) {
+  const auto stress = [load](const FilmCell<dim>& cell) { return stress_of(load, cell); };
+  const auto of_matter = [stress](const FilmCell<dim>& cell) {
     return cell.part == FilmPart::gap ? std::nullopt : std::optional(stress(cell));
   };
-  return {of_matter, stress_quantity(test.boundary, load, mean_of(fields, stress))};
+  const double mean = mean_of<dim>(fields, stress);
+  return {of_matter,
+          dim == 2 ? stress_quantity(test.boundary, load, mean) : stress_in_space(test.boundary, load, mean)};
 }
 
-/// The largest shear strain of each cell over the mean shear strain or dilatation of the load.
-MapOfCells strain_map(const FilmFields& fields, const TestId& test) {
+/// The shear strain of each cell over the mean shear strain or dilatation of the load.
+template <int dim>
+MapOfCells<dim> strain_map(const FilmFields<dim>& fields, const TestId& test) {
   const auto load = test.load.of_test().value();
-  const auto strain = [load](const FilmCell& cell) { return compliance_of<2>(load, in_plane_strain(cell)); };
-  const auto largest_shear = [](const FilmCell& cell) {
-    return std::hypot(cell.strain[0] - cell.strain[1], 2.0 * cell.strain[2]);
-  };
-  return {largest_shear, strain_quantity(load, mean_of(fields, strain)), ColourScale::logarithmic};
+  const double mean = mean_of<dim>(fields, [load](const FilmCell<dim>& cell) { return strain_of(load, cell); });
+  return {[](const FilmCell<dim>& cell) { return shear_of(cell); },
+          dim == 2 ? strain_quantity(load, mean) : strain_in_space(load, mean), ColourScale::logarithmic};
 }
 
-/// The work in films and junctions over its mean in the box.
-MapOfCells work_map(const FilmFields& fields) {
-  const double mean = mean_of(fields, &FilmCell::work);
-  const auto in_binder = [](const FilmCell& cell) { return cell.part == FilmPart::grain ? 0.0 : cell.work; };
-  const auto work = [](const FilmCell& cell) {
-    const bool is_binder = cell.part == FilmPart::film || cell.part == FilmPart::junction;
+/// The work in the binder over its mean in the box.
+template <int dim>
+MapOfCells<dim> work_map(const FilmFields<dim>& fields) {
+  const auto in_binder = [](const FilmCell<dim>& cell) { return cell.part == FilmPart::grain ? 0.0 : cell.work; };
+  const auto work = [](const FilmCell<dim>& cell) {
+    const bool is_binder = cell.part != FilmPart::grain && cell.part != FilmPart::gap;
     return is_binder ? std::optional(cell.work) : std::nullopt;
   };
   constexpr double per_cent = 100.0;
-  auto words =
-      fmt::format("Work over its mean; {:.3g} % of all is in the binder", per_cent * mean_of(fields, in_binder) / mean);
+  const double mean = mean_of<dim>(fields, &FilmCell<dim>::work);
+  auto words = fmt::format("Work over its mean; {:.3g} % of all is in the binder",
+                           per_cent * mean_of<dim>(fields, in_binder) / mean);
   return {work, {.words = std::move(words), .unit_size = mean}, ColourScale::logarithmic};
 }
 
-PolygonPicture picture_of(const FilmFields& fields, const MapOfCells& map) {
+template <int dim>
+PolygonPicture picture_of(const FilmFields<dim>& fields, double side, const MapOfCells<dim>& map) {
   PolygonPicture picture{.quantity = map.quantity.words, .unit_size = map.quantity.unit_size, .scale = map.scale};
-  auto corner = fields.corners.begin();
-  for (const auto& cell : fields.cells) {
-    auto& polygon = picture.polygons.emplace_back(MapPolygon{.corners = {}, .value = map.value_of(cell)});
-    for (std::size_t i = 0; i < cell.corners; ++i, ++corner) polygon.corners.push_back(fields.points[*corner]);
+  for (auto& [cell, corners] : polygons_of(fields, side)) {
+    picture.polygons.push_back({std::move(corners), map.value_of(fields.cells[cell])});
   }
+  picture.side = side;
   return picture;
+}
+
+/// The title of a map, which says where it is in a box in space.
+template <int dim>
+std::string title_of(const Stage& stage, const TestId& test, double time) {
+  return field_title(stage, test, time) + (dim == 3 ? ", halfway up the box" : "");
 }
 
 }  // namespace
 
+template <int dim>
 std::vector<FieldRecord> write_fields(const fs::path& directory, const Study& study, const Stage& stage,
-                                      const TestId& test, const NetworkFields& fields) {
+                                      const TestId& test, const NetworkFields<dim>& fields) {
   auto records = field_records(study, test, times_of(fields));
   parallel::done_by_first([&] {
     for (std::size_t i = 0; i < fields.at_times.size(); ++i) {
       const auto& cells = fields.at_times[i].fields;
       const auto& record = records[i];
-      write_vtkhdf(directory / record.file, fields.at_times[i]);
-      const auto draw = [&](const std::string& file, const MapOfCells& map) {
-        auto picture = picture_of(cells, map);
-        picture.title = field_title(stage, test, fields.at_times[i].time);
-        picture.side = stage.side;
+      write_file(directory / record.file, fields.at_times[i]);
+      const auto draw = [&](const std::string& file, const MapOfCells<dim>& map) {
+        auto picture = picture_of(cells, stage.side, map);
+        picture.title = title_of<dim>(stage, test, fields.at_times[i].time);
         picture.load = drawn_load(test.load.of_test().value());
         picture.is_periodic = test.boundary == Boundary::periodic;
         write_text(directory / file, polygon_picture(picture));
@@ -154,5 +196,10 @@ std::vector<FieldRecord> write_fields(const fs::path& directory, const Study& st
   });
   return records;
 }
+
+template std::vector<FieldRecord> write_fields(const fs::path&, const Study&, const Stage&, const TestId&,
+                                               const NetworkFields<2>&);
+template std::vector<FieldRecord> write_fields(const fs::path&, const Study&, const Stage&, const TestId&,
+                                               const NetworkFields<3>&);
 
 }  // namespace breccia

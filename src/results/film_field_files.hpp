@@ -11,9 +11,10 @@
 namespace breccia {
 
 /// Writes the fields of grains and films to the directory of their stage, like those of points: as VTKHDF, with a
-/// polygon for each cell, and as pictures of stress, of strain, and of the work in films and junctions. Every process
-/// may call it; the first one writes. Throws FileError there.
+/// polygon, a tetrahedron or a wedge for each cell, and as pictures of stress, of strain, and of the work in the
+/// binder, in space halfway up the box. Every process may call it; the first one writes. Throws FileError there.
+template <int dim>
 std::vector<FieldRecord> write_fields(const std::filesystem::path& directory, const Study& study, const Stage& stage,
-                                      const TestId& test, const NetworkFields& fields);
+                                      const TestId& test, const NetworkFields<dim>& fields);
 
 }  // namespace breccia

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -15,6 +16,7 @@
 #include "report/grain_picture.hpp"
 #include "report/image_picture.hpp"
 #include "report/particle_picture.hpp"
+#include "report/picture_frame.hpp"
 
 namespace breccia {
 namespace {
@@ -32,10 +34,12 @@ std::vector<DrawnFiller> drawn_fillers(const Stage& stage) {
   return drawn;
 }
 
-std::string picture_of_plane(const LabelImage<2>& plane, const std::string& content, Axis normal) {
-  constexpr std::array names = {"x", "y", "z"};
-  return plane_picture(plane, fmt::format("cut through the middle of {}, seen along {}", content,
-                                          names[static_cast<std::size_t>(normal)]));
+/// The colours of the phases of a stage in a plane, and that of debonded films.
+std::vector<std::string_view> colours_in_plane(const Stage& stage) {
+  std::vector<std::string_view> colours = {matrix_colour};
+  while (colours.size() < phases_of(stage).size()) colours.push_back(colour_of_phase(colours.size()));
+  colours.push_back(debonded_colour);
+  return colours;
 }
 
 /// The picture of a box: a visitor of its content. For a cube it shows the plane through its middle with this normal.
@@ -66,7 +70,8 @@ struct PictureOf {
     return cut(ellipsoids, fmt::format("{} particles", ellipsoids.particles.size()));
   }
   std::string operator()(const Grains<3>& grains) const {
-    return cut(grains, fmt::format("{} grains", grains.statistics.cell_count));
+    return cut(grains, fmt::format("{} grains{}", grains.statistics.cell_count,
+                                   stage.bonds ? ", films that are debonded in red" : ""));
   }
   std::string operator()(const SharedImage<3>& image) const {
     return cut(image, fmt::format("{} voxels", fmt::join(image->pixels, " x ")));
@@ -75,7 +80,10 @@ struct PictureOf {
  private:
   template <class Content>
   [[nodiscard]] std::string cut(const Content& content, const std::string& in_words) const {
-    return picture_of_plane(middle_plane(stage, content, static_cast<std::size_t>(normal)), in_words, normal);
+    constexpr std::array names = {"x", "y", "z"};
+    const auto axis = static_cast<std::size_t>(normal);
+    return plane_picture(middle_plane(stage, content, axis), colours_in_plane(stage),
+                         fmt::format("cut through the middle of {}, seen along {}", in_words, names[axis]));
   }
 };
 

@@ -21,12 +21,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Components in the order of VTK: xx, yy, zz, xy, yz, xz.
-std::vector<float> in_order_of_vtk(const std::vector<std::array<double, 6>>& tensors) {
+std::vector<float> values_for_vtk(const std::vector<CellTensor>& tensors) {
   std::vector<float> values;
   values.reserve(6 * tensors.size());
-  for (const auto& [xx, yy, zz, yz, zx, xy] : tensors) {
-    for (const double component : {xx, yy, zz, xy, yz, zx}) values.push_back(static_cast<float>(component));
+  for (const auto& tensor : tensors) {
+    for (const double component : in_order_of_vtk(tensor)) values.push_back(static_cast<float>(component));
   }
   return values;
 }
@@ -85,8 +84,8 @@ class FieldsOfCube {
     // The phases fit into a byte, because a stage has few: a mixture counts as its largest part.
     file_.write("material", first, std::vector<std::uint8_t>(piece.phase.begin(), piece.phase.end()));
     file_.write("displacement_m", first, displacement);
-    file_.write("strain", first, in_order_of_vtk(piece.strain));
-    file_.write("stress_Pa", first, in_order_of_vtk(piece.stress));
+    file_.write("strain", first, values_for_vtk(piece.strain));
+    file_.write("stress_Pa", first, values_for_vtk(piece.stress));
     for (std::size_t i = 0; i < piece.phase.size(); ++i) {
       const double stress = stress_under(load_, piece.stress[i]);
       stress_.add(first + i, stress, stress);

@@ -22,6 +22,9 @@ struct VolumeQuantity {
 /// Components of a symmetric tensor: xx, yy, zz, yz, zx, xy.
 using CellTensor = std::array<double, 6>;
 
+/// The components in the order of VTK: xx, yy, zz, xy, yz, xz.
+[[nodiscard]] CellTensor in_order_of_vtk(const CellTensor& tensor);
+
 /// The stress component of a load [Pa].
 [[nodiscard]] double stress_under(Load load, const CellTensor& stress);
 /// The strain component of a load.
@@ -29,10 +32,11 @@ using CellTensor = std::array<double, 6>;
 /// The equivalent shear strain, sqrt(2 e : e) of the deviator e.
 [[nodiscard]] double equivalent_shear(const CellTensor& strain);
 
-/// The stress component of a load [Pa], relative to the applied strain or stress.
-VolumeQuantity stress_in_cells(std::span<const CellTensor> stress, Load load, Boundary boundary);
+/// The stress component of a load [Pa] in cells of these volumes, relative to the applied strain or stress.
+VolumeQuantity stress_in_cells(std::span<const CellTensor> stress, std::span<const double> volumes, Load load,
+                               Boundary boundary);
 
-/// The equivalent shear strain over the mean shear strain or dilatation of the load.
-VolumeQuantity strain_in_cells(std::span<const CellTensor> strain, Load load);
+/// The equivalent shear strain in cells of these volumes over the mean shear strain or dilatation of the load.
+VolumeQuantity strain_in_cells(std::span<const CellTensor> strain, std::span<const double> volumes, Load load);
 
 }  // namespace breccia

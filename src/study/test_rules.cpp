@@ -143,10 +143,6 @@ std::vector<std::string> lacking_in_films(const Study& study) {
     mistakes.emplace_back(
         "films.layers: films that are resolved leave no fields: expected no times of fields, or thin films");
   }
-  const bool is_in_space = has_grains && study.stages.front().dimensions() == 3;
-  if (is_in_space && !tests.films.layers && tests.lists_field_times) {
-    mistakes.emplace_back(R"(model "films" in three dimensions leaves no fields: expected no times of fields)");
-  }
   return mistakes;
 }
 
@@ -265,7 +261,7 @@ std::vector<std::string> mistakes_of_loads(const std::vector<TestLoad>& loads, i
 
 bool has_fields(const Tests& tests, const Stage& stage) {
   if (tests.field_times.empty()) return false;
-  return model_of(tests, stage) != Model::films || (stage.dimensions() == 2 && !tests.films.layers);
+  return model_of(tests, stage) != Model::films || !tests.films.layers;
 }
 
 std::vector<std::string> obstacles_to_flow(const Study& study) {

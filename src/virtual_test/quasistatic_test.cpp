@@ -103,7 +103,7 @@ std::vector<ReducedResponse> sample(const FilmProblem<dim>& films, const Quasist
   for (const auto& moduli : path.points) of_binder.push_back(moduli.front());
   auto sampled = sample_film_responses(problem_of(test, films), test.loads, of_binder, test.options.sampling, follow,
                                        checkpoint, path.target);
-  NetworkFields fields;
+  NetworkFields<dim> fields;
   for (const double time : test.field_times) fields.at_times.push_back({time, sampled.fields(0, materials, time)});
   result.fields = std::move(fields);
   result.effort = sampled.effort;
@@ -144,9 +144,6 @@ void run_reduced(const QuasistaticTest& test, QuasistaticTestResult& result, con
 /// Throws InputError unless the binder of grains and films alone varies.
 void require_test_of_films(const QuasistaticTest& test) {
   if (test.varying.size() != 1) throw InputError("quasi-static test: of films the binder alone varies");
-  if (std::holds_alternative<FilmProblem<3>>(test.composite) && !test.field_times.empty()) {
-    throw InputError("quasi-static test: films in three dimensions leave no fields");
-  }
 }
 
 void require_varying_phases(const QuasistaticTest& test) {
@@ -198,7 +195,7 @@ std::vector<SteppedResponse> step(const FilmProblem<dim>& films, const Quasistat
                                   QuasistaticTestResult& result) {
   const auto& binder = test.materials[test.varying.front().index];
   auto stepped = run_film_stepping(problem_of(test, films), binder, test.loads, steps, follow, field_steps, checkpoint);
-  result.fields = NetworkFields{std::move(stepped.fields)};
+  result.fields = NetworkFields<dim>{std::move(stepped.fields)};
   result.effort = stepped.effort;
   return std::move(stepped.responses);
 }

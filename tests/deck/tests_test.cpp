@@ -111,14 +111,15 @@ TEST_F(DeckTests, FilmsInSpaceHaveDivisions) {
   const auto study = directory.study(deck_of(grains, "films = { divisions = 3 }\n"));
   EXPECT_EQ(study.tests.films.divisions, 3);
   EXPECT_EQ(study.stages.front().cells, 96) << "of the labels";
-  EXPECT_FALSE(has_fields(study.tests, study.stages.front()));
+  EXPECT_TRUE(has_fields(study.tests, study.stages.front()));
   EXPECT_EQ(directory.study(deck_of(grains, "")).tests.films.divisions, 2);
   EXPECT_THAT(directory.mistakes(deck_of(grains, "films = { divisions = 9 }\n")),
               HasSubstr("expected an integer from 1 to 8, got 9"));
   EXPECT_THAT(directory.mistakes(deck_of(grains, "films = { divisions = 1.5 }\n")), HasSubstr("integer"));
   EXPECT_THAT(directory.mistakes(deck_of(grains, "films = { face_share = 0.3 }\n")), HasSubstr("of two dimensions"));
 
-  EXPECT_THAT(directory.mistakes(deck_of(grains, "fields = [\"1 us\"]\n")), HasSubstr("leaves no fields"));
+  EXPECT_THAT(directory.mistakes(deck_of(grains, "fields = [\"1 us\"]\nfilms = { layers = 1 }\n")),
+              HasSubstr("films that are resolved leave no fields"));
   EXPECT_THAT(directory.mistakes(deck_of(grains, "boundaries = [\"traction\"]\n")),
               HasSubstr("expected the boundary \"periodic\""));
   const auto walled = test::replaced(std::string(grains), "\"laguerre\"", R"("laguerre", walls = "cut")");

@@ -29,23 +29,23 @@ struct Means {
   Strain<2> strain;
 };
 
-Means means_of(const FilmFields& fields) {
+Means means_of(const FilmFields<2>& fields) {
   Means means;
   for (const auto& cell : fields.cells) {
-    means.area += cell.area;
-    means.work += cell.area * cell.work;
-    means.stress.xx += cell.area * cell.stress[0];
-    means.stress.yy += cell.area * cell.stress[1];
-    means.stress.xy += cell.area * cell.stress[3];
-    means.strain.xx += cell.area * cell.strain[0];
-    means.strain.yy += cell.area * cell.strain[1];
-    means.strain.xy += cell.area * cell.strain[2];
+    means.area += cell.content;
+    means.work += cell.content * cell.work;
+    means.stress.xx += cell.content * cell.stress[0];
+    means.stress.yy += cell.content * cell.stress[1];
+    means.stress.xy += cell.content * cell.stress[3];
+    means.strain.xx += cell.content * cell.strain[0];
+    means.strain.yy += cell.content * cell.strain[1];
+    means.strain.xy += cell.content * cell.strain[2];
   }
   return means;
 }
 
 /// Fields with an elastic binder.
-FilmFields elastic_fields(const FilmProblem<2>& problem, const Moduli& binder, Load load) {
+FilmFields<2> elastic_fields(const FilmProblem<2>& problem, const Moduli& binder, Load load) {
   const FilmComposite<2> composite(problem);
   FilmSolver<2> solver(composite);
   solver.prepare(std::array{binder.shear, binder.bulk});
@@ -161,8 +161,8 @@ TEST(FilmFields, ShowWhereASoftBinderWorks) {
   double all = 0.0, in_binder = 0.0;
   for (const auto& cell : fields.cells) {
     EXPECT_GT(cell.work, 0.0);
-    all += cell.area * cell.work;
-    if (cell.part != FilmPart::grain) in_binder += cell.area * cell.work;
+    all += cell.content * cell.work;
+    if (cell.part != FilmPart::grain) in_binder += cell.content * cell.work;
   }
   EXPECT_GT(in_binder / all, 0.9);
 }

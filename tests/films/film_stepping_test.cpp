@@ -89,9 +89,9 @@ TEST(FilmStepping, KeepsFields) {
     ASSERT_EQ(fields.cells.size(), reduced.cells.size());
     for (std::size_t c = 0; c < fields.cells.size(); ++c) {
       const auto &one = fields.cells[c], &other = reduced.cells[c];
-      stress += one.area * one.stress[3];
-      difference += one.area * std::abs(one.stress[3] - other.stress[3]);
-      size += one.area * std::abs(other.stress[3]);
+      stress += one.content * one.stress[3];
+      difference += one.content * std::abs(one.stress[3] - other.stress[3]);
+      size += one.content * std::abs(other.stress[3]);
     }
     const double box = problem.tessellation.side() * problem.tessellation.side();
     const auto index = std::ranges::find(times, kept[k]) - times.begin();

@@ -69,7 +69,7 @@ void expect_exact_films(const LaguerreSites<dim>& sites, double film) {
   const double roundoff = 1e-14 * sites.side;
   std::size_t tried = 0;
   for (const auto& point : random_points<dim>(3000, sites.side, 5)) {
-    const auto [site, depth] = locator.at(point);
+    const auto [site, depth, nearest_film] = locator.at(point);
     // The nearest face, relative to the image of the site to which the point belongs.
     const auto& faces = tessellation.cell(site).half_spaces();
     Vector<dim> seen = point;

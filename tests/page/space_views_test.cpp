@@ -20,6 +20,7 @@
 #include "page/study_report.hpp"
 #include "rasters/base64.hpp"
 #include "rasters/npy.hpp"
+#include "results/film_field_files.hpp"
 #include "results/hand_made_documents.hpp"
 #include "results/volume_field_files.hpp"
 #include "study/two_stages.hpp"
@@ -218,6 +219,66 @@ TEST_F(SpaceViews, OfManyCellsHoldMeans) {
   ASSERT_EQ(strains.size(), 33U * 33U * 33U);
   EXPECT_EQ(strains[0], strains[31 * 33]) << "the mean of 1 and 3";
   EXPECT_LT(strains[32 * 33], strains[0]) << "the last layer alone";
+}
+
+/// A periodic box of 6 mm, the side of the stage: two wedges of a grain fill it, and a film, a fifth of a cell of 125
+/// thick, is above its bottom; in the half x > y it is a gap. A junction reaches through the box along its edge.
+void write_film(const std::filesystem::path& folder) {
+  constexpr double side = 6e-3, cell_side = side / 125.0;
+  FilmFields<3> fields;
+  const auto add_wedges = [&](double bottom, double top, std::array<FilmPart, 2> parts, double stress) {
+    const auto first = fields.points.size();
+    for (const double z : {top, bottom}) {
+      for (const auto& [x, y] : {std::pair{0.0, 0.0}, {side, 0.0}, {side, side}, {0.0, side}}) {
+        fields.points.push_back({x, y, z});
+      }
+    }
+    for (const std::size_t corner : {0U, 1U, 2U, 4U, 5U, 6U, 0U, 2U, 3U, 4U, 6U, 7U})
+      fields.corners.push_back(first + corner);
+    for (const auto part : parts) {
+      FilmCell<3> cell{.part = part, .corners = 6, .content = 0.5 * side * side * (top - bottom)};
+      cell.stress.back() = stress;
+      cell.strain.back() = 0.5;
+      fields.cells.push_back(cell);
+    }
+  };
+  add_wedges(0.0, side, {FilmPart::grain, FilmPart::grain}, 3e6);
+  add_wedges(0.4 * cell_side, 0.6 * cell_side, {FilmPart::gap, FilmPart::film}, 1e6);
+  const auto first = fields.points.size();
+  fields.points.insert(fields.points.end(),
+                       {{0.0, 0.0, 0.0}, {cell_side, 0.0, 0.0}, {0.0, cell_side, 0.0}, {0.0, 0.0, side}});
+  for (std::size_t corner = 0; corner < 4; ++corner) fields.corners.push_back(first + corner);
+  fields.cells.push_back({.part = FilmPart::junction, .corners = 4, .strain = {0.0, 0.0, 0.0, 0.0, 0.0, 0.5}});
+  fields.displacement.resize(fields.points.size());
+  const auto study = test::two_stages();
+  static_cast<void>(write_fields(folder, study, study.stages[0],
+                                 {Load::shear, Boundary::displacement, Method::quasistatic, TestGrid::films()},
+                                 NetworkFields<3>{{{1e-3, fields}}}));
+}
+
+// The film of a fifth of a cell is one cell thick in the view.
+TEST_F(SpaceViews, OfGrainsAndFilmsShowThePieces) {
+  auto test = test_with("fields.vtkhdf");
+  test.id.grid = TestGrid::films();
+  auto document = test::document_with("A", {test});
+  document.stages.front().dimensions = 3;
+  document.stages.front().side = 6e-3;
+  write_study_document(directory.path(), document);
+  write_film(directory.path() / "A");
+  const auto field = view().at("fields").at("fields.vtkhdf");
+  constexpr std::size_t along = 125;  // three bytes a cell, up to 6 MB
+  EXPECT_EQ(field.at("cells"), along);
+  const auto phases = unpacked(field.at("material").at("values"), along * along * along);
+  ASSERT_EQ(phases.size(), along * along * along);
+  const auto at = [&](std::size_t x, std::size_t y, std::size_t z) { return phases[(z * along + y) * along + x]; };
+  EXPECT_EQ(at(100, 20, 0), 2) << "the gap";
+  EXPECT_EQ(at(20, 100, 0), 0) << "the film";
+  EXPECT_EQ(at(20, 100, 60), 1);
+  EXPECT_EQ(at(100, 20, 124), 1);
+  EXPECT_EQ(field.at("stress").at("words"), "Shear stress over mean shear strain in MPa");
+  const auto stresses = unpacked(field.at("stress").at("values"), along * along * along);
+  EXPECT_LT(stresses[100 * along + 20], stresses[(60 * along + 100) * along + 20]) << "in the film and in the grain";
+  EXPECT_NEAR(field.at("strain").at("unit_size").get<double>(), 1.0, 1e-12) << "the mean by volume";
 }
 
 }  // namespace

@@ -59,9 +59,9 @@ TEST_F(VtkHdf, WritesASquareForEachValue) {
 
 // A triangle, a square and a pentagon share points; the types are those of VTK.
 TEST_F(VtkHdf, WritesPolygons) {
-  const PolygonMesh mesh = {.points = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}, {0.5, 2.0}},
-                            .corners = {0, 1, 2, 0, 1, 2, 3, 0, 1, 2, 4, 3},
-                            .corner_counts = {3, 4, 5}};
+  const PieceMesh<2> mesh = {.points = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}, {0.5, 2.0}},
+                             .corners = {0, 1, 2, 0, 1, 2, 3, 0, 1, 2, 4, 3},
+                             .corner_counts = {3, 4, 5}};
   write_vtkhdf(path, mesh, {{"part", 1, Bytes{0, 1, 2}}}, {{"displacement_m", 3, Floats(15, 0.5F)}}, {});
   const Hdf5Reader file(path);
   EXPECT_THAT(file.read_integers("/VTKHDF/NumberOfPoints"), ElementsAre(5));
@@ -73,8 +73,23 @@ TEST_F(VtkHdf, WritesPolygons) {
   EXPECT_THAT(file.shape("/VTKHDF/PointData/displacement_m"), ElementsAre(5U, 3U));
 }
 
+// A wedge and a tetrahedron on its upper side; the types are those of VTK.
+TEST_F(VtkHdf, WritesTetrahedraAndWedges) {
+  const PieceMesh<3> mesh = {.points = {{0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 2}},
+                             .corners = {0, 1, 2, 3, 4, 5, 0, 1, 2, 6},
+                             .corner_counts = {6, 4}};
+  write_vtkhdf(path, mesh, {{"part", 1, Bytes{1, 0}}}, {}, {});
+  const Hdf5Reader file(path);
+  EXPECT_THAT(file.read_integers("/VTKHDF/Types"), ElementsAre(13, 10));
+  EXPECT_THAT(file.read_integers("/VTKHDF/Offsets"), ElementsAre(0, 6, 10));
+  EXPECT_EQ(file.read_numbers("/VTKHDF/Points")[20], 2.0);
+  auto wrong = mesh;
+  wrong.corner_counts = {5, 5};
+  EXPECT_THROW(write_vtkhdf(path, wrong, {}, {}, {}), InputError) << "there are no pieces of five corners";
+}
+
 TEST_F(VtkHdf, RefusesPolygonsThatDoNotFit) {
-  const PolygonMesh triangle = {
+  const PieceMesh<2> triangle = {
       .points = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}}, .corners = {0, 1, 2}, .corner_counts = {3}};
   EXPECT_THROW(write_vtkhdf(path, triangle, {{"part", 1, Bytes{0, 1}}}, {}, {}), InputError);
   EXPECT_THROW(write_vtkhdf(path, triangle, {}, {{"part", 1, Bytes{0, 1}}}, {}), InputError);

@@ -18,12 +18,13 @@ struct GridFields {
 };
 
 /// Fields of a test of grains and films at rising times.
+template <int dim>
 struct NetworkFields {
-  std::vector<TimedFilmFields> at_times;
+  std::vector<TimedFilmFields<dim>> at_times;
 };
 
 /// Fields of a test; without times where no fields were requested.
-using TestFields = std::variant<GridFields<2>, GridFields<3>, NetworkFields>;
+using TestFields = std::variant<GridFields<2>, GridFields<3>, NetworkFields<2>, NetworkFields<3>>;
 
 /// The times of fields [s].
 [[nodiscard]] std::vector<double> times_of(const TestFields& fields);

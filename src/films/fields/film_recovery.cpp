@@ -68,7 +68,7 @@ class Recovery {
         negative_pressure_(composite.film_operator().volumetric_strains(load, state.applied[FilmComposite<2>::bulk])),
         inflow_(mesh_.network().junctions.size(), Eigen::Vector3d::Zero()) {}
 
-  FilmFields fields() {
+  FilmFields<2> fields() {
     for (std::size_t g = 0; g < mesh_.grains().size(); ++g) add_grain(g);
     const auto ends = end_lengths(mesh_.network());
     for (std::size_t f = 0; f < mesh_.network().films.size(); ++f) add_film(f, ends[f]);
@@ -89,7 +89,7 @@ class Recovery {
       }
     }
     for (auto& cell : fields_.cells) {
-      cell.area *= side_ * side_;
+      cell.content *= side_ * side_;
       for (double* length : {&cell.slip, &cell.opening, &cell.flow}) *length *= side_;
     }
   }
@@ -123,7 +123,7 @@ class Recovery {
   }
 
   /// Adds a cell with these nodes as its corners, each with a new point.
-  void add_cell(FilmCell cell, std::span<const NodeImage> nodes) {
+  void add_cell(FilmCell<2> cell, std::span<const NodeImage> nodes) {
     for (const auto& node : nodes) {
       const auto displacement = displacement_of(*displacement_, node, Eigen::Vector2d::Zero());
       fields_.corners.push_back(add_point(mesh_.position(node), displacement));
@@ -150,7 +150,7 @@ class Recovery {
         u.segment<2>(2 * static_cast<Eigen::Index>(n)) =
             displacements.segment<2>(2 * static_cast<Eigen::Index>(triangle[n]));
       }
-      FilmCell cell{.part = FilmPart::grain, .corners = 3, .area = area};
+      FilmCell<2> cell{.part = FilmPart::grain, .corners = 3, .content = area};
       Eigen::Vector3d mean = Eigen::Vector3d::Zero();
       for (const auto& gradients : at) {
         const Eigen::Vector3d strain = strain_rows(gradients) * u;
@@ -255,12 +255,12 @@ class Recovery {
   }
 
   /// Strain, slip, opening and flow of an element of a film of this area.
-  [[nodiscard]] FilmCell motion_of_stretch(std::size_t f, int element, const Motions& motions, double area) const {
+  [[nodiscard]] FilmCell<2> motion_of_stretch(std::size_t f, int element, const Motions& motions, double area) const {
     const auto& film = mesh_.network().films[f];
     const auto u = unknowns_of_stretch(*displacement_, f, element);
     const auto [first, second] = means_of_sides(u);
-    FilmCell cell{.part = FilmPart::film, .area = area};
-    cell.strain = as_tensor(strain_integral(mesh_.nodes_of_stretch(f, element), u, motions) / cell.area);
+    FilmCell<2> cell{.part = FilmPart::film, .content = area};
+    cell.strain = as_tensor(strain_integral(mesh_.nodes_of_stretch(f, element), u, motions) / cell.content);
     cell.slip = (second - first).dot(film.direction);
     cell.opening = (second - first).dot(film.normal);
     cell.flow = 0.5 * (u[FilmElement::displacements] + u[FilmElement::displacements + 1]);
@@ -281,8 +281,8 @@ class Recovery {
     const Eigen::VectorXd shear_forces = matrices.shear * unknowns_of_stretch(*shear_, f, element);
     const auto dilatation = at_pressures(volumetric_strain_, f, element);
     const Eigen::Vector3d bulk_forces = matrices.volume * at_pressures(negative_pressure_, f, element);
-    cell.stress = stress_of(mean_deviator(nodes, shear_forces, cell.area), -bulk_forces.sum() / cell.area);
-    cell.work = (u.dot(shear_forces) + dilatation.dot(bulk_forces) + work_of_ends) / cell.area;
+    cell.stress = stress_of(mean_deviator(nodes, shear_forces, cell.content), -bulk_forces.sum() / cell.content);
+    cell.work = (u.dot(shear_forces) + dilatation.dot(bulk_forces) + work_of_ends) / cell.content;
     add_cell(cell, corners);
   }
 
@@ -313,7 +313,7 @@ class Recovery {
                                                                  u.segment<2>(2 * static_cast<Eigen::Index>(next))));
     }
     const auto pressure = static_cast<Eigen::Index>(j);
-    FilmCell cell{.part = FilmPart::junction, .area = element.area};
+    FilmCell<2> cell{.part = FilmPart::junction, .content = element.area};
     cell.strain = as_tensor(strain / element.area);
     cell.stress = stress_of(mean_deviator(nodes, shear_forces, element.area), -negative_pressure_[pressure]);
     cell.work =
@@ -331,13 +331,13 @@ class Recovery {
   Eigen::VectorXd volumetric_strain_, negative_pressure_;  ///< values by number of the pressure
   std::vector<Eigen::Vector3d>
       inflow_;  ///< part of the integral of the strain that comes from flow into a junction, by junction
-  FilmFields fields_;
+  FilmFields<2> fields_;
 };
 
 }  // namespace
 
-FilmFields fields_of(const FilmComposite<2>& composite, const FilmProblem<2>& problem, Load load,
-                     const quasistatic::CompositeState<FilmVector>& state) {
+FilmFields<2> fields_of(const FilmComposite<2>& composite, const FilmProblem<2>& problem, Load load,
+                        const quasistatic::CompositeState<FilmVector>& state) {
   if (problem.layers) throw InputError("films: there are no fields of resolved films, only of thin ones");
   return Recovery(composite, problem, load, state).fields();
 }

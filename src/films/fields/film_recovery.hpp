@@ -11,7 +11,7 @@ namespace breccia::films {
 
 /// Fields of grains and films in a state under a load (theory, Eqs. 67 to 69). The composite is the one of the problem.
 /// Throws like the constructor of the composite, and InputError for resolved films.
-[[nodiscard]] FilmFields fields_of(const FilmComposite<2>& composite, const FilmProblem<2>& problem, Load load,
-                                   const quasistatic::CompositeState<FilmVector>& state);
+[[nodiscard]] FilmFields<2> fields_of(const FilmComposite<2>& composite, const FilmProblem<2>& problem, Load load,
+                                      const quasistatic::CompositeState<FilmVector>& state);
 
 }  // namespace breccia::films

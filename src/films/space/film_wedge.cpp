@@ -157,6 +157,10 @@ FilmWedge empty_element(const Middle& middle) {
 
 }  // namespace
 
+Eigen::Matrix<double, 3, 2> film_axes(const Wedge& wedge) {
+  return middle_of(wedge).axes;
+}
+
 FilmWedge film_wedge(const Wedge& wedge, bool is_at_rim) {
   const auto middle = middle_of(wedge);
   auto element = empty_element(middle);

@@ -18,6 +18,9 @@ struct FilmWedge {
   Eigen::Matrix<double, 3, 2> axes;                       ///< directions in the middle of the film, of length 1
 };
 
+/// The directions along the middle of a film (FilmWedge::axes). Their vector product is its normal, from the first
+/// side.
+[[nodiscard]] Eigen::Matrix<double, 3, 2> film_axes(const Wedge& wedge);
 /// `is_at_rim`: the edge from the second to the third corner is the end of the film, where its flow bends into a
 /// channel.
 [[nodiscard]] FilmWedge film_wedge(const Wedge& wedge, bool is_at_rim);

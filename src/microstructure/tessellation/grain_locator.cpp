@@ -48,14 +48,17 @@ LocatedGrain GrainLocator<dim>::at(const Vector<dim>& position) const {
   const auto [site, point] = tree_->owner(position);
   constexpr double infinity = std::numeric_limits<double>::infinity();
   double nearest = infinity, depth = infinity;  // distances from the nearest face, and into the grain
+  std::size_t nearest_film = 0;
   for (std::size_t k = first_face_[site]; k < first_face_[site + 1]; ++k) {
     const auto& face = faces_[k];
     const double distance = std::max(0.0, face.offset - dot(face.normal, point));
     nearest = std::min(nearest, distance);
-    depth = std::min(depth, distance - face.half_film);
+    if (distance - face.half_film >= depth) continue;
+    depth = distance - face.half_film;
+    nearest_film = k - first_face_[site];
   }
-  if (depth >= 0.0) return {site, depth};
-  return {site, std::max(depth, -(nearest + least_half_film_))};
+  if (depth >= 0.0) return {site, depth, nearest_film};
+  return {site, std::max(depth, -(nearest + least_half_film_)), nearest_film};
 }
 
 template class GrainLocator<2>;

@@ -63,7 +63,7 @@ export function textOnStage(stage) {
   }
   // The picture of a box of the plane alone shows the films.
   const debonded = debonding === undefined ? "" :
-    `, of which ${percent(debonding.share)} are debonded${stage.dimensions === 2 ? " (red)" : ""}`;
+    `, of which ${percent(debonding.share)} are debonded (red${stage.dimensions === 3 ? " in the cut" : ""})`;
   const kind = film === undefined ? "particles" : `grains, with films of ${display(film, "m")} between them${debonded},`;
   return `${particles} ${kind} of ${stage.filler} fill ${percentOfWhole(fraction)} of ${box} of ${stage.matrix}`;
 }

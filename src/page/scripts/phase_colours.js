@@ -2,6 +2,9 @@
 
 export const matrixColour = "#f3e9d8";
 
+/// The colour of films that are debonded.
+export const debondedColour = "#d92d20";
+
 /// The colours of the fillers and their coatings, from the first filler on.
 const colours = ["#5b7f95", "#b5652b", "#6b8e4e", "#8a6bac", "#c9a227", "#a8444f", "#3f8f8b", "#7a7a7a"];
 

@@ -5,7 +5,7 @@ import {element} from "./elements.js";
 import {fileName, save} from "./files.js";
 import {methodNames, textOnStage} from "./names.js";
 import {display, percentOfWhole} from "./numbers.js";
-import {colourOf, phasesOf} from "./phase_colours.js";
+import {colourOf, debondedColour, phasesOf} from "./phase_colours.js";
 import {own} from "./records.js";
 
 /// Shows the microstructure of each stage.
@@ -45,6 +45,11 @@ export function legendOf({matrix, filler, fillers = [], microstructure}) {
       const thickness = display(one.coating.thickness_m, "m");
       entries.push(coloured(one.coating.material, `${one.coating.material}, coating of ${thickness}`));
     }
+  }
+  if (microstructure?.debonding !== undefined) {
+    const place = entry("filler", "debonded film");
+    place.firstChild.style.background = debondedColour;
+    entries.push(place);
   }
   return [element("ul", {className: "legend"}, ...entries)];
 }

@@ -5,7 +5,7 @@ import {element} from "./elements.js";
 import {textOnStage} from "./names.js";
 import {shortNumber} from "./numbers.js";
 import {particleModel} from "./particle_model.js";
-import {channelsOf, colourOf, coloursOfPhases, phasesOf} from "./phase_colours.js";
+import {channelsOf, colourOf, coloursOfPhases, debondedColour, phasesOf} from "./phase_colours.js";
 import {legendOf, textOnField} from "./pictures.js";
 import {own} from "./records.js";
 import {rotatableView} from "./rotatable_view.js";
@@ -25,8 +25,9 @@ function drawnFillers({fillers}) {
   }));
 }
 
+/// The model of a volume of phases; the number after those of the phases is that of films that are debonded.
 function phaseModel(stage, volume) {
-  return volumeModel(volume, coloursOfPhases(stage.fillers).map(channelsOf));
+  return volumeModel(volume, [...coloursOfPhases(stage.fillers), debondedColour].map(channelsOf));
 }
 
 function showMicrostructure(stage, {microstructure}) {

@@ -1,0 +1,344 @@
+#include "films/space/solid_recovery.hpp"
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include "breccia/error.hpp"
+
+#include "films/assembly/macroscopic.hpp"
+#include "films/assembly/matrix_assembly.hpp"
+#include "films/space/film_wedge.hpp"
+#include "films/space/solid_elements.hpp"
+#include "films/space/solid_strain.hpp"
+#include "films/space/solid_unknowns.hpp"
+#include "films/space/space_mesh.hpp"
+
+namespace breccia::films {
+namespace {
+
+using Tensor = Eigen::Matrix<double, 6, 1>;  ///< xx, yy, zz, yz, zx, xy
+
+/// A strain in Voigt's order, with engineering shears, as a tensor.
+std::array<double, 6> as_tensor(const Tensor& strain) {
+  return {strain[0], strain[1], strain[2], 0.5 * strain[3], 0.5 * strain[4], 0.5 * strain[5]};
+}
+
+std::array<double, 6> as_array(const Tensor& stress) {
+  return {stress[0], stress[1], stress[2], stress[3], stress[4], stress[5]};
+}
+
+/// The stress of a deviator and a pressure.
+std::array<double, 6> stress_of(Tensor deviator, double pressure) {
+  deviator.head<3>().array() -= pressure;
+  return as_array(deviator);
+}
+
+/// The part of the integral of the strain over a body that comes from a piece of its boundary, by the theorem of Gauss;
+/// `displacement` is the integral of the displacement times the outward normal, u n^T.
+Tensor strain_by(const Eigen::Matrix3d& displacement) {
+  return {displacement(0, 0),
+          displacement(1, 1),
+          displacement(2, 2),
+          displacement(1, 2) + displacement(2, 1),
+          displacement(2, 0) + displacement(0, 2),
+          displacement(0, 1) + displacement(1, 0)};
+}
+
+/// The integral of the product of two linear functions over an interval of length 1, from their values at its ends.
+Eigen::Vector3d integral_of_product(const std::array<double, 2>& factor, const std::array<Eigen::Vector3d, 2>& value) {
+  return (factor[0] * (2.0 * value[0] + value[1]) + factor[1] * (value[0] + 2.0 * value[1])) / 6.0;
+}
+
+/// A corner of a triangle of a film halfway between both sides.
+struct MiddleCorner {
+  Eigen::Vector3d position;
+  double thickness;
+  Eigen::Vector3d flow;  ///< mean displacement of the binder relative to the mean of both sides
+};
+
+/// A triangle of a film halfway between both sides.
+struct MiddleTriangle {
+  Eigen::Vector3d normal;  ///< from the first side to the second one, of length 1
+  std::array<MiddleCorner, 3> corners;
+
+  /// The number of a corner after a whole turn is that of the first one.
+  [[nodiscard]] const MiddleCorner& corner(int number) const { return corners[static_cast<std::size_t>(number % 3)]; }
+};
+
+class Recovery {
+ public:
+  Recovery(const FilmComposite<3>& composite, const FilmProblem<3>& problem, Load load,
+           const quasistatic::CompositeState<FilmVector>& state)
+      : mesh_(problem),
+        problem_(&problem),
+        side_(problem.tessellation.side()),
+        strain_(strain_of<3>(load)),
+        displacement_(&state.displacement),
+        shear_(&state.applied[FilmComposite<3>::shear]),
+        volumetric_strain_(composite.film_operator().volumetric_strains(load, state.displacement)),
+        negative_pressure_(composite.film_operator().volumetric_strains(load, state.applied[FilmComposite<3>::bulk])),
+        inflow_(mesh_.sheets().segments.size(), Tensor::Zero()) {
+    for (std::size_t t = 0; t < mesh_.sheets().triangles.size(); ++t) {
+      const auto& triangle = mesh_.sheets().triangles[t];
+      for (int edge = 0; edge < 3; ++edge) edges_.emplace(key_of(triangle, edge), std::pair(t, edge));
+    }
+    for (std::size_t s = 0; s < mesh_.sheets().segments.size(); ++s) {
+      segment_[mesh_.sheets().segments[s].nodes[1].number] = s;
+    }
+  }
+
+  FilmFields<3> fields() {
+    for (std::size_t g = 0; g < mesh_.grains().solids().size(); ++g) add_grain(g);
+    for (std::size_t t = 0; t < mesh_.sheets().triangles.size(); ++t) add_film(t);
+    for (std::size_t s = 0; s < mesh_.sheets().segments.size(); ++s) {
+      const auto& nodes = mesh_.sheets().segments[s].nodes;
+      const auto of_grains = mesh_.nodes_of_channel(s);
+      add_binder(FilmPart::channel, of_grains, channel_element(mesh_.channel(s)), nodes, inflow_[s],
+                 std::array{of_grains[2], of_grains[5], of_grains[8], of_grains[0], of_grains[3], of_grains[6]});
+    }
+    for (std::size_t p = 0; p < mesh_.sheets().points.size(); ++p) {
+      const auto of_grains = mesh_.nodes_of_corner(p);
+      add_binder(FilmPart::junction, of_grains, corner_element(mesh_.corner(p)),
+                 std::span(&mesh_.sheets().points[p], 1), Tensor::Zero(), of_grains);
+    }
+    scale_lengths();
+    return std::move(fields_);
+  }
+
+ private:
+  /// The face, and the number and the image of the node in the middle of an edge.
+  using EdgeKey = std::tuple<std::size_t, std::size_t, std::array<int, 3>>;
+
+  static EdgeKey key_of(const SheetTriangle& triangle, int edge) {
+    const auto& [number, image] = triangle.nodes[3 + static_cast<std::size_t>(edge)];
+    return {triangle.face, number, {image.x(), image.y(), image.z()}};
+  }
+
+  /// Converts lengths from sides of the box to metres.
+  void scale_lengths() {
+    for (auto* vectors : {&fields_.points, &fields_.displacement}) {
+      for (auto& vector : *vectors) {
+        for (double& component : vector) component *= side_;
+      }
+    }
+    for (auto& cell : fields_.cells) {
+      cell.content *= side_ * side_ * side_;
+      for (double* length : {&cell.slip, &cell.opening, &cell.flow}) *length *= side_;
+    }
+  }
+
+  [[nodiscard]] ElementUnknowns<3> unknowns_of(std::span<const SolidNode> nodes,
+                                               std::span<const int> flows = {}) const {
+    std::vector<ElementNode> of_element;
+    of_element.reserve(nodes.size());
+    for (const auto& node : nodes) of_element.push_back({mesh_.number(node), mesh_.grains().position(node)});
+    return solid_unknowns(of_element, flows);
+  }
+
+  /// The values of the unknowns of an element, displacements relative to its first node.
+  [[nodiscard]] Eigen::VectorXd values_of(const ElementUnknowns<3>& unknowns, const FilmVector& of) const {
+    Eigen::VectorXd values = of.macroscopic() * unknowns.macroscopic * strain_;
+    for (std::size_t i = 0; i < unknowns.numbers.size(); ++i) {
+      if (unknowns.numbers[i] != held) values[static_cast<Eigen::Index>(i)] += of.unknowns()[unknowns.numbers[i]];
+    }
+    return values;
+  }
+
+  [[nodiscard]] std::size_t add_point(const SolidNode& node) {
+    const auto position = mesh_.grains().position(node);
+    Eigen::Vector3d displacement = displacement_->macroscopic() * affine_motion_in_space(position) * strain_;
+    const int number = mesh_.number(node);
+    if (number != 0) displacement += displacement_->unknowns().segment<3>(displacements_of(number));
+    fields_.points.push_back({position.x(), position.y(), position.z()});
+    fields_.displacement.push_back({displacement.x(), displacement.y(), displacement.z()});
+    return fields_.points.size() - 1;
+  }
+
+  /// Adds a cell with these nodes as its corners, each with a new point.
+  void add_cell(FilmCell<3> cell, std::span<const SolidNode> nodes) {
+    for (const auto& node : nodes) fields_.corners.push_back(add_point(node));
+    cell.corners = nodes.size();
+    fields_.cells.push_back(cell);
+  }
+
+  void add_grain(std::size_t g) {
+    const auto& solid = mesh_.grains().solids()[g];
+    const auto elasticity = elasticity_of_grain(*problem_, g);
+    std::map<std::size_t, std::size_t> point_of;
+    for (const auto& tetrahedron : solid.tetrahedra) {
+      std::vector<SolidNode> nodes;
+      for (const auto node : tetrahedron) nodes.push_back({g, node, Eigen::Vector3i::Zero()});
+      const std::array corners = {solid.nodes[tetrahedron[0]], solid.nodes[tetrahedron[1]], solid.nodes[tetrahedron[2]],
+                                  solid.nodes[tetrahedron[3]]};
+      const auto unknowns = unknowns_of(nodes);
+      const auto u = values_of(unknowns, *displacement_);
+      const Eigen::VectorXd forces = tetrahedron_stiffness(corners, elasticity) * u;
+      // With a unit stiffness the mean stress is the mean strain.
+      const Eigen::VectorXd of_strain = tetrahedron_stiffness(corners, Eigen::Matrix<double, 6, 6>::Identity()) * u;
+      FilmCell<3> cell{.part = FilmPart::grain, .corners = corners.size(), .content = volume_of(corners)};
+      cell.strain = as_tensor(unknowns.macroscopic.transpose() * of_strain / cell.content);
+      cell.stress = as_array(unknowns.macroscopic.transpose() * forces / cell.content);
+      cell.work = u.dot(forces) / cell.content;
+      for (std::size_t corner = 0; corner < corners.size(); ++corner) {
+        const auto [found, is_new] = point_of.try_emplace(tetrahedron[corner]);
+        if (is_new) found->second = add_point(nodes[corner]);
+        fields_.corners.push_back(found->second);
+      }
+      fields_.cells.push_back(cell);
+    }
+  }
+
+  /// The integral of the strain over an element of binder whose unknowns have these values, without the flow.
+  template <class Element>
+  [[nodiscard]] static Tensor strain_integral(const ElementUnknowns<3>& unknowns, const Element& element,
+                                              const Eigen::VectorXd& u) {
+    // With a unit shear modulus the stress is twice the deviator of the strain.
+    Tensor strain = unknowns.macroscopic.transpose() * (element.shear * u);
+    strain.head<3>() *= 0.5;
+    strain.head<3>().array() += element.dilatation.colwise().sum().dot(u) / 3.0;
+    return strain;
+  }
+
+  /// Values of a field of the pressure functions (a pressure or a volumetric strain) at nodes.
+  [[nodiscard]] static Eigen::VectorXd at_nodes(const Eigen::VectorXd& field, std::span<const SheetNode> nodes) {
+    Eigen::VectorXd values(static_cast<Eigen::Index>(nodes.size()));
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      values[static_cast<Eigen::Index>(i)] = field[static_cast<Eigen::Index>(nodes[i].number)];
+    }
+    return values;
+  }
+
+  /// Sets the stress and the work of a cell of binder with these unknowns and pressures.
+  template <class Element>
+  void set_stress(FilmCell<3>& cell, const ElementUnknowns<3>& unknowns, const Element& element,
+                  std::span<const SheetNode> pressures) const {
+    const Eigen::VectorXd forces = element.shear * values_of(unknowns, *shear_);
+    const Eigen::VectorXd bulk_forces = element.volume * at_nodes(negative_pressure_, pressures);
+    const Tensor deviator = unknowns.macroscopic.transpose() * forces / cell.content;
+    cell.stress = stress_of(deviator, -bulk_forces.sum() / cell.content);
+    cell.work =
+        (values_of(unknowns, *displacement_).dot(forces) + at_nodes(volumetric_strain_, pressures).dot(bulk_forces)) /
+        cell.content;
+  }
+
+  /// Adds a channel or a junction; `flow` is the part of the integral of its strain that comes from flows into it.
+  void add_binder(FilmPart part, std::span<const SolidNode> nodes, const BinderElement& element,
+                  std::span<const SheetNode> pressures, const Tensor& flow, std::span<const SolidNode> corners) {
+    const auto unknowns = unknowns_of(nodes);
+    FilmCell<3> cell{.part = part, .content = element.volume.sum()};
+    const Tensor strain = strain_integral(unknowns, element, values_of(unknowns, *displacement_)) + flow;
+    cell.strain = as_tensor(strain / cell.content);
+    set_stress(cell, unknowns, element, pressures);
+    add_cell(cell, corners);
+  }
+
+  [[nodiscard]] std::array<int, FilmWedge::flows> flows_of(std::size_t triangle) const {
+    std::array<int, FilmWedge::flows> flows{};
+    for (std::size_t i = 0; i < flows.size(); ++i) flows[i] = mesh_.flow(triangle) + static_cast<int>(i);
+    return flows;
+  }
+
+  [[nodiscard]] MiddleTriangle middle_of(std::size_t triangle) const {
+    const auto [first, second] = mesh_.film(triangle).triangles;
+    const auto axes = film_axes(mesh_.film(triangle));
+    MiddleTriangle middle;
+    middle.normal = axes.col(0).cross(axes.col(1));
+    for (std::size_t k = 0; k < first.size(); ++k) {
+      const auto flow = displacement_->unknowns().segment<2>(mesh_.flow(triangle) + 2 * static_cast<int>(k));
+      middle.corners[k] = {0.5 * (first[k] + second[k]), (second[k] - first[k]).dot(middle.normal), axes * flow};
+    }
+    return middle;
+  }
+
+  /// The part of the integral of the strain over a triangle of a film that comes from the flow through its edges. At an
+  /// edge between two triangles the flow is the mean of theirs; what leaves at a rim enters the channel there.
+  [[nodiscard]] Tensor strain_by_flow(std::size_t triangle) {
+    const auto& element = mesh_.sheets().triangles[triangle];
+    const auto middle = middle_of(triangle);
+    Tensor sum = Tensor::Zero();
+    for (int edge = 0; edge < 3; ++edge) {
+      const auto &begin = middle.corner(edge), &end = middle.corner(edge + 1);
+      std::array flows = {begin.flow, end.flow};
+      const auto [low, high] = edges_.equal_range(key_of(element, edge));
+      for (auto other = low; other != high; ++other) {
+        const auto [neighbour, number] = other->second;
+        if (neighbour == triangle) continue;
+        // The neighbour passes the edge in the other direction.
+        const auto beyond = middle_of(neighbour);
+        flows = {0.5 * (flows[0] + beyond.corner(number + 1).flow), 0.5 * (flows[1] + beyond.corner(number).flow)};
+      }
+      const Eigen::Vector3d outward = (end.position - begin.position).cross(middle.normal);
+      const Tensor strain =
+          strain_by(integral_of_product({begin.thickness, end.thickness}, flows) * outward.transpose());
+      sum += strain;
+      constexpr int rim = 1;
+      if (element.is_at_rim && edge == rim) inflow_[segment_.at(std::get<1>(key_of(element, edge)))] -= strain;
+    }
+    return sum;
+  }
+
+  void add_film(std::size_t t) {
+    const auto nodes = mesh_.nodes_of_film(t);
+    const auto unknowns = unknowns_of(nodes, flows_of(t));
+    const auto u = values_of(unknowns, *displacement_);
+    const auto wedge = mesh_.film(t);
+    const bool is_at_rim = mesh_.sheets().triangles[t].is_at_rim;
+    const auto element = film_wedge(wedge, is_at_rim);
+    const auto debonding = mesh_.debonding(t);
+    FilmCell<3> cell{.part = is_gap(debonding) ? FilmPart::gap : FilmPart::film, .content = element.volume.sum()};
+    cell.strain = as_tensor((strain_integral(unknowns, element, u) + strain_by_flow(t)) / cell.content);
+    set_motion(cell, u, element.axes);
+    if (!is_gap(debonding)) {
+      const bool slides = debonding == Debonding::slip;
+      set_stress(cell, unknowns, slides ? sliding_film_wedge(wedge, is_at_rim) : element,
+                 mesh_.sheets().triangles[t].nodes);
+    }
+    // A wedge of VTK begins with the triangle that is counter-clockwise from outside.
+    add_cell(cell, std::array{nodes[6], nodes[7], nodes[8], nodes[0], nodes[1], nodes[2]});
+  }
+
+  /// Sets slip, opening and flow of a triangle of a film whose unknowns have these values.
+  static void set_motion(FilmCell<3>& cell, const Eigen::VectorXd& u, const Eigen::Matrix<double, 3, 2>& axes) {
+    Eigen::Vector3d relative = Eigen::Vector3d::Zero();
+    Eigen::Vector2d flow = Eigen::Vector2d::Zero();
+    // The mean of a quadratic function over a triangle is that of its values in the middles of the edges.
+    for (int k = 0; k < 3; ++k) {
+      constexpr int second_side = 18, first_middle = 9;
+      const int middle = first_middle + 3 * k;
+      relative += (u.segment<3>(second_side + middle) - u.segment<3>(middle)) / 3.0;
+      flow += u.segment<2>(FilmWedge::displacements + 2 * k) / 3.0;
+    }
+    cell.slip = (axes.transpose() * relative).norm();
+    cell.opening = axes.col(0).cross(axes.col(1)).dot(relative);
+    cell.flow = flow.norm();
+  }
+
+  SpaceMesh mesh_;
+  const FilmProblem<3>* problem_;
+  double side_;
+  Tensor strain_;
+  const FilmVector *displacement_, *shear_;
+  Eigen::VectorXd volumetric_strain_, negative_pressure_;      ///< values by node of the sheets
+  std::multimap<EdgeKey, std::pair<std::size_t, int>> edges_;  ///< triangles and their edges, one or two by edge
+  std::map<std::size_t, std::size_t> segment_;                 ///< segment of a channel by the node in its middle
+  std::vector<Tensor> inflow_;  ///< part of the integral of the strain that comes from flow into a channel, by segment
+  FilmFields<3> fields_;
+};
+
+}  // namespace
+
+FilmFields<3> fields_of(const FilmComposite<3>& composite, const FilmProblem<3>& problem, Load load,
+                        const quasistatic::CompositeState<FilmVector>& state) {
+  if (problem.layers) throw InputError("films: there are no fields of resolved films, only of thin ones");
+  return Recovery(composite, problem, load, state).fields();
+}
+
+}  // namespace breccia::films

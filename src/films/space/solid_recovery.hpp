@@ -1,0 +1,17 @@
+#pragma once
+
+#include "breccia/discretisation/load.hpp"
+#include "breccia/films/film_fields.hpp"
+#include "breccia/films/film_problem.hpp"
+
+#include "films/film_composite.hpp"
+#include "quasistatic/reduced/composite_state.hpp"
+
+namespace breccia::films {
+
+/// Fields of grains and films in space in a state under a load (theory, Eqs. 67 to 69 and 69e). The composite is the
+/// one of the problem. Throws like the constructor of the composite, and InputError for resolved films.
+[[nodiscard]] FilmFields<3> fields_of(const FilmComposite<3>& composite, const FilmProblem<3>& problem, Load load,
+                                      const quasistatic::CompositeState<FilmVector>& state);
+
+}  // namespace breccia::films

@@ -1,0 +1,191 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "breccia/microstructure/cell_faces.hpp"
+#include "breccia/microstructure/random_sites.hpp"
+#include "breccia/viscoelasticity/interconversion.hpp"
+
+#include "films/film_sampling.hpp"
+#include "films/film_stepping.hpp"
+#include "films/grains_and_films.hpp"
+#include "films/space/solid_recovery.hpp"
+#include "quasistatic/reduced/carson_path.hpp"
+
+namespace breccia::films {
+namespace {
+
+using test::hmx;
+
+constexpr std::array loads_in_space = {Load::shear, Load::axial_shear, Load::shear_yz, Load::bulk};
+constexpr std::size_t components = 6;
+
+/// A fifth of the films of six grains are debonded in some way, or all are bonded.
+FilmProblem<3> six_grains(std::optional<Debonding> debonding = {}) {
+  RandomTessellationRequest request;
+  request.side = 1e-3;
+  for (int i = 0; i < 6; ++i) request.diameters.push_back(1.0 + 0.1 * i);
+  const Tessellation<3> tessellation(random_sites<3>(request));
+  FilmProblem<3> problem = {.tessellation = tessellation,
+                            .thickness = film_thickness(tessellation, 0.93),
+                            .grain = hmx,
+                            .elements = {.divisions = 1}};
+  if (debonding) problem.debonded = {*debonding, random_faces(tessellation, 0.2, 1).faces};
+  return problem;
+}
+
+/// Means of the fields over the box.
+struct Means {
+  double volume = 0.0, work = 0.0;
+  std::array<double, components> stress{}, strain{};
+};
+
+Means means_of(const FilmFields<3>& fields, double side) {
+  Means means;
+  for (const auto& cell : fields.cells) {
+    const double share = cell.content / (side * side * side);
+    means.volume += share;
+    means.work += share * cell.work;
+    for (std::size_t i = 0; i < components; ++i) {
+      means.stress[i] += share * cell.stress[i];
+      means.strain[i] += share * cell.strain[i];
+    }
+  }
+  return means;
+}
+
+template <class Tensor>
+std::array<double, components> components_of(const Tensor& tensor) {
+  return {tensor.xx, tensor.yy, tensor.zz, tensor.yz, tensor.zx, tensor.xy};
+}
+
+/// The stress or strain component of a load.
+double stress_under(Load load, const std::array<double, components>& stress) {
+  const auto& [xx, yy, zz, yz, zx, xy] = stress;
+  return modulus_of<3>(load, {.xx = xx, .yy = yy, .zz = zz, .yz = yz, .zx = zx, .xy = xy});
+}
+
+/// Fields with an elastic binder, and the modulus that the solver found.
+struct ElasticFields {
+  FilmFields<3> fields;
+  double modulus = 0.0;
+};
+
+ElasticFields elastic_fields(const FilmProblem<3>& problem, const Moduli& binder, Load load) {
+  const FilmComposite<3> composite(problem);
+  FilmSolver<3> solver(composite);
+  solver.prepare(std::array{binder.shear, binder.bulk});
+  const auto displacement = solver.solve(load, composite.zero());
+  quasistatic::CompositeState<FilmVector> state{displacement, {displacement, displacement}};
+  state.applied[FilmComposite<3>::shear].scale(binder.shear);
+  state.applied[FilmComposite<3>::bulk].scale(binder.bulk);
+  return {fields_of(composite, problem, load, state), solver.modulus(load, displacement)};
+}
+
+// If the binder has the moduli of the grains, the box is homogeneous: stress and strain are uniform.
+TEST(SolidFields, OfOneMaterialAreUniform) {
+  for (const auto load : loads_in_space) {
+    const auto strain = unit_strain<3>(load);
+    const auto expected = components_of(strain);
+    const double trace = strain.xx + strain.yy + strain.zz;
+    for (const auto& cell : elastic_fields(six_grains(), hmx, load).fields.cells) {
+      for (std::size_t i = 0; i < components; ++i) {
+        const double of_trace = i < 3 ? trace : 0.0;
+        const double stress = 2.0 * hmx.shear * (expected[i] - of_trace / 3.0) + hmx.bulk * of_trace;
+        EXPECT_NEAR(cell.strain[i], expected[i], 1e-9);
+        EXPECT_NEAR(cell.stress[i] / hmx.shear, stress / hmx.shear, 1e-8);
+      }
+      EXPECT_NEAR(cell.flow, 0.0, 1e-12);
+    }
+  }
+}
+
+// The cells tile the box; its mean strain is that of the load, its mean stress and work are the modulus.
+TEST(SolidFields, HaveTheMeansOfTheirLoads) {
+  using enum Debonding;
+  for (const auto debonding :
+       {std::optional<Debonding>(), std::optional(open), std::optional(sealed), std::optional(slip)}) {
+    const auto problem = six_grains(debonding);
+    for (const auto load : loads_in_space) {
+      SCOPED_TRACE(std::string(name_of(load)) + (debonding ? " debonded" : ""));
+      const auto [fields, modulus] = elastic_fields(problem, {test::binder_bulk, 1e6}, load);
+      const auto means = means_of(fields, problem.tessellation.side());
+      EXPECT_NEAR(means.volume, 1.0, 1e-12);
+      const auto expected = components_of(unit_strain<3>(load));
+      for (std::size_t i = 0; i < components; ++i) EXPECT_NEAR(means.strain[i], expected[i], 1e-12);
+      EXPECT_NEAR(stress_under(load, means.stress) / modulus, 1.0, 1e-9);
+      EXPECT_NEAR(means.work / modulus, 1.0, 1e-9);
+    }
+  }
+}
+
+// In time the mean stress and the mean work are the modulus (Hill), of a reduced basis and of steps.
+TEST(SolidFields, HaveTheMeansOfTheCurves) {
+  const auto binder = test::relaxing_binder();
+  const auto problem = six_grains(Debonding::open);
+  const std::array only = {Load::shear};
+  const auto sampled = sample_film_responses(problem, only, carson_path(binder, {1e-7, 1e1}));
+  const auto curve = relaxation_modulus(creep_compliance(sampled.responses.front(), binder));
+  for (const double time : {1e-7, 1e-4, 1e1}) {
+    const auto means = means_of(sampled.fields(0, std::array{binder}, time), problem.tessellation.side());
+    EXPECT_NEAR(stress_under(Load::shear, means.stress) / curve.at(time), 1.0, 1e-9);
+    EXPECT_NEAR(means.work / curve.at(time), 1.0, 1e-9);
+  }
+  const std::vector steps = {1e-7, 1e-6, 1e-5}, kept = {1e-5};
+  const auto stepped = run_film_stepping(problem, binder, only, steps, {}, kept);
+  ASSERT_EQ(stepped.fields.size(), 1U);
+  const auto means = means_of(stepped.fields.front().fields, problem.tessellation.side());
+  EXPECT_NEAR(stress_under(Load::shear, means.stress) / stepped.responses.front().values.back(), 1.0, 1e-9);
+}
+
+// A gap carries nothing and opens or slides; bonded films carry, and the largest strains are in them.
+TEST(SolidFields, ShowGapsAndFilms) {
+  const auto [fields, modulus] = elastic_fields(six_grains(Debonding::open), {test::binder_bulk, 1e6}, Load::shear);
+  std::array<std::size_t, 5> count{};
+  double in_binder = 0.0, all = 0.0;
+  for (const auto& cell : fields.cells) {
+    ++count.at(static_cast<std::size_t>(cell.part));
+    all += cell.content * cell.work;
+    if (cell.part == FilmPart::gap) {
+      EXPECT_EQ(cell.work, 0.0);
+      EXPECT_EQ(cell.stress, (std::array<double, components>{}));
+      EXPECT_EQ(cell.flow, 0.0);
+      EXPECT_GT(std::hypot(cell.slip, cell.opening), 0.0);
+    }
+    if (cell.part != FilmPart::grain) in_binder += cell.content * cell.work;
+    EXPECT_EQ(cell.corners, cell.part == FilmPart::grain || cell.part == FilmPart::junction ? 4U : 6U);
+  }
+  for (const auto number : count) EXPECT_GT(number, 0U);
+  EXPECT_GT(in_binder / all, 0.5);
+  EXPECT_GT(modulus, 0.0);
+}
+
+// The corners of films, channels and junctions move with the grains that they touch.
+TEST(SolidFields, AreContinuousInTheDisplacement) {
+  const auto problem = six_grains();
+  const auto fields = elastic_fields(problem, {test::binder_bulk, 1e6}, Load::shear).fields;
+  const double near = 1e-9 * problem.tessellation.side();
+  std::size_t met = 0;
+  for (std::size_t i = 0; i < fields.points.size(); i += 97) {
+    for (std::size_t j = 0; j < i; ++j) {
+      double distance = 0.0, jump = 0.0;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        distance = std::max(distance, std::abs(fields.points[i][axis] - fields.points[j][axis]));
+        jump = std::max(jump, std::abs(fields.displacement[i][axis] - fields.displacement[j][axis]));
+      }
+      if (distance > near) continue;
+      ++met;
+      EXPECT_LT(jump, near);
+    }
+  }
+  EXPECT_GT(met, 20U);
+}
+
+}  // namespace
+}  // namespace breccia::films
