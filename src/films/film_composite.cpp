@@ -1,8 +1,11 @@
 #include "films/film_composite.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 
+#include "films/solver/compressed_factors.hpp"
+#include "films/solver/symmetric_factors.hpp"
 #include "quasistatic/stepping/log_time_integrator.hpp"
 
 namespace breccia::films {
@@ -46,21 +49,34 @@ FilmVector FilmComposite<dim>::forces(std::span<const double> parameters, Load l
 
 namespace {
 
-/// The largest memory of the factors in a process [B]. It does not depend on the free memory, because factors in files
-/// change the last digits.
-constexpr double memory_of_factors = 2e9;
+/// Whether full factors are made of a number of unknowns. In the plane compressed ones have most of their entries. The
+/// limit does not depend on the free memory, because the last digits of the solvers differ.
+template <int dim>
+bool has_full_factors(std::int64_t unknowns) {
+  constexpr std::int64_t most_in_space = 150'000;
+  return dim == 2 || unknowns <= most_in_space;
+}
+
+std::unique_ptr<SymmetricSolver> make_solver(bool has_full_factors) {
+  // In a process [B]. It does not depend on the free memory either: factors in files change the last digits.
+  constexpr double memory_of_factors = 2e9;
+  if (has_full_factors) return std::make_unique<SymmetricFactors>(memory_of_factors);
+  return std::make_unique<CompressedFactors>();
+}
 
 }  // namespace
 
 template <int dim>
-FilmSolver<dim>::FilmSolver(const FilmComposite<dim>& composite) : composite_(&composite), factors_(memory_of_factors) {
+FilmSolver<dim>::FilmSolver(const FilmComposite<dim>& composite) : composite_(&composite) {
   effort_.unknowns = composite.film_operator().unknowns() + composite.film_operator().pressures();
+  effort_.is_direct = has_full_factors<dim>(effort_.unknowns);
+  solver_ = make_solver(effort_.is_direct);
 }
 
 template <int dim>
 void FilmSolver<dim>::prepare(std::span<const double> parameters) {
   std::ranges::copy(parameters, parameters_.begin());
-  factors_.factorise(
+  solver_->factorise(
       [this] { return composite_->film_operator().matrix({.bulk = parameters_[1], .shear = parameters_[0]}); });
   ++effort_.factorisations;
 }
@@ -71,9 +87,11 @@ FilmVector FilmSolver<dim>::solve_forces(Load /*load*/, const FilmVector& forces
   Eigen::VectorXd right_side = Eigen::VectorXd::Zero(film_operator.unknowns() + film_operator.pressures());
   right_side.head(film_operator.unknowns()) = forces.unknowns();
   auto solution = composite_->zero();
-  solution.set_unknowns(factors_.solve(right_side).head(film_operator.unknowns()));
+  solution.set_unknowns(solver_->solve(right_side).head(film_operator.unknowns()));
   ++effort_.solves;
-  effort_.largest_residual = std::max(effort_.largest_residual, factors_.residual());
+  effort_.iterations += solver_->iterations();
+  effort_.most_iterations = std::max(effort_.most_iterations, solver_->iterations());
+  effort_.largest_residual = std::max(effort_.largest_residual, solver_->residual());
   return solution;
 }
 

@@ -2,10 +2,11 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <span>
 
 #include "films/assembly/film_operator.hpp"
-#include "films/solver/symmetric_factors.hpp"
+#include "films/solver/symmetric_solver.hpp"
 #include "quasistatic/reduced/affine_composite.hpp"
 #include "quasistatic/reduced/stored_vectors.hpp"
 
@@ -70,7 +71,7 @@ class FilmSolver {
  private:
   const FilmComposite<dim>* composite_;
   std::array<double, 2> parameters_{};
-  SymmetricFactors factors_;
+  std::unique_ptr<SymmetricSolver> solver_;
   LinearEffort effort_;
 };
 

@@ -45,7 +45,7 @@ struct LinearEffort {
   std::int64_t unknowns = 0;
   int factorisations = 0;  ///< number of factorisations, or of set-ups of another preconditioner
   int solves = 0;
-  int iterations = 0;           ///< iterations of conjugate gradients in all solves together
+  int iterations = 0;           ///< iterations in all solves together
   int most_iterations = 0;      ///< largest number of iterations in one solve
   double largest_residual = 0;  ///< largest residual after a solve, relative to the load [-]
 };
