@@ -49,28 +49,23 @@ FilmVector FilmComposite<dim>::forces(std::span<const double> parameters, Load l
 
 namespace {
 
-/// Whether full factors are made of a number of unknowns. In the plane compressed ones have most of their entries. The
-/// limit does not depend on the free memory, because the last digits of the solvers differ.
-template <int dim>
-bool has_full_factors(std::int64_t unknowns) {
-  constexpr std::int64_t most_in_space = 150'000;
-  return dim == 2 || unknowns <= most_in_space;
-}
-
-std::unique_ptr<SymmetricSolver> make_solver(bool has_full_factors) {
-  // In a process [B]. It does not depend on the free memory either: factors in files change the last digits.
-  constexpr double memory_of_factors = 2e9;
-  if (has_full_factors) return std::make_unique<SymmetricFactors>(memory_of_factors);
-  return std::make_unique<CompressedFactors>();
-}
+/// The largest memory of full factors in a process [B]. It does not depend on the free memory, because factors in files
+/// change the last digits.
+constexpr double memory_of_factors = 2e9;
 
 }  // namespace
 
 template <int dim>
-FilmSolver<dim>::FilmSolver(const FilmComposite<dim>& composite) : composite_(&composite) {
+FilmSolver<dim>::FilmSolver(const FilmComposite<dim>& composite, std::int64_t most_of_full_factors)
+    : composite_(&composite) {
   effort_.unknowns = composite.film_operator().unknowns() + composite.film_operator().pressures();
-  effort_.is_direct = has_full_factors<dim>(effort_.unknowns);
-  solver_ = make_solver(effort_.is_direct);
+  // In the plane compressed factors have most of the entries of full ones.
+  effort_.is_direct = dim == 2 || effort_.unknowns <= most_of_full_factors;
+  if (effort_.is_direct) {
+    solver_ = std::make_unique<SymmetricFactors>(memory_of_factors);
+  } else {
+    solver_ = std::make_unique<CompressedFactors>(memory_of_factors);
+  }
 }
 
 template <int dim>
@@ -89,9 +84,11 @@ FilmVector FilmSolver<dim>::solve_forces(Load /*load*/, const FilmVector& forces
   auto solution = composite_->zero();
   solution.set_unknowns(solver_->solve(right_side).head(film_operator.unknowns()));
   ++effort_.solves;
-  effort_.iterations += solver_->iterations();
-  effort_.most_iterations = std::max(effort_.most_iterations, solver_->iterations());
-  effort_.largest_residual = std::max(effort_.largest_residual, solver_->residual());
+  const auto& [factorisations, iterations, residual] = solver_->effort();
+  effort_.factorisations += factorisations;
+  effort_.iterations += iterations;
+  effort_.most_iterations = std::max(effort_.most_iterations, iterations);
+  effort_.largest_residual = std::max(effort_.largest_residual, residual);
   return solution;
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 
@@ -46,11 +47,16 @@ class FilmComposite {
   FilmOperator<dim> film_operator_;
 };
 
+/// The number of unknowns in space from which on compressed factors are the faster ones (docs/performance.md). It does
+/// not depend on the machine, because the last digits of the solvers differ.
+inline constexpr std::int64_t full_factors_in_space = 150'000;
+
 /// Solves for the displacements of grains and films, which must outlive it, for one binder after the other.
 template <int dim>
 class FilmSolver {
  public:
-  explicit FilmSolver(const FilmComposite<dim>& composite);
+  /// In space, more unknowns than `most_of_full_factors` are solved for by CompressedFactors.
+  explicit FilmSolver(const FilmComposite<dim>& composite, std::int64_t most_of_full_factors = full_factors_in_space);
 
   /// Factorises the matrix for a binder with these positive moduli [Pa], shear and bulk.
   void prepare(std::span<const double> parameters);

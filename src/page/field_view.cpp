@@ -1,5 +1,6 @@
 #include "page/field_view.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -110,7 +111,7 @@ Json view_of_cells(const std::filesystem::path& path, const Hdf5Reader& fields, 
 std::vector<CellTensor> tensors_of(const Hdf5Reader& file, const std::string& name, const FilmPieces& pieces) {
   const auto values = file.read_numbers("/VTKHDF/CellData/" + name);
   if (values.size() != from_vtk.size() * pieces.count()) {
-    throw FileError(fmt::format("{}: expected {} components", name, from_vtk.size()));
+    throw FileError(fmt::format("{}: expected {} components of each piece", name, from_vtk.size()));
   }
   std::vector<CellTensor> tensors(pieces.count());
   for (std::size_t piece = 0; piece < tensors.size(); ++piece) {
@@ -119,17 +120,26 @@ std::vector<CellTensor> tensors_of(const Hdf5Reader& file, const std::string& na
   return tensors;
 }
 
-/// What is drawn at a piece of grains and films: its phase, or the number after those of binder and grains in a gap.
-std::uint8_t drawn_phase(std::int64_t part) {
-  constexpr std::uint8_t of_binder = 0, of_grain = 1, of_gap = 2;
-  if (static_cast<FilmPart>(part) == FilmPart::grain) return of_grain;
-  return static_cast<FilmPart>(part) == FilmPart::gap ? of_gap : of_binder;
+/// What is drawn at a piece of grains and films: its phase, or the number after those of binder and grains where a film
+/// is debonded.
+std::uint8_t drawn_phase(FilmPart part) {
+  constexpr std::uint8_t of_binder = 0, of_grain = 1, of_debonded = 2;
+  if (part == FilmPart::grain) return of_grain;
+  return part == FilmPart::gap || part == FilmPart::slip ? of_debonded : of_binder;
 }
 
-Json view_of_films(const Hdf5Reader& file, double side, Load load, Boundary boundary, std::size_t along) {
-  const auto pieces = film_pieces(file);
+Json view_of_films(const std::filesystem::path& path, const Hdf5Reader& file, double side, Load load, Boundary boundary,
+                   std::size_t along) {
+  const auto pieces = film_pieces(path.string(), file);
   const auto volumes = volumes_of(pieces);
-  const auto piece_of_cell = pieces_in_cells(pieces, side, along);
+  auto piece_of_cell = pieces_in_cells(pieces, side, along);
+  const auto missed = std::ranges::count(piece_of_cell, pieces.count());
+  constexpr std::int64_t most_missed = 1000;  // one of so many may be missed by rounding, and looks like the one before
+  if (missed * most_missed > static_cast<std::int64_t>(piece_of_cell.size())) {
+    throw FileError(fmt::format("{}: the pieces do not fill a box of {} m", path.string(), side));
+  }
+  std::size_t before = 0;
+  for (auto& piece : piece_of_cell) before = piece = piece == pieces.count() ? before : piece;
   const auto in_cells = [&](VolumeQuantity of_pieces) {
     std::vector<double> values;
     values.reserve(piece_of_cell.size());
@@ -150,7 +160,7 @@ Json view_of_films(const Hdf5Reader& file, double side, Load load, Boundary boun
 
 Json field_view(const std::filesystem::path& file, double side, Load load, Boundary boundary, std::size_t most_along) {
   const Hdf5Reader fields(file);
-  if (fields.has("/VTKHDF/CellData/part")) return view_of_films(fields, side, load, boundary, most_along);
+  if (fields.has("/VTKHDF/CellData/part")) return view_of_films(file, fields, side, load, boundary, most_along);
   return view_of_cells(file, fields, load, boundary, most_along);
 }
 

@@ -6,7 +6,9 @@
 #include <span>
 #include <utility>
 
-#include "breccia/films/film_fields.hpp"
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
 
 namespace breccia {
 namespace {
@@ -87,13 +89,27 @@ std::vector<Point> corners_of(const FilmPieces& pieces, std::size_t piece) {
   return corners;
 }
 
+/// Whether pieces have four or six corners each, among the points, and known parts.
+bool is_sound(const FilmPieces& pieces) {
+  if (pieces.count() == 0 || pieces.offsets.size() != pieces.count() + 1) return false;
+  if (pieces.offsets.front() != 0 || pieces.offsets.back() != static_cast<std::int64_t>(pieces.corners.size()))
+    return false;
+  for (std::size_t i = 0; i < pieces.count(); ++i) {
+    const auto corners = pieces.offsets[i + 1] - pieces.offsets[i];
+    if (corners != 4 && corners != 6) return false;
+    if (pieces.parts[i] < FilmPart::grain || pieces.parts[i] > FilmPart::slip) return false;
+  }
+  const auto points = static_cast<std::int64_t>(pieces.points.size());
+  return std::ranges::all_of(pieces.corners, [points](auto corner) { return corner >= 0 && corner < points; });
+}
+
 /// A periodic cube of cells that are filled with the numbers of pieces.
 class CellsOfCube {
  public:
-  CellsOfCube(double side, std::size_t along)
-      : along_(static_cast<std::int64_t>(along)), spacing_(side / static_cast<double>(along)) {
-    cells_.resize(along * along * along);
-  }
+  CellsOfCube(double side, std::size_t along, std::size_t nothing)
+      : along_(static_cast<std::int64_t>(along)),
+        spacing_(side / static_cast<double>(along)),
+        cells_(along * along * along, nothing) {}
 
   /// Puts a piece into the cells whose middles are inside, or outside by no more than a share of a cell.
   void put(std::size_t number, const Piece& piece, double share) {
@@ -129,7 +145,7 @@ class CellsOfCube {
 
 }  // namespace
 
-FilmPieces film_pieces(const Hdf5Reader& file) {
+FilmPieces film_pieces(const std::string& name, const Hdf5Reader& file) {
   FilmPieces pieces;
   const auto coordinates = file.read_numbers("/VTKHDF/Points");
   for (std::size_t i = 0; i + 2 < coordinates.size(); i += 3) {
@@ -137,7 +153,10 @@ FilmPieces film_pieces(const Hdf5Reader& file) {
   }
   pieces.corners = file.read_integers("/VTKHDF/Connectivity");
   pieces.offsets = file.read_integers("/VTKHDF/Offsets");
-  pieces.parts = file.read_integers("/VTKHDF/CellData/part");
+  for (const auto part : file.read_integers("/VTKHDF/CellData/part")) {
+    pieces.parts.push_back(static_cast<FilmPart>(part));
+  }
+  if (!is_sound(pieces)) throw FileError(fmt::format("{}: expected tetrahedra and wedges of grains and films", name));
   return pieces;
 }
 
@@ -155,10 +174,10 @@ std::vector<double> volumes_of(const FilmPieces& pieces) {
 
 std::vector<std::size_t> pieces_in_cells(const FilmPieces& pieces, double side, std::size_t along) {
   constexpr double of_grains = 1e-6, of_binder = 0.5;
-  CellsOfCube cells(side, along);
+  CellsOfCube cells(side, along, pieces.count());
   const auto put = [&](bool is_grain, double share) {
     for (std::size_t i = 0; i < pieces.count(); ++i) {
-      if ((static_cast<FilmPart>(pieces.parts[i]) == FilmPart::grain) != is_grain) continue;
+      if ((pieces.parts[i] == FilmPart::grain) != is_grain) continue;
       cells.put(i, Piece(corners_of(pieces, i)), share);
     }
   };

@@ -1,7 +1,6 @@
 #include "report/image_picture.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -17,17 +16,6 @@
 
 namespace breccia {
 namespace {
-
-/// The colour of a text such as "#5b7f95".
-Rgb parse_colour(std::string_view text) {
-  const auto part = [text](std::size_t place) {
-    std::uint8_t value = 0;
-    const auto digits = text.substr(place, 2);
-    std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
-    return value;
-  };
-  return {part(1), part(3), part(5)};
-}
 
 /// The most frequent label in the square with this lower left corner and a side of at most `side` pixels.
 Label most_frequent_label(const LabelImage<2>& image, std::size_t column, std::size_t row, std::size_t side,
@@ -61,7 +49,7 @@ std::string coloured_picture(const LabelImage<2>& image, std::span<const std::st
     throw InputError("picture of an image: a label has no colour");
   }
   std::vector<Rgb> palette;
-  for (const auto colour : colours) palette.push_back(parse_colour(colour));
+  for (const auto colour : colours) palette.push_back(parsed_colour(colour));
   constexpr std::size_t most_columns = 1000;
   const auto columns = static_cast<std::size_t>(image.pixels[0]);
   const auto side = (columns + most_columns - 1) / most_columns;

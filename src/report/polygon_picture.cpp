@@ -11,6 +11,7 @@
 #include "report/colour_range.hpp"
 #include "report/embedded_png.hpp"
 #include "report/map_frame.hpp"
+#include "report/picture_frame.hpp"
 
 namespace breccia {
 namespace {
@@ -121,15 +122,17 @@ std::string polygon_picture(const PolygonPicture& picture) {
   }
   if (values.empty()) throw InputError("picture of polygons: no polygon in the box has a value");
   const auto colours = ColourRange::diverging_if_signed(picture.scale, values);
-  // Grey replaces the lowest colour, which the eye cannot distinguish from the next one.
-  constexpr std::uint8_t grey = 0;
+  // Grey and red replace the lowest colours, which the eye cannot distinguish from the next one.
+  constexpr std::uint8_t grey = 0, red = 1, lowest = 2;
   auto palette = colours.colours();
   palette[grey] = {72, 72, 72};
+  palette[red] = parsed_colour(debonded_colour);
   std::vector<std::uint8_t> pixels;
   pixels.reserve(canvas.pixels().size());
   for (const auto number : canvas.pixels()) {
     const auto value = value_at(number);
-    pixels.push_back(value ? std::max<std::uint8_t>(grey + 1, colours.index_of(*value)) : grey);
+    const bool is_gap = number != Canvas::nothing && picture.polygons[number].is_gap;
+    pixels.push_back(value ? std::max(lowest, colours.index_of(*value)) : is_gap ? red : grey);
   }
   return framed_maps({.title = picture.title,
                       .quantity = picture.quantity,

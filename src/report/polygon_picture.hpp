@@ -12,7 +12,8 @@ namespace breccia {
 /// A convex polygon in a map.
 struct MapPolygon {
   std::vector<std::array<double, 2>> corners;  ///< corners [m]
-  std::optional<double> value = {};            ///< value; a polygon without a value is grey
+  std::optional<double> value = {};            ///< value; a polygon without a value is grey or, as a gap, red
+  bool is_gap = false;
 };
 
 /// A map of one quantity on polygons in a square box.

@@ -1,5 +1,6 @@
 #include "results/film_field_files.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -110,7 +111,7 @@ void write_file(const fs::path& path, const TimedFilmFields<dim>& timed) {
                {{"displacement_m", 3, std::move(displacement)}}, {{"time_s", time}});
 }
 
-/// A quantity that a map shows in each cell; a cell without a value is grey.
+/// A quantity that a map shows in each cell; a cell without a value is grey, a gap red.
 template <int dim>
 struct MapOfCells {
   std::function<std::optional<double>(const FilmCell<dim>&)> value_of;
@@ -136,8 +137,10 @@ template <int dim>
 MapOfCells<dim> strain_map(const FilmFields<dim>& fields, const TestId& test) {
   const auto load = test.load.of_test().value();
   const double mean = mean_of<dim>(fields, [load](const FilmCell<dim>& cell) { return strain_of(load, cell); });
-  return {[](const FilmCell<dim>& cell) { return shear_of(cell); },
-          dim == 2 ? strain_quantity(load, mean) : strain_in_space(load, mean), ColourScale::logarithmic};
+  const auto of_matter = [](const FilmCell<dim>& cell) {
+    return cell.part == FilmPart::gap ? std::nullopt : std::optional(shear_of(cell));
+  };
+  return {of_matter, dim == 2 ? strain_quantity(load, mean) : strain_in_space(load, mean), ColourScale::logarithmic};
 }
 
 /// The work in the binder over its mean in the box.
@@ -159,16 +162,20 @@ template <int dim>
 PolygonPicture picture_of(const FilmFields<dim>& fields, double side, const MapOfCells<dim>& map) {
   PolygonPicture picture{.quantity = map.quantity.words, .unit_size = map.quantity.unit_size, .scale = map.scale};
   for (auto& [cell, corners] : polygons_of(fields, side)) {
-    picture.polygons.push_back({std::move(corners), map.value_of(fields.cells[cell])});
+    const auto& of_cell = fields.cells[cell];
+    picture.polygons.push_back({std::move(corners), map.value_of(of_cell), of_cell.part == FilmPart::gap});
   }
   picture.side = side;
   return picture;
 }
 
-/// The title of a map, which says where it is in a box in space.
+/// The title of a map, which says where it is in a box in space, and that gaps are red.
 template <int dim>
-std::string title_of(const Stage& stage, const TestId& test, double time) {
-  return field_title(stage, test, time) + (dim == 3 ? ", halfway up the box" : "");
+std::string title_of(const Stage& stage, const TestId& test, const TimedFilmFields<dim>& timed) {
+  const auto is_gap = [](const FilmCell<dim>& cell) { return cell.part == FilmPart::gap; };
+  const bool has_gaps = std::ranges::any_of(timed.fields.cells, is_gap);
+  return fmt::format("{}{}{}", field_title(stage, test, timed.time), dim == 3 ? ", halfway up the box" : "",
+                     has_gaps ? ", gaps red" : "");
 }
 
 }  // namespace
@@ -184,7 +191,7 @@ std::vector<FieldRecord> write_fields(const fs::path& directory, const Study& st
       write_file(directory / record.file, fields.at_times[i]);
       const auto draw = [&](const std::string& file, const MapOfCells<dim>& map) {
         auto picture = picture_of(cells, stage.side, map);
-        picture.title = title_of<dim>(stage, test, fields.at_times[i].time);
+        picture.title = title_of(stage, test, fields.at_times[i]);
         picture.load = drawn_load(test.load.of_test().value());
         picture.is_periodic = test.boundary == Boundary::periodic;
         write_text(directory / file, polygon_picture(picture));

@@ -1,6 +1,8 @@
 #include "films/solver/compressed_factors.hpp"
 
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -28,12 +30,10 @@ TEST(MinimalResiduals, SolveInAsManyStepsAsThereAreRows) {
   const Eigen::VectorXd solution = Eigen::VectorXd::LinSpaced(4, 1.0, 4.0), right_side = matrix * solution;
   const auto multiply = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd { return matrix * x; };
   const auto none = [](const Eigen::VectorXd& x) { return x; };
-  const auto found = minimal_residuals(multiply, none, right_side, 1e-12, 10);
+  const auto found = minimal_residuals(multiply, none, right_side, 1e-12);
   EXPECT_EQ(found.iterations, 4);
   EXPECT_LT((found.solution - solution).norm(), 1e-12);
-  const auto early = minimal_residuals(multiply, none, right_side, 1e-12, 2);
-  EXPECT_EQ(early.iterations, 2);
-  EXPECT_NEAR(early.residual, (right_side - matrix * early.solution).norm() / right_side.norm(), 1e-14);
+  EXPECT_LT(found.residual, 1e-12);
 }
 
 TEST(MinimalResiduals, SolveInOneStepWithTheInverse) {
@@ -41,24 +41,59 @@ TEST(MinimalResiduals, SolveInOneStepWithTheInverse) {
   const Eigen::MatrixXd inverse = matrix.inverse();
   const auto multiply = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd { return matrix * x; };
   const auto precondition = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd { return inverse * x; };
-  const auto found = minimal_residuals(multiply, precondition, Eigen::VectorXd::Ones(4), 1e-12, 10);
+  const auto found = minimal_residuals(multiply, precondition, Eigen::VectorXd::Ones(4), 1e-12);
   EXPECT_EQ(found.iterations, 1);
   EXPECT_LT((matrix * found.solution - Eigen::VectorXd::Ones(4)).norm(), 1e-12);
-  const auto zero = minimal_residuals(multiply, precondition, Eigen::VectorXd::Zero(4), 1e-12, 10);
+  const auto zero = minimal_residuals(multiply, precondition, Eigen::VectorXd::Zero(4), 1e-12);
   EXPECT_EQ(zero.iterations, 0);
   EXPECT_EQ(zero.solution, Eigen::VectorXd::Zero(4));
 }
 
+// With an inverse that is off by a thousandth, anew each time, three steps leave 1e-9 and the next ones go on.
+TEST(MinimalResiduals, DoNotNeedALinearPreconditioner) {
+  const auto matrix = unsymmetric_matrix();
+  const Eigen::MatrixXd inverse = matrix.inverse();
+  const auto multiply = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd { return matrix * x; };
+  int calls = 0;
+  const auto precondition = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
+    ++calls;
+    return inverse * x + 1e-3 * std::sin(calls) * x.norm() * Eigen::VectorXd::Unit(4, calls % 4);
+  };
+  const auto found = minimal_residuals(multiply, precondition, Eigen::VectorXd::Ones(4), 1e-13);
+  EXPECT_LT((matrix * found.solution - Eigen::VectorXd::Ones(4)).norm(), 3e-13);
+}
+
+// A cyclic shift has the residual of the right side until the last of as many steps as there are rows, more than a
+// cycle has: the iterations end.
+TEST(MinimalResiduals, EndWhereTheyAreStuck) {
+  constexpr Eigen::Index rows = 200;
+  int products = 0;
+  const auto shift = [&](const Eigen::VectorXd& x) {
+    ++products;
+    Eigen::VectorXd y(rows);
+    y << x.tail(rows - 1), x[0];
+    return y;
+  };
+  const auto none = [](const Eigen::VectorXd& x) { return x; };
+  const auto found = minimal_residuals(shift, none, Eigen::VectorXd::Unit(rows, 0), 1e-10);
+  EXPECT_NEAR(found.residual, 1.0, 1e-12);
+  EXPECT_LE(products, 60);
+  const auto broken = [](const Eigen::VectorXd& x) -> Eigen::VectorXd { return x * std::nan(""); };
+  EXPECT_LE(minimal_residuals(shift, broken, Eigen::VectorXd::Unit(rows, 0), 1e-10).iterations, 1);
+}
+
 TEST(CompressedFactors, SolveForOneMatrixAfterTheOther) {
-  CompressedFactors factors;
+  CompressedFactors factors(std::numeric_limits<double>::infinity());
   for (const double stiffness : {1.0, 1e3, 1e6}) {
     const auto matrix = test::grid_matrix(stiffness);
     factors.factorise([&] { return matrix; });
     const auto load = test::right_side(matrix);
     const auto solution = factors.solve(load);
-    EXPECT_LT((matrix.selfadjointView<Eigen::Lower>() * solution - load).norm(), 1e-7 * load.norm());
-    EXPECT_LT(factors.residual(), 1e-9);
-    EXPECT_GT(factors.iterations(), 0);
+    const double residual = (matrix.selfadjointView<Eigen::Lower>() * solution - load).norm() / load.norm();
+    EXPECT_LT(residual, 1e-7);
+    EXPECT_NEAR(factors.effort().residual / residual, 1.0, 1e-3);
+    EXPECT_GT(factors.effort().iterations, 0);
+    EXPECT_EQ(factors.effort().factorisations, 0);
   }
 }
 
@@ -86,7 +121,7 @@ TEST(CompressedFactors, OfFilmsInSpaceAreAsGoodAsFullOnes) {
   for (const bool has_gaps : {false, true}) {
     if (has_gaps) problem.debonded = {Debonding::open, random_faces(tessellation, 0.2, 1).faces};
     const FilmComposite<3> composite(problem);
-    CompressedFactors compressed;
+    CompressedFactors compressed(std::numeric_limits<double>::infinity());
     SymmetricFactors full(std::numeric_limits<double>::infinity());
     for (const double shear : {1e9, 1e7, 1e5}) {
       const auto matrix = [&] { return composite.film_operator().matrix({.bulk = test::binder_bulk, .shear = shear}); };
@@ -95,10 +130,68 @@ TEST(CompressedFactors, OfFilmsInSpaceAreAsGoodAsFullOnes) {
       for (const auto load : {Load::shear, Load::bulk}) {
         const auto forces = forces_of(composite, {shear, test::binder_bulk}, load);
         EXPECT_NEAR(forces.dot(compressed.solve(forces)) / forces.dot(full.solve(forces)), 1.0, 1e-9);
-        EXPECT_LT(compressed.iterations(), 60);
+        EXPECT_LT(compressed.effort().iterations, 60);
       }
     }
   }
+}
+
+/// Expects that the moduli of a problem by compressed factors are those by full ones.
+void expect_same_moduli(const FilmProblem<3>& problem) {
+  constexpr std::int64_t none = 0, all = std::numeric_limits<std::int64_t>::max();
+  const FilmComposite<3> composite(problem);
+  FilmSolver<3> compressed(composite, none), full(composite, all);
+  for (auto* solver : {&compressed, &full}) solver->prepare(std::array{1e6, test::binder_bulk});
+  for (const auto load : {Load::shear, Load::bulk}) {
+    const auto one = compressed.solve(load, composite.zero()), other = full.solve(load, composite.zero());
+    EXPECT_NEAR(compressed.modulus(load, one) / full.modulus(load, other), 1.0, 1e-9);
+  }
+  EXPECT_FALSE(compressed.effort().is_direct);
+  EXPECT_GT(compressed.effort().iterations, 0);
+  EXPECT_LT(compressed.effort().largest_residual, 1e-6);
+  EXPECT_TRUE(full.effort().is_direct);
+}
+
+TEST(CompressedFactors, ServeFilmsOfAllKinds) {
+  RandomTessellationRequest request;
+  request.side = 1e-3;
+  for (int i = 0; i < 6; ++i) request.diameters.push_back(1.0 + 0.4 * i);
+  const Tessellation<3> tessellation(random_sites<3>(request));
+  const FilmProblem<3> bonded = {.tessellation = tessellation,
+                                 .thickness = film_thickness(tessellation, 0.93),
+                                 .grain = test::hmx,
+                                 .elements = {.divisions = 1}};
+  auto resolved = bonded;
+  resolved.layers = 1;
+  expect_same_moduli(resolved);
+  for (const auto kind : {Debonding::slip, Debonding::sealed}) {
+    auto debonded = bonded;
+    debonded.debonded = {kind, random_faces(tessellation, 0.3, 1).faces};
+    expect_same_moduli(debonded);
+  }
+  auto crystals = bonded;
+  StiffnessTensor<3> cubic = StiffnessTensor<3>::Zero();
+  cubic.topLeftCorner<3, 3>().setConstant(8e9);
+  cubic.diagonal() << 20e9, 20e9, 20e9, 9e9, 9e9, 9e9;
+  crystals.crystals.assign(tessellation.size(), cubic);
+  expect_same_moduli(crystals);
+}
+
+// Two rows and columns that differ by 1e-9 of a diagonal are one in single precision: full factors take over.
+TEST(CompressedFactors, GiveWayToFullOnes) {
+  auto matrix = test::grid_matrix(1.0);
+  const auto last = matrix.rows();
+  matrix.conservativeResize(last + 2, last + 2);
+  for (Eigen::Index i = 0; i < 2; ++i) matrix.insert(last + i, last + i) = 1.0 + 1e-9;
+  matrix.insert(last + 1, last) = 1.0;
+  CompressedFactors factors(std::numeric_limits<double>::infinity());
+  factors.factorise([&] { return matrix; });
+  Eigen::VectorXd load = test::right_side(matrix);
+  const auto solution = factors.solve(load);
+  EXPECT_LT((matrix.selfadjointView<Eigen::Lower>() * solution - load).norm(), 1e-6 * load.norm());
+  EXPECT_GT(factors.effort().factorisations, 0);
+  // The solution does not depend on those before it.
+  EXPECT_EQ(factors.solve(load), solution);
 }
 
 // A matrix without an inverse is refused, or its solution.
@@ -110,7 +203,7 @@ TEST(CompressedFactors, RefuseASingularMatrix) {
       if (at.row() == 7 || column == 7) at.valueRef() = 0.0;
     }
   }
-  CompressedFactors factors;
+  CompressedFactors factors(std::numeric_limits<double>::infinity());
   EXPECT_THROW(
       {
         factors.factorise([&] { return matrix; });

@@ -81,6 +81,7 @@ void expect_exact_films(const LaguerreSites<dim>& sites, double film) {
     const auto& nearest = *std::ranges::min_element(faces, {}, height);
     const double to_face = height(nearest);
     if (std::abs(to_face - 0.5 * film - depth) > roundoff) continue;  // another image
+    EXPECT_EQ(&faces[nearest_film], &nearest);
     const auto at = [&](double beyond) {
       Vector<dim> moved = point;
       for (std::size_t axis = 0; axis < dim; ++axis) moved[axis] += nearest.normal[axis] * (to_face + beyond);

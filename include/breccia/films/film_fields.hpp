@@ -14,7 +14,8 @@ enum class FilmPart {
   film,
   junction,  ///< the binder between the corners of three or more grains, in space of four
   gap,       ///< a film that is debonded and carries nothing
-  channel    ///< in space, the binder along an edge between three grains
+  channel,   ///< in space, the binder along an edge between three grains
+  slip       ///< a film whose binder slides along one of its sides
 };
 
 /// A cell of the fields of grains and films. In the plane: a triangle of a grain, a quadrilateral of a film or a gap
@@ -25,8 +26,8 @@ template <int dim>
 struct FilmCell {
   FilmPart part = FilmPart::grain;
   std::size_t corners = 0;  ///< number of its corners, in FilmFields::corners
-  /// Area [m^2] or volume [m^3]; its sums with fields are the integrals of the solver. Negative for a junction of the
-  /// plane that is inverted.
+  /// Area [m^2] or volume [m^3]; the integral of a field is the sum of the contents times the field. Negative where a
+  /// junction or a channel is inverted.
   double content = 0.0;
   std::array<double, tensor_components<dim>> strain{};  ///< xx, yy, xy or xx, yy, zz, yz, zx, xy; the tensor shears [-]
   std::array<double, dim == 2 ? 4 : 6> stress{};        ///< xx, yy, zz, xy or xx, yy, zz, yz, zx, xy [Pa]

@@ -8,12 +8,19 @@
 #include <Eigen/Core>
 
 #include "breccia/films/debonding.hpp"
+#include "breccia/films/film_fields.hpp"
 
 namespace breccia::films {
 
 /// Whether a film that is debonded in this way, or bonded, carries nothing.
 [[nodiscard]] constexpr bool is_gap(const std::optional<Debonding>& debonding) noexcept {
   return debonding == Debonding::open || debonding == Debonding::sealed;
+}
+
+/// The part of the fields to which a film belongs that is debonded in this way, or bonded.
+[[nodiscard]] constexpr FilmPart part_of_film(const std::optional<Debonding>& debonding) noexcept {
+  if (is_gap(debonding)) return FilmPart::gap;
+  return debonding ? FilmPart::slip : FilmPart::film;
 }
 
 /// Finds out by its grains whether a film is debonded.

@@ -48,6 +48,8 @@ class FilmMesh {
   [[nodiscard]] bool is_gap(std::size_t film) const { return films::is_gap(debonding_[film]); }
   /// Whether a gap is open to the junctions at its ends.
   [[nodiscard]] bool is_open(std::size_t film) const { return debonding_[film] == Debonding::open; }
+  /// The part of the fields to which a film belongs.
+  [[nodiscard]] FilmPart part(std::size_t film) const { return part_of_film(debonding_[film]); }
   /// Whether a film slides along its second side.
   [[nodiscard]] bool slides(std::size_t film) const { return debonding_[film] == Debonding::slip; }
   /// Matrices of an element of a film; of a gap those that it would have if it were bonded.

@@ -259,7 +259,7 @@ class Recovery {
     const auto& film = mesh_.network().films[f];
     const auto u = unknowns_of_stretch(*displacement_, f, element);
     const auto [first, second] = means_of_sides(u);
-    FilmCell<2> cell{.part = FilmPart::film, .content = area};
+    FilmCell<2> cell{.part = mesh_.part(f), .content = area};
     cell.strain = as_tensor(strain_integral(mesh_.nodes_of_stretch(f, element), u, motions) / cell.content);
     cell.slip = (second - first).dot(film.direction);
     cell.opening = (second - first).dot(film.normal);
@@ -273,7 +273,6 @@ class Recovery {
     const auto matrices = mesh_.element(f, element);
     auto cell = motion_of_stretch(f, element, motions, matrices.volume.sum());
     if (mesh_.is_gap(f)) {
-      cell.part = FilmPart::gap;
       add_cell(cell, corners);
       return;
     }

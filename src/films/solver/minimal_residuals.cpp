@@ -1,5 +1,7 @@
 #include "films/solver/minimal_residuals.hpp"
 
+#include <cmath>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Jacobi>
@@ -47,17 +49,15 @@ class TriangularForm {
   std::vector<Eigen::VectorXd> columns_;
 };
 
-}  // namespace
-
-KrylovSolution minimal_residuals(const LinearMap& matrix, const LinearMap& preconditioner,
-                                 const Eigen::VectorXd& right_side, double tolerance, int most_iterations) {
+/// The iterations from a zero start until a residual, relative to the right side, is reached or seems to be.
+KrylovSolution one_cycle(const LinearMap& matrix, const LinearMap& preconditioner, const Eigen::VectorXd& right_side,
+                         double tolerance) {
+  constexpr int most_iterations = 50;
   const double norm = right_side.norm();
-  KrylovSolution found{.solution = Eigen::VectorXd::Zero(right_side.size())};
-  if (norm == 0.0) return found;
   std::vector<Eigen::VectorXd> basis = {right_side / norm}, preconditioned;
   TriangularForm form(norm, most_iterations);
-  found.residual = 1.0;
-  while (found.iterations < most_iterations && !(found.residual <= tolerance)) {
+  KrylovSolution found{.solution = Eigen::VectorXd::Zero(right_side.size()), .residual = 1.0};
+  while (found.iterations < most_iterations && found.residual > tolerance) {
     Eigen::VectorXd next = matrix(preconditioned.emplace_back(preconditioner(basis.back())));
     Eigen::VectorXd column = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(basis.size()) + 1);
     // Twice, so that the basis stays orthogonal to rounding.
@@ -68,16 +68,40 @@ KrylovSolution minimal_residuals(const LinearMap& matrix, const LinearMap& preco
         next -= share * basis[i];
       }
     }
-    column[column.size() - 1] = next.norm();
+    const double length = next.norm();
+    column[column.size() - 1] = length;
     form.add(column);
     ++found.iterations;
     found.residual = form.residual() / norm;
-    if (column[column.size() - 1] == 0.0) break;
-    basis.push_back(next / column[column.size() - 1]);
+    if (length == 0.0) break;
+    basis.push_back(next / length);
   }
   const auto coefficients = form.coefficients();
   for (Eigen::Index i = 0; i < coefficients.size(); ++i) {
     found.solution += coefficients[i] * preconditioned[static_cast<std::size_t>(i)];
+  }
+  return found;
+}
+
+}  // namespace
+
+KrylovSolution minimal_residuals(const LinearMap& matrix, const LinearMap& preconditioner,
+                                 const Eigen::VectorXd& right_side, double tolerance) {
+  constexpr int most_iterations = 150;
+  const double norm = right_side.norm();
+  KrylovSolution found{.solution = Eigen::VectorXd::Zero(right_side.size())};
+  if (norm == 0.0) return found;
+  Eigen::VectorXd missing = right_side;
+  found.residual = 1.0;
+  while (found.iterations < most_iterations && found.residual > tolerance) {
+    const auto cycle = one_cycle(matrix, preconditioner, missing, tolerance / found.residual);
+    found.solution += cycle.solution;
+    found.iterations += cycle.iterations;
+    missing = right_side - matrix(found.solution);
+    const double residual = missing.norm() / norm;
+    const bool is_stuck = !(residual < found.residual);
+    found.residual = residual;
+    if (is_stuck) break;
   }
   return found;
 }

@@ -11,8 +11,8 @@
 #include "breccia/error.hpp"
 
 #include "films/solver/elimination_order.hpp"
+#include "parallel/common_failure.hpp"
 #include "parallel/communicator.hpp"
-#include "parallel/session.hpp"
 
 namespace breccia::films {
 namespace {
@@ -91,6 +91,17 @@ template <class Number>
 MumpsInstance<Number>::MumpsInstance(const Sparse& lower_triangle, FactorBlocks blocks) {
   constexpr int symmetric = 2, works_too = 1, given = 1, silent = 0, no_unit = -1, per_cent = 30;
   constexpr int full_blocks = 0, of_low_rank_in_solutions_too = 2;
+  std::vector<int> positions;
+  parallel::done_by_first([&] {
+    positions = elimination_order(lower_triangle);
+    for (int& position : positions) ++position;
+    for (int column = 0; column < lower_triangle.outerSize(); ++column) {
+      for (Sparse::InnerIterator at(lower_triangle, column); at; ++at) {
+        rows_.push_back(static_cast<int>(at.row()) + 1);
+        columns_.push_back(column + 1);
+      }
+    }
+  });
   auto blank = std::make_unique<Structure>();
   auto& mumps = *blank;
   mumps.comm_fortran = MPI_Comm_c2f(parallel::communicator());
@@ -104,19 +115,10 @@ MumpsInstance<Number>::MumpsInstance(const Sparse& lower_triangle, FactorBlocks 
   control(mumps, more_memory) = per_cent;
   control(mumps, low_rank) = blocks == FactorBlocks::full ? full_blocks : of_low_rank_in_solutions_too;
 
-  for (int column = 0; column < lower_triangle.outerSize(); ++column) {
-    for (Sparse::InnerIterator at(lower_triangle, column); at; ++at) {
-      rows_.push_back(static_cast<int>(at.row()) + 1);
-      columns_.push_back(column + 1);
-    }
-  }
   mumps.n = static_cast<int>(lower_triangle.rows());
   mumps.nnz = lower_triangle.nonZeros();
   mumps.irn = rows_.data();
   mumps.jcn = columns_.data();
-  std::vector<int> positions;
-  if (lower_triangle.rows() > 0) positions = elimination_order(lower_triangle);
-  for (int& position : positions) ++position;
   mumps.perm_in = positions.data();
   run<Number>(mumps, analysis);
   mumps.perm_in = nullptr;
@@ -160,13 +162,16 @@ void MumpsInstance<Number>::factorise(Number* entries) {
     if (!wants_room || control(*mumps_, more_memory) > most_per_cent) break;
     control(*mumps_, more_memory) *= 2;
   }
+  mumps_->a = nullptr;
   require_success(*mumps_);
 }
 
 template <class Number>
 void MumpsInstance<Number>::solve(Number* right_side) const {
   mumps_->rhs = right_side;
-  run<Number>(*mumps_, solution);
+  attempt<Number>(*mumps_, solution);
+  mumps_->rhs = nullptr;
+  require_success(*mumps_);
 }
 
 template class MumpsInstance<double>;

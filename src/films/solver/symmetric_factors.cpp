@@ -8,18 +8,19 @@
 
 #include "breccia/error.hpp"
 
+#include "parallel/common_failure.hpp"
 #include "parallel/communicator.hpp"
 #include "parallel/reduction.hpp"
 #include "parallel/session.hpp"
 
 namespace breccia::films {
 
-void SymmetricFactors::factorise(const std::function<Sparse()>& lower_triangle) {
+void SymmetricFactors::factorise(std::function<Sparse()> lower_triangle) {
   parallel::start();
-  if (parallel::rank() == 0) {
+  parallel::done_by_first([&] {
     matrix_ = lower_triangle();
     matrix_.makeCompressed();
-  }
+  });
   if (!mumps_) {
     mumps_.emplace(matrix_, FactorBlocks::full);
     if (mumps_->memory() > memory_) mumps_->keep_in_files(directory_.emplace().path());
@@ -42,11 +43,11 @@ Eigen::VectorXd SymmetricFactors::solve(const Eigen::VectorXd& right_side) {
     return right_side - matrix_.selfadjointView<Eigen::Lower>() * solution;
   };
   solution += solve_once(missing());
-  residual_ = missing().norm() / std::max(right_side.norm(), 1e-300);
+  effort_.residual = missing().norm() / std::max(right_side.norm(), 1e-300);
   parallel::copy_from_first(std::span(solution.data(), static_cast<std::size_t>(solution.size())));
-  parallel::copy_from_first(std::span(&residual_, 1));
-  if (!(residual_ <= largest_residual)) {
-    throw NumericalError(fmt::format("films: the residual of a solution is {:.1e} of the load", residual_));
+  parallel::copy_from_first(std::span(&effort_.residual, 1));
+  if (!(effort_.residual <= largest_residual)) {
+    throw NumericalError(fmt::format("films: the residual of a solution is {:.1e} of the load", effort_.residual));
   }
   return solution;
 }

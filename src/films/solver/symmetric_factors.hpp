@@ -16,11 +16,9 @@ class SymmetricFactors final : public SymmetricSolver {
   explicit SymmetricFactors(double memory) : memory_(memory) {}
 
   /// Throws InputError, too, when files are needed and there is no directory for them.
-  void factorise(const std::function<Sparse()>& lower_triangle) override;
+  void factorise(std::function<Sparse()> lower_triangle) override;
   /// Solves with a step of refinement.
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right_side) override;
-  [[nodiscard]] double residual() const noexcept override { return residual_; }
-  [[nodiscard]] int iterations() const noexcept override { return 0; }
   [[nodiscard]] bool are_in_files() const { return mumps_->keeps_in_files(); }
 
  private:
@@ -30,7 +28,6 @@ class SymmetricFactors final : public SymmetricSolver {
   Sparse matrix_;                             ///< matrix, on the first process
   std::optional<FactorDirectory> directory_;  ///< directory of the files, which MUMPS closes before it is removed
   std::optional<MumpsInstance<double>> mumps_;
-  double residual_ = 0.0;
 };
 
 }  // namespace breccia::films

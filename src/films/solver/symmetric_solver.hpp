@@ -13,6 +13,13 @@ class SymmetricSolver {
  public:
   using Sparse = Eigen::SparseMatrix<double>;
 
+  /// What the last solve took.
+  struct Effort {
+    int factorisations = 0;  ///< number of those beyond the first one of the matrix
+    int iterations = 0;
+    double residual = 0.0;  ///< relative to the right side in the Euclidean norm [-]
+  };
+
   SymmetricSolver() = default;
   virtual ~SymmetricSolver() = default;
   SymmetricSolver(const SymmetricSolver&) = delete;
@@ -20,16 +27,16 @@ class SymmetricSolver {
   SymmetricSolver(SymmetricSolver&&) = delete;
   SymmetricSolver& operator=(SymmetricSolver&&) = delete;
 
-  /// Factorises the matrix whose lower triangle a function returns; the first process alone calls it. Throws
-  /// NumericalError when that fails.
-  virtual void factorise(const std::function<Sparse()>& lower_triangle) = 0;
-  /// Solves for a right side, which every process gives, like the solution. Throws NumericalError when the residual
-  /// stays large.
+  /// Factorises the matrix whose lower triangle a function returns; the first process alone calls it, later again if it
+  /// must. Throws NumericalError when that fails.
+  virtual void factorise(std::function<Sparse()> lower_triangle) = 0;
+  /// Solves for a right side, which every process gives, like the solution. The solution depends on the matrix and the
+  /// right side alone. Throws NumericalError when the residual stays large.
   [[nodiscard]] virtual Eigen::VectorXd solve(const Eigen::VectorXd& right_side) = 0;
-  /// Residual after the last solve, relative to the right side in the Euclidean norm [-].
-  [[nodiscard]] virtual double residual() const noexcept = 0;
-  /// Number of iterations of the last solve; 0 of a direct solver.
-  [[nodiscard]] virtual int iterations() const noexcept = 0;
+  [[nodiscard]] const Effort& effort() const noexcept { return effort_; }
+
+ protected:
+  Effort effort_;
 };
 
 }  // namespace breccia::films

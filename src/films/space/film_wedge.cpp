@@ -68,6 +68,7 @@ void add_linear_part(FilmWedge& element, const Wedge& wedge, const Eigen::Matrix
     element.shear.topLeftCorner<count, count>() += point.weight * strain.transpose() * stiffness * strain;
     element.dilatation.leftCols<count>() += point.weight * in_plane * strain.topRows<3>().colwise().sum();
     element.volume += point.weight * in_plane * in_plane.transpose();
+    element.strain += point.weight * strain;
   }
 }
 
@@ -151,6 +152,7 @@ FilmWedge empty_element(const Middle& middle) {
   element.shear.setZero();
   element.dilatation.setZero();
   element.volume.setZero();
+  element.strain.setZero();
   element.axes = middle.axes;
   return element;
 }

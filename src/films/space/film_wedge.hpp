@@ -15,6 +15,7 @@ struct FilmWedge {
   Eigen::Matrix<double, unknowns, unknowns> shear;        ///< stiffness of a unit shear modulus
   Eigen::Matrix<double, pressures, unknowns> dilatation;  ///< volume change, weighted by the functions of the pressure
   Eigen::Matrix<double, pressures, pressures> volume;     ///< integrals of products of these functions
+  Eigen::Matrix<double, 6, displacements> strain;         ///< integral of the strain without the flow, in Voigt's order
   Eigen::Matrix<double, 3, 2> axes;                       ///< directions in the middle of the film, of length 1
 };
 

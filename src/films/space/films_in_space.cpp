@@ -9,7 +9,6 @@
 #include "films/space/film_wedge.hpp"
 #include "films/space/solid_elements.hpp"
 #include "films/space/solid_strain.hpp"
-#include "films/space/solid_unknowns.hpp"
 #include "films/space/space_mesh.hpp"
 
 namespace breccia::films {
@@ -30,7 +29,7 @@ class SpaceAssembly {
         nodes.reserve(tetrahedron.size());
         for (const auto node : tetrahedron) nodes.push_back({g, node, Eigen::Vector3i::Zero()});
         const std::array corners = {position(nodes[0]), position(nodes[1]), position(nodes[2]), position(nodes[3])};
-        sum_.add_grain(unknowns_of(nodes, {}), tetrahedron_stiffness(corners, elasticity));
+        sum_.add_grain(mesh_.unknowns_of(nodes), tetrahedron_stiffness(corners, elasticity));
         sum_.add_content_of_grain(volume_of(corners), elasticity);
       }
     }
@@ -39,15 +38,13 @@ class SpaceAssembly {
   void add_films() {
     for (std::size_t t = 0; t < mesh_.sheets().triangles.size(); ++t) {
       if (is_gap(mesh_.debonding(t))) {
-        for (int i = 0; i < FilmWedge::flows; ++i) sum_.isolate(mesh_.flow(t) + i);
+        for (const int flow : mesh_.flows_of(t)) sum_.isolate(flow);
         continue;
       }
       const auto nodes = mesh_.nodes_of_film(t);
       const bool slides = mesh_.debonding(t) == Debonding::slip, is_at_rim = mesh_.sheets().triangles[t].is_at_rim;
       const auto element = slides ? sliding_film_wedge(mesh_.film(t), is_at_rim) : film_wedge(mesh_.film(t), is_at_rim);
-      std::array<int, FilmWedge::flows> flows{};
-      for (std::size_t i = 0; i < flows.size(); ++i) flows[i] = mesh_.flow(t) + static_cast<int>(i);
-      const auto unknowns = unknowns_of(nodes, flows);
+      const auto unknowns = mesh_.unknowns_of(nodes, mesh_.flows_of(t));
       const auto pressures = pressures_of(mesh_.sheets().triangles[t].nodes);
       sum_.add_shear(unknowns, element.shear);
       sum_.add_dilatation(pressures, unknowns, element.dilatation);
@@ -93,13 +90,6 @@ class SpaceAssembly {
  private:
   [[nodiscard]] Eigen::Vector3d position(const SolidNode& node) const { return mesh_.grains().position(node); }
 
-  [[nodiscard]] ElementUnknowns<3> unknowns_of(std::span<const SolidNode> nodes, std::span<const int> flows) const {
-    std::vector<ElementNode> of_element;
-    of_element.reserve(nodes.size());
-    for (const auto& node : nodes) of_element.push_back({mesh_.number(node), position(node)});
-    return solid_unknowns(of_element, flows);
-  }
-
   [[nodiscard]] static std::vector<int> pressures_of(std::span<const SheetNode> nodes) {
     std::vector<int> pressures;
     for (const auto& node : nodes) pressures.push_back(static_cast<int>(node.number));
@@ -107,7 +97,7 @@ class SpaceAssembly {
   }
 
   void add(const BinderElement& element, std::span<const SolidNode> nodes, std::span<const SheetNode> pressure_nodes) {
-    const auto unknowns = unknowns_of(nodes, {});
+    const auto unknowns = mesh_.unknowns_of(nodes);
     const auto pressures = pressures_of(pressure_nodes);
     sum_.add_shear(unknowns, element.shear);
     sum_.add_dilatation(pressures, unknowns, element.dilatation);

@@ -65,10 +65,19 @@ Eigen::Matrix<double, 30, 30> tetrahedron_stiffness(const TetrahedronCorners& co
   return stiffness;
 }
 
+Eigen::Matrix<double, 6, 30> tetrahedron_strain(const TetrahedronCorners& corners) {
+  Eigen::Matrix<double, 6, 30> strain = Eigen::Matrix<double, 6, 30>::Zero();
+  for (const auto& point : integration_points(corners)) {
+    strain += volume_of(corners) / 4.0 * solid_strain_rows(point.gradients);
+  }
+  return strain;
+}
+
 BinderElement taylor_hood_element(const TetrahedronCorners& corners) {
   const double volume = volume_of(corners);
   BinderElement element{tetrahedron_stiffness(corners, isotropic_stiffness({.bulk = 0.0, .shear = 1.0})),
-                        Eigen::MatrixXd::Zero(4, 30), Eigen::MatrixXd::Constant(4, 4, volume / 20.0)};
+                        Eigen::MatrixXd::Zero(4, 30), Eigen::MatrixXd::Constant(4, 4, volume / 20.0),
+                        tetrahedron_strain(corners)};
   element.volume.diagonal().array() += volume / 20.0;
   for (const auto& [barycentric, gradients] : integration_points(corners)) {
     const auto strain = solid_strain_rows(gradients);
@@ -80,7 +89,8 @@ BinderElement taylor_hood_element(const TetrahedronCorners& corners) {
 BinderElement channel_element(const std::array<std::array<Eigen::Vector3d, 2>, 3>& ends) {
   constexpr Eigen::Index displacements = 27, pressures = 3;
   BinderElement element{Eigen::MatrixXd::Zero(displacements, displacements),
-                        Eigen::MatrixXd::Zero(pressures, displacements), Eigen::MatrixXd::Zero(pressures, pressures)};
+                        Eigen::MatrixXd::Zero(pressures, displacements), Eigen::MatrixXd::Zero(pressures, pressures),
+                        Eigen::MatrixXd::Zero(6, displacements)};
   const auto deviatoric = isotropic_stiffness({.bulk = 0.0, .shear = 1.0});
   for (const auto& point :
        integration_points({{{{ends[0][0], ends[1][0], ends[2][0]}, {ends[0][1], ends[1][1], ends[2][1]}}}})) {
@@ -95,6 +105,7 @@ BinderElement channel_element(const std::array<std::array<Eigen::Vector3d, 2>, 3
     const auto strain = solid_strain_rows(gradients);
     element.shear += std::abs(point.weight) * strain.transpose() * deviatoric * strain;
     element.dilatation += point.weight * along * strain.topRows<3>().colwise().sum();
+    element.strain += point.weight * strain;
     element.volume += std::abs(point.weight) * along * along.transpose();
   }
   return element;
@@ -110,7 +121,7 @@ BinderElement corner_element(const TetrahedronCorners& corners) {
   constexpr double least_share = 1e-6;
   const double positive = std::max(std::abs(volume), least_share * size * size * size);
   return {strain.transpose() * deviatoric * strain / (36.0 * positive), strain.topRows<3>().colwise().sum() / 6.0,
-          Eigen::MatrixXd::Constant(1, 1, std::abs(volume))};
+          Eigen::MatrixXd::Constant(1, 1, std::abs(volume)), strain / 6.0};
 }
 
 }  // namespace breccia::films

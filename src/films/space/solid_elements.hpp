@@ -23,12 +23,16 @@ struct BinderElement {
   Eigen::MatrixXd shear;       ///< stiffness of a unit shear modulus
   Eigen::MatrixXd dilatation;  ///< volume change, weighted by the functions of the pressures
   Eigen::MatrixXd volume;      ///< integrals of products of these functions
+  Eigen::MatrixXd strain;      ///< integral of the strain, in Voigt's order
 };
 
 /// Stiffness of a tetrahedron with straight edges and quadratic displacements, of a material of this elasticity for
 /// strains in Voigt's order.
 [[nodiscard]] Eigen::Matrix<double, 30, 30> tetrahedron_stiffness(const TetrahedronCorners& corners,
                                                                   const Eigen::Matrix<double, 6, 6>& elasticity);
+
+/// The integral of the strain, in Voigt's order, over such a tetrahedron.
+[[nodiscard]] Eigen::Matrix<double, 6, 30> tetrahedron_strain(const TetrahedronCorners& corners);
 
 /// A tetrahedron with straight edges, quadratic displacements and linear pressures (Taylor and Hood).
 [[nodiscard]] BinderElement taylor_hood_element(const TetrahedronCorners& corners);

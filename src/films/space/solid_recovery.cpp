@@ -135,14 +135,6 @@ class Recovery {
     }
   }
 
-  [[nodiscard]] ElementUnknowns<3> unknowns_of(std::span<const SolidNode> nodes,
-                                               std::span<const int> flows = {}) const {
-    std::vector<ElementNode> of_element;
-    of_element.reserve(nodes.size());
-    for (const auto& node : nodes) of_element.push_back({mesh_.number(node), mesh_.grains().position(node)});
-    return solid_unknowns(of_element, flows);
-  }
-
   /// The values of the unknowns of an element, displacements relative to its first node.
   [[nodiscard]] Eigen::VectorXd values_of(const ElementUnknowns<3>& unknowns, const FilmVector& of) const {
     Eigen::VectorXd values = of.macroscopic() * unknowns.macroscopic * strain_;
@@ -178,15 +170,12 @@ class Recovery {
       for (const auto node : tetrahedron) nodes.push_back({g, node, Eigen::Vector3i::Zero()});
       const std::array corners = {solid.nodes[tetrahedron[0]], solid.nodes[tetrahedron[1]], solid.nodes[tetrahedron[2]],
                                   solid.nodes[tetrahedron[3]]};
-      const auto unknowns = unknowns_of(nodes);
-      const auto u = values_of(unknowns, *displacement_);
-      const Eigen::VectorXd forces = tetrahedron_stiffness(corners, elasticity) * u;
-      // With a unit stiffness the mean stress is the mean strain.
-      const Eigen::VectorXd of_strain = tetrahedron_stiffness(corners, Eigen::Matrix<double, 6, 6>::Identity()) * u;
+      const auto u = values_of(mesh_.unknowns_of(nodes), *displacement_);
       FilmCell<3> cell{.part = FilmPart::grain, .corners = corners.size(), .content = volume_of(corners)};
-      cell.strain = as_tensor(unknowns.macroscopic.transpose() * of_strain / cell.content);
-      cell.stress = as_array(unknowns.macroscopic.transpose() * forces / cell.content);
-      cell.work = u.dot(forces) / cell.content;
+      const Tensor strain = tetrahedron_strain(corners) * u / cell.content;
+      cell.strain = as_tensor(strain);
+      cell.stress = as_array(elasticity * strain);
+      cell.work = u.dot(tetrahedron_stiffness(corners, elasticity) * u) / cell.content;
       for (std::size_t corner = 0; corner < corners.size(); ++corner) {
         const auto [found, is_new] = point_of.try_emplace(tetrahedron[corner]);
         if (is_new) found->second = add_point(nodes[corner]);
@@ -196,15 +185,18 @@ class Recovery {
     }
   }
 
-  /// The integral of the strain over an element of binder whose unknowns have these values, without the flow.
+  /// Begins a cell of binder: its content and its strain, with the part of the integral of the strain that comes from a
+  /// flow. A cell without content has no fields.
   template <class Element>
-  [[nodiscard]] static Tensor strain_integral(const ElementUnknowns<3>& unknowns, const Element& element,
-                                              const Eigen::VectorXd& u) {
-    // With a unit shear modulus the stress is twice the deviator of the strain.
-    Tensor strain = unknowns.macroscopic.transpose() * (element.shear * u);
-    strain.head<3>() *= 0.5;
-    strain.head<3>().array() += element.dilatation.colwise().sum().dot(u) / 3.0;
-    return strain;
+  [[nodiscard]] FilmCell<3> strained_cell(FilmPart part, const ElementUnknowns<3>& unknowns, const Element& element,
+                                          const Tensor& flow) const {
+    const auto displacements = element.strain.cols();
+    FilmCell<3> cell{.part = part};
+    cell.content = element.strain.row(0).dot(unknowns.macroscopic.col(0).head(displacements));
+    if (cell.content == 0.0) return cell;
+    const Eigen::VectorXd u = values_of(unknowns, *displacement_).head(displacements);
+    cell.strain = as_tensor((element.strain * u + flow) / cell.content);
+    return cell;
   }
 
   /// Values of a field of the pressure functions (a pressure or a volumetric strain) at nodes.
@@ -220,6 +212,7 @@ class Recovery {
   template <class Element>
   void set_stress(FilmCell<3>& cell, const ElementUnknowns<3>& unknowns, const Element& element,
                   std::span<const SheetNode> pressures) const {
+    if (cell.content == 0.0) return;
     const Eigen::VectorXd forces = element.shear * values_of(unknowns, *shear_);
     const Eigen::VectorXd bulk_forces = element.volume * at_nodes(negative_pressure_, pressures);
     const Tensor deviator = unknowns.macroscopic.transpose() * forces / cell.content;
@@ -232,27 +225,20 @@ class Recovery {
   /// Adds a channel or a junction; `flow` is the part of the integral of its strain that comes from flows into it.
   void add_binder(FilmPart part, std::span<const SolidNode> nodes, const BinderElement& element,
                   std::span<const SheetNode> pressures, const Tensor& flow, std::span<const SolidNode> corners) {
-    const auto unknowns = unknowns_of(nodes);
-    FilmCell<3> cell{.part = part, .content = element.volume.sum()};
-    const Tensor strain = strain_integral(unknowns, element, values_of(unknowns, *displacement_)) + flow;
-    cell.strain = as_tensor(strain / cell.content);
+    const auto unknowns = mesh_.unknowns_of(nodes);
+    auto cell = strained_cell(part, unknowns, element, flow);
     set_stress(cell, unknowns, element, pressures);
     add_cell(cell, corners);
   }
 
-  [[nodiscard]] std::array<int, FilmWedge::flows> flows_of(std::size_t triangle) const {
-    std::array<int, FilmWedge::flows> flows{};
-    for (std::size_t i = 0; i < flows.size(); ++i) flows[i] = mesh_.flow(triangle) + static_cast<int>(i);
-    return flows;
-  }
-
   [[nodiscard]] MiddleTriangle middle_of(std::size_t triangle) const {
-    const auto [first, second] = mesh_.film(triangle).triangles;
-    const auto axes = film_axes(mesh_.film(triangle));
+    const auto wedge = mesh_.film(triangle);
+    const auto& [first, second] = wedge.triangles;
+    const auto axes = film_axes(wedge);
     MiddleTriangle middle;
     middle.normal = axes.col(0).cross(axes.col(1));
     for (std::size_t k = 0; k < first.size(); ++k) {
-      const auto flow = displacement_->unknowns().segment<2>(mesh_.flow(triangle) + 2 * static_cast<int>(k));
+      const auto flow = displacement_->unknowns().segment<2>(mesh_.flows_of(triangle)[2 * k]);
       middle.corners[k] = {0.5 * (first[k] + second[k]), (second[k] - first[k]).dot(middle.normal), axes * flow};
     }
     return middle;
@@ -287,20 +273,15 @@ class Recovery {
 
   void add_film(std::size_t t) {
     const auto nodes = mesh_.nodes_of_film(t);
-    const auto unknowns = unknowns_of(nodes, flows_of(t));
-    const auto u = values_of(unknowns, *displacement_);
+    const auto unknowns = mesh_.unknowns_of(nodes, mesh_.flows_of(t));
     const auto wedge = mesh_.film(t);
-    const bool is_at_rim = mesh_.sheets().triangles[t].is_at_rim;
-    const auto element = film_wedge(wedge, is_at_rim);
-    const auto debonding = mesh_.debonding(t);
-    FilmCell<3> cell{.part = is_gap(debonding) ? FilmPart::gap : FilmPart::film, .content = element.volume.sum()};
-    cell.strain = as_tensor((strain_integral(unknowns, element, u) + strain_by_flow(t)) / cell.content);
-    set_motion(cell, u, element.axes);
-    if (!is_gap(debonding)) {
-      const bool slides = debonding == Debonding::slip;
-      set_stress(cell, unknowns, slides ? sliding_film_wedge(wedge, is_at_rim) : element,
-                 mesh_.sheets().triangles[t].nodes);
-    }
+    const auto& triangle = mesh_.sheets().triangles[t];
+    const auto part = part_of_film(mesh_.debonding(t));
+    const auto element =
+        part == FilmPart::slip ? sliding_film_wedge(wedge, triangle.is_at_rim) : film_wedge(wedge, triangle.is_at_rim);
+    auto cell = strained_cell(part, unknowns, element, strain_by_flow(t));
+    set_motion(cell, values_of(unknowns, *displacement_), element.axes);
+    if (part != FilmPart::gap) set_stress(cell, unknowns, element, triangle.nodes);
     // A wedge of VTK begins with the triangle that is counter-clockwise from outside.
     add_cell(cell, std::array{nodes[6], nodes[7], nodes[8], nodes[0], nodes[1], nodes[2]});
   }

@@ -1,5 +1,7 @@
 #include "films/space/space_mesh.hpp"
 
+#include <numeric>
+
 #include "films/space/solid_unknowns.hpp"
 
 namespace breccia::films {
@@ -25,6 +27,19 @@ SpaceMesh::SpaceMesh(const FilmProblem<3>& problem)
   for (const auto& [first, second, corners] : complex_.faces) {
     debonding_.push_back(debonded({first, second.cell}, second.image));
   }
+}
+
+std::array<int, 6> SpaceMesh::flows_of(std::size_t triangle) const {
+  std::array<int, 6> flows{};
+  std::iota(flows.begin(), flows.end(), first_flow_ + static_cast<int>(flows.size() * triangle));
+  return flows;
+}
+
+ElementUnknowns<3> SpaceMesh::unknowns_of(std::span<const SolidNode> nodes, std::span<const int> flows) const {
+  std::vector<ElementNode> of_element;
+  of_element.reserve(nodes.size());
+  for (const auto& node : nodes) of_element.push_back({number(node), solids_.position(node)});
+  return solid_unknowns(of_element, flows);
 }
 
 std::array<SolidNode, 12> SpaceMesh::nodes_of_film(std::size_t triangle) const {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -10,6 +11,7 @@
 #include "breccia/films/film_problem.hpp"
 
 #include "films/assembly/debonded_set.hpp"
+#include "films/assembly/matrix_assembly.hpp"
 #include "films/space/cell_complex.hpp"
 #include "films/space/grain_solids.hpp"
 #include "films/space/sheet_mesh.hpp"
@@ -33,8 +35,10 @@ class SpaceMesh {
   [[nodiscard]] int number(const SolidNode& node) const noexcept {
     return first_node_[node.grain] + static_cast<int>(node.number);
   }
-  /// The number of the first flow of a triangle of a film.
-  [[nodiscard]] int flow(std::size_t triangle) const noexcept { return first_flow_ + 6 * static_cast<int>(triangle); }
+  /// The numbers of the flows of a triangle of a film.
+  [[nodiscard]] std::array<int, 6> flows_of(std::size_t triangle) const;
+  /// The unknowns of an element with these nodes, and with flows.
+  [[nodiscard]] ElementUnknowns<3> unknowns_of(std::span<const SolidNode> nodes, std::span<const int> flows = {}) const;
 
   /// How the film to which a triangle belongs is debonded; nothing where it is bonded.
   [[nodiscard]] std::optional<Debonding> debonding(std::size_t triangle) const {

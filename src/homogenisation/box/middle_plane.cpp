@@ -39,24 +39,27 @@ LabelImage<2> middle_plane(const Stage& stage, const EllipsoidBox& ellipsoids, s
 }
 
 LabelImage<2> middle_plane(const Stage& stage, const Grains<3>& grains, std::size_t normal) {
+  if (!stage.bonds) return middle_plane(stage, labelling_of(stage, grains), normal);
   const Tessellation<3> tessellation(grains.sites);
   const auto debonded = debonded_films(stage, tessellation).faces;
   const std::set<CellFace<3>> listed(debonded.begin(), debonded.end());
   const auto is_debonded = [&](const LocatedGrain& place) {
-    const auto& faces = tessellation.cell(place.site).half_spaces();
-    const auto second = Tessellation<3>::neighbour(faces[place.face]);
+    const auto& face = tessellation.cell(place.site).half_spaces()[place.face];
+    const auto second = Tessellation<3>::neighbour(face);
     if (!second) return false;
-    const auto image = Tessellation<3>::image(faces[place.face]);
+    const auto image = Tessellation<3>::image(face);
     return listed.contains({place.site, *second, image}) ||
            listed.contains({*second, place.site, {-image[0], -image[1], -image[2]}});
   };
-  const auto of_debonded = static_cast<PhaseIndex>(phases_of(stage).size());
+  const auto phases = phases_of(stage);
+  const auto matrix = phases.index_of(name_of_matrix_phase);
+  const auto filler = phases.index_of(phase_of(stage, stage.fillers.front().material));
+  const auto of_debonded = static_cast<PhaseIndex>(phases.size());
   const GrainLocator<3> locator(tessellation, grains.statistics.film);
-  const auto phase_at = labelling_of(stage, grains);
   const Labelling<3> labelling = [&](const Vector<3>& position) -> PhaseAt {
     const auto place = locator.at(position);
-    if (place.is_in_grain() || !is_debonded(place)) return phase_at(position);
-    return {of_debonded, 0.0};
+    if (place.is_in_grain()) return {filler, place.depth};
+    return {is_debonded(place) ? of_debonded : matrix, -place.depth};
   };
   return middle_plane(stage, labelling, normal);
 }

@@ -22,9 +22,11 @@ GrainLocator<dim>::GrainLocator(const Tessellation<dim>& tessellation, double fi
   }
   first_face_.push_back(0);
   for (std::size_t site = 0; site < tessellation.size(); ++site) {
-    for (const auto& face : tessellation.cell(site).half_spaces()) {
+    const auto& half_spaces = tessellation.cell(site).half_spaces();
+    for (std::size_t number = 0; number < half_spaces.size(); ++number) {
+      const auto& face = half_spaces[number];
       if (!tessellation.recedes(face)) continue;
-      faces_.push_back({face.normal, face.offset, tessellation.half_film(site, face, film)});
+      faces_.push_back({face.normal, face.offset, tessellation.half_film(site, face, film), number});
       least_half_film_ = std::min(least_half_film_, faces_.back().half_film);
     }
     first_face_.push_back(faces_.size());
@@ -55,7 +57,7 @@ LocatedGrain GrainLocator<dim>::at(const Vector<dim>& position) const {
     nearest = std::min(nearest, distance);
     if (distance - face.half_film >= depth) continue;
     depth = distance - face.half_film;
-    nearest_film = k - first_face_[site];
+    nearest_film = face.number;
   }
   if (depth >= 0.0) return {site, depth, nearest_film};
   return {site, std::max(depth, -(nearest + least_half_film_)), nearest_film};

@@ -15,7 +15,7 @@ struct LocatedGrain {
   /// Depth of the point inside its grain [m]: the distance from the nearest film. In the film it is negative, and no
   /// grain is nearer than -depth.
   double depth = 0.0;
-  std::size_t face = 0;  ///< number of the nearest film among the faces of the cell along which films run
+  std::size_t face = 0;  ///< number of the face with the nearest film among ConvexCell::half_spaces()
   [[nodiscard]] bool is_in_grain() const noexcept { return depth >= 0.0; }
 };
 
@@ -45,6 +45,7 @@ class GrainLocator {
     Vector<dim> normal;
     double offset;
     double half_film;
+    std::size_t number;
   };
 
   double least_half_film_;

@@ -61,9 +61,7 @@ export function textOnStage(stage) {
     const {threshold} = stage.microstructure;
     return `${image} of ${box}, in ${stage.matrix}${threshold === undefined ? "" : `; ${threshold.words}`}`;
   }
-  // The picture of a box of the plane alone shows the films.
-  const debonded = debonding === undefined ? "" :
-    `, of which ${percent(debonding.share)} are debonded (red${stage.dimensions === 3 ? " in the cut" : ""})`;
+  const debonded = debonding === undefined ? "" : `, of which ${percent(debonding.share)} are debonded`;
   const kind = film === undefined ? "particles" : `grains, with films of ${display(film, "m")} between them${debonded},`;
   return `${particles} ${kind} of ${stage.filler} fill ${percentOfWhole(fraction)} of ${box} of ${stage.matrix}`;
 }

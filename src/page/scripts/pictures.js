@@ -15,13 +15,14 @@ export function showPictures() {
     const svg = own(data.pictures, stage.name);
     if (svg === undefined) continue;
     place.append(zoomableFigure(svg, `${stage.name} microstructure`, `${stage.name}: ${textOnStage(stage)}`,
-      ...legendOf(stage)));
+      ...legendOf(stage, {showsDebonded: true})));
   }
   document.getElementById("microstructures").hidden = place.childElementCount === 0;
 }
 
-/// The legend of a microstructure: the colours of its materials, and the sizes of its particles.
-export function legendOf({matrix, filler, fillers = [], microstructure}) {
+/// The legend of a microstructure: the colours of its materials, the sizes of its particles, and films that are debonded
+/// where the picture shows them.
+export function legendOf({matrix, filler, fillers = [], microstructure}, {showsDebonded}) {
   const entry = (kind, text) => element("li", {}, element("span", {className: `swatch ${kind}`}), text);
   const sizesOf = ({smallest_diameter_m: smallest, largest_diameter_m: largest}) =>
     [...new Set([smallest, largest].filter(Number.isFinite).map((size) => display(size, "m")))];
@@ -46,7 +47,7 @@ export function legendOf({matrix, filler, fillers = [], microstructure}) {
       entries.push(coloured(one.coating.material, `${one.coating.material}, coating of ${thickness}`));
     }
   }
-  if (microstructure?.debonding !== undefined) {
+  if (showsDebonded && microstructure?.debonding !== undefined) {
     const place = entry("filler", "debonded film");
     place.firstChild.style.background = debondedColour;
     entries.push(place);

@@ -30,18 +30,29 @@ function phaseModel(stage, volume) {
   return volumeModel(volume, [...coloursOfPhases(stage.fillers), debondedColour].map(channelsOf));
 }
 
-function showMicrostructure(stage, {microstructure}) {
+/// The phases of the grains and films of a stage in the view of one of its fields, which shows the films that are
+/// debonded, too; undefined for other stages, and without fields.
+function phasesOfFilms(stage, {fields}) {
+  const test = stage.tests.find(({grid, fields: files}) => grid === "films" && files?.some(({file}) => own(fields, file)));
+  if (test === undefined) return undefined;
+  const {cells, material} = own(fields, test.fields.map(({file}) => file).find((file) => own(fields, file)));
+  return {cells: [cells, cells, cells], values: material.values};
+}
+
+function showMicrostructure(stage, views) {
+  const {microstructure} = views;
   if (microstructure === null) return;
   const {particles, phases} = microstructure;
   const isPart = particles !== undefined && particles.count < particles.listed;
   const note = isPart ? `, the ${particles.count} largest of them shown` : "";
+  const ofFilms = phasesOfFilms(stage, views);
   document.getElementById("microstructure-views").append(rotatableView({
     name: `${stage.name} microstructure view`,
     caption: `${stage.name}: ${textOnStage(stage)}${note}`,
     side: stage.box_m,
-    build: () => particles === undefined ? phaseModel(stage, phases)
+    build: () => particles === undefined ? phaseModel(stage, ofFilms ?? phases)
       : particleModel(particles, stage.box_m, drawnFillers(stage)),
-    below: legendOf(stage),
+    below: legendOf(stage, {showsDebonded: ofFilms !== undefined}),
   }).figure);
 }
 
@@ -84,7 +95,7 @@ function showFields(stage, views) {
   };
   const showLegend = () => {
     const shown = views.fields[fields[field.selectedIndex].file][Object.keys(quantities)[quantity.selectedIndex]];
-    bar.replaceChildren(...(shown.words === undefined ? legendOf(stage) : [colourBar(shown)]));
+    bar.replaceChildren(...(shown.words === undefined ? legendOf(stage, {showsDebonded: true}) : [colourBar(shown)]));
   };
   const view = rotatableView({name: `${stage.name} field view`, caption: captionOf(), side: stage.box_m, build,
     choices: [quantity, field], below: [bar]});
