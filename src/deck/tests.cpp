@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
+
 #include "deck/time_window.hpp"
 #include "deck/varied_materials.hpp"
 #include "study/limits.hpp"
@@ -39,8 +41,12 @@ std::vector<double> read_field_times(const Section& section, const std::optional
   const auto times = window.value_or(TimeWindow{0.0, std::numeric_limits<double>::infinity()});
   if (!section.has("fields")) return {times.end};
   if (section.kind("fields") == Kind::text) {
-    const auto has_last = section.choice<bool>("fields", {{"last", true}, {"none", false}});
-    return has_last.value_or(false) ? std::vector{times.end} : std::vector<double>();
+    const auto word = section.text("fields");
+    if (word == "last") return {times.end};
+    if (word != "none") {
+      section.report("fields", fmt::format(R"(expected times such as ["1 ms"], "last" or "none", got "{}")", word));
+    }
+    return {};
   }
   auto fields = section.quantities("fields", Dimension::time, Range::positive());
   // An invalid time has been reported already and is NaN here.

@@ -141,7 +141,7 @@ std::vector<std::string> lacking_in_films(const Study& study) {
     mistakes.emplace_back(R"(model "films" cannot vary other moduli than those of the matrix)");
   if (has_grains && tests.lists_field_times && tests.films.layers) {
     mistakes.emplace_back(
-        "films.layers: films that are resolved leave no fields: expected no times of fields, or thin films");
+        "films.layers: films that are resolved leave no fields: expected fields = \"none\", or thin films");
   }
   return mistakes;
 }

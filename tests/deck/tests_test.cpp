@@ -163,7 +163,7 @@ TEST_F(DeckTests, ResolvedFilmsHaveNoFields) {
     return test::join(test::materials, grains, "[tests]\n", times, "model = \"films\"\n", lines);
   };
   EXPECT_THAT(directory.mistakes(deck_of("films = { layers = 2 }\nfields = [\"1 us\"]\n")),
-              HasSubstr("films.layers: films that are resolved leave no fields: expected no times of fields"));
+              HasSubstr("films.layers: films that are resolved leave no fields: expected fields = \"none\""));
   const auto without_times = directory.study(deck_of("films = { layers = 2 }\n"));
   EXPECT_FALSE(has_fields(without_times.tests, without_times.stages.front()));
   const auto thin = directory.study(deck_of("fields = [\"1 us\"]\n"));
@@ -299,7 +299,8 @@ TEST_F(DeckTests, Mistakes) {
       with_times("mixing = \"series\"\nvolumetric = \"standard\""),
       HasSubstr(R"(mixing "series" takes the volumetric strains "averaged": expected these, or mixing "points")"));
   EXPECT_THAT(with_times("method = \"quasi\""), HasSubstr("tests.method: expected"));
-  EXPECT_THAT(with_times("fields = \"10 ms\""), HasSubstr("tests.fields: expected one of \"last\", \"none\""));
+  EXPECT_THAT(with_times("fields = \"10 ms\""),
+              HasSubstr("tests.fields: expected times such as [\"1 ms\"], \"last\" or \"none\", got \"10 ms\""));
   EXPECT_THAT(with_times("fields = []"), HasSubstr("tests.fields: expected at least one"));
   EXPECT_THAT(with_times("fields = [\"1 ms\", \"1 us\"]"), HasSubstr("tests.fields: expected rising times"));
   EXPECT_THAT(with_times("fields = [\"1 ms\", \"1 h\"]"),

@@ -96,6 +96,7 @@ double system_in_the_plane(double unknowns) {
 /// Memory of matrices and factors in space [B], where resolved films have more entries a row.
 double system_in_space(const Tests& tests, double unknowns) {
   namespace costs = measured_costs;
+  if (unknowns > costs::most_of_full_factors) return costs::compressed_films * unknowns;
   const double of_layers = tests.films.layers ? costs::memory_of_resolved_films_in_space : 1.0;
   return of_layers * costs::films_in_space * std::pow(unknowns, costs::power_of_films_in_space);
 }
@@ -138,8 +139,10 @@ double film_memory(const Study& study, const Stage& stage, const FilmedGrains& g
   // Fields are written when the factors are gone.
   if (!has_fields(study.tests, stage)) return solution;
   const auto times = static_cast<double>(study.tests.field_times.size());
-  return std::max(
-      solution, costs::field_files + (costs::fields_of_grain + costs::fields_of_grain_and_time * times) * grains.count);
+  const double divisions = study.tests.films.divisions;
+  const double of_time = grains.dimensions == 3 ? costs::fields_of_polyhedron_and_time * divisions * divisions
+                                                : costs::fields_of_grain_and_time;
+  return std::max(solution, costs::field_files + (costs::fields_of_grain + of_time * times) * grains.count);
 }
 
 double film_time(const Study& study, const Stage& stage, const FilmedGrains& grains) {
@@ -148,6 +151,10 @@ double film_time(const Study& study, const Stage& stage, const FilmedGrains& gra
   const bool is_reduced = study.tests.quasistatic.solver == Solver::reduced;
   // Each step has factors of its own.
   const double solutions = is_reduced ? expected_snapshots(study, stage) : expected_steps(study.tests);
+  if (grains.dimensions == 3 && unknowns > costs::most_of_full_factors) {
+    const auto loads = static_cast<double>(loads_of(study, stage).size());
+    return solutions * unknowns * (costs::compressed_snapshot + loads * costs::solution_by_compressed);
+  }
   if (grains.dimensions == 3) {
     const double of_layers = study.tests.films.layers ? costs::time_of_resolved_films_in_space : 1.0;
     const double size = unknowns / costs::unknowns_of_space_snapshot;

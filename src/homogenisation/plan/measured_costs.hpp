@@ -73,12 +73,18 @@ inline constexpr double snapshots_of_varied_decade = 0.85;
 inline constexpr double film_factors = 1.55e3, films_in_memory = 2.0e3, films_in_files = 1.35e3, most_factors = 2e9;
 /// Memory for writing files of fields [B]: a constant part, one for each grain, and one for each grain and time.
 inline constexpr double field_files = 100e6, fields_of_grain = 9e4, fields_of_grain_and_time = 1e4;
+/// The last one in space, with one element along an edge; it grows with the square of their number.
+inline constexpr double fields_of_polyhedron_and_time = 8e4;
 /// Time of a snapshot for each unknown, with 1e5 unknowns [s]; it grows with this power of the number of unknowns.
 inline constexpr double film_snapshot = 5e-6, unknowns_of_film_snapshot = 1e5, power_of_film_snapshot = 0.2;
 /// Grains and films in space: memory of matrices and factors with one unknown [B], and the power of the number of
 /// unknowns with which it grows; the number of unknowns with which a snapshot takes one second, and the power.
 inline constexpr double films_in_space = 400.0, power_of_films_in_space = 4.0 / 3.0;
 inline constexpr double unknowns_of_space_snapshot = 2.35e4, power_of_space_snapshot = 1.7;
+/// The same with more unknowns, for which factors are compressed (films/film_composite.hpp): memory for each unknown
+/// [B], and time of the factors and of a solution for each unknown [s].
+inline constexpr double most_of_full_factors = 150e3, compressed_films = 1.35e4;
+inline constexpr double compressed_snapshot = 1e-4, solution_by_compressed = 4e-5;
 /// Memory and time of resolved films in space over those of as many unknowns of thin films.
 inline constexpr double memory_of_resolved_films_in_space = 2.2, time_of_resolved_films_in_space = 3.0;
 
