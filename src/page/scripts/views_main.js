@@ -2,7 +2,7 @@
 
 import {data, study} from "./data.js";
 import {element} from "./elements.js";
-import {textOnStage} from "./names.js";
+import {hasFilms, textOnStage} from "./names.js";
 import {shortNumber} from "./numbers.js";
 import {particleModel} from "./particle_model.js";
 import {channelsOf, colourOf, coloursOfPhases, debondedColour, phasesOf} from "./phase_colours.js";
@@ -30,13 +30,13 @@ function phaseModel(stage, volume) {
   return volumeModel(volume, [...coloursOfPhases(stage.fillers), debondedColour].map(channelsOf));
 }
 
-/// The phases of the grains and films of a stage in the view of one of its fields, which shows the films that are
-/// debonded, too; undefined for other stages, and without fields.
+/// The phases of a stage of grains and films in the view of one of its fields, which shows the films that are debonded,
+/// too; undefined for other stages, and without fields.
 function phasesOfFilms(stage, {fields}) {
-  const test = stage.tests.find(({grid, fields: files}) => grid === "films" && files?.some(({file}) => own(fields, file)));
-  if (test === undefined) return undefined;
-  const {cells, material} = own(fields, test.fields.map(({file}) => file).find((file) => own(fields, file)));
-  return {cells: [cells, cells, cells], values: material.values};
+  const files = stage.tests.flatMap((test) => test.fields ?? []);
+  const shown = files.map(({file}) => own(fields, file)).find((field) => field !== undefined);
+  if (!hasFilms(stage) || shown === undefined) return undefined;
+  return {cells: [shown.cells, shown.cells, shown.cells], values: shown.material.values};
 }
 
 function showMicrostructure(stage, views) {
