@@ -195,7 +195,12 @@ TEST(GrainsAndFilms, InSpaceHaveDivisionsInTheirRecord) {
   const auto record = nlohmann::json::parse(read_text(study.path() / "space" / "study.json"))["stages"][0];
   EXPECT_EQ(record["tests"][0]["divisions"], 1);
   EXPECT_FALSE(record["tests"][0].contains("face_share"));
-  EXPECT_FALSE(record["tests"][0].contains("fields"));
+  ASSERT_EQ(record["tests"][0]["fields"].size(), 1U);
+  for (const auto* name : {"file", "stress_picture", "strain_picture", "work_picture"}) {
+    const std::string file = record["tests"][0]["fields"][0][name];
+    EXPECT_TRUE(std::filesystem::exists(study.path() / "space" / "PBX-9501" / file)) << file;
+  }
+  EXPECT_FALSE(record["tests"][1].contains("fields")) << "of the first load alone";
   const auto check = with_eight("check", {"--set", "tests.films.layers=1"});
   EXPECT_THAT(check.output, HasSubstr("1 element along each edge of a grain, 1 layer across"));
   EXPECT_THAT(check.output, testing::Not(HasSubstr("mixed in series")));

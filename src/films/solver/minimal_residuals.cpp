@@ -74,7 +74,7 @@ KrylovSolution one_cycle(const LinearMap& matrix, const LinearMap& preconditione
     ++found.iterations;
     found.residual = form.residual() / norm;
     if (length == 0.0) break;
-    basis.push_back(next / length);
+    basis.emplace_back(next / length);
   }
   const auto coefficients = form.coefficients();
   for (Eigen::Index i = 0; i < coefficients.size(); ++i) {
