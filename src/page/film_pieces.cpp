@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <span>
 #include <utility>
 
@@ -68,8 +67,8 @@ class Piece {
   /// The lowest and the highest coordinate of the corners along an axis.
   [[nodiscard]] std::pair<double, double> range(std::size_t axis) const {
     const auto along = [axis](const Point& point) { return point[axis]; };
-    const auto [lowest, highest] = std::ranges::minmax(corners_ | std::views::transform(along));
-    return {lowest, highest};
+    const auto [lowest, highest] = std::ranges::minmax(corners_, {}, along);
+    return {lowest[axis], highest[axis]};
   }
 
  private:

@@ -67,9 +67,8 @@ struct MeasuredFilmsInSpace {
 };
 
 const std::vector<MeasuredFilmsInSpace> measured_films_in_space = {
-    {27.0, 1, 23549, 329e6},  {64.0, 1, 56373, 797e6},    {125.0, 1, 108621, 1855e6},
-    {27.0, 2, 93589, 1199e6}, {216.0, 1, 192765, 2555e6}, {64.0, 2, 224057, 2486e6},
-    {343.0, 1, 301013, 2861e6}};
+    {27.0, 1, 23549, 329e6},    {64.0, 1, 56373, 797e6},   {125.0, 1, 108621, 1855e6}, {27.0, 2, 93589, 1199e6},
+    {216.0, 1, 192765, 2555e6}, {64.0, 2, 224057, 2486e6}, {343.0, 1, 301013, 4744e6}};
 
 TEST(FilmCosts, InSpaceAreNotLessThanThoseOfMeasuredRuns) {
   for (const auto& [count, divisions, unknowns, bytes] : measured_films_in_space) {

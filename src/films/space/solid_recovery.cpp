@@ -60,7 +60,7 @@ Eigen::Vector3d integral_of_product(const std::array<double, 2>& factor, const s
 /// A corner of a triangle of a film halfway between both sides.
 struct MiddleCorner {
   Eigen::Vector3d position;
-  double thickness;
+  double thickness = 0.0;
   Eigen::Vector3d flow;  ///< mean displacement of the binder relative to the mean of both sides
 };
 
@@ -167,6 +167,7 @@ class Recovery {
     std::map<std::size_t, std::size_t> point_of;
     for (const auto& tetrahedron : solid.tetrahedra) {
       std::vector<SolidNode> nodes;
+      nodes.reserve(tetrahedron.size());
       for (const auto node : tetrahedron) nodes.push_back({g, node, Eigen::Vector3i::Zero()});
       const std::array corners = {solid.nodes[tetrahedron[0]], solid.nodes[tetrahedron[1]], solid.nodes[tetrahedron[2]],
                                   solid.nodes[tetrahedron[3]]};
