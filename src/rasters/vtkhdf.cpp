@@ -82,12 +82,12 @@ auto values_between(std::size_t begin, std::size_t end, const ValueAt& value_at)
   return values;
 }
 
-/// A part of a list.
+/// A part of a list of entries with `each` numbers.
 template <class Number>
-CellMesh::Part<Number> part_of(std::vector<Number> all) {
-  return [all = std::move(all)](std::size_t begin, std::size_t end) {
-    return std::vector<Number>(all.begin() + static_cast<std::ptrdiff_t>(begin),
-                               all.begin() + static_cast<std::ptrdiff_t>(end));
+CellMesh::Part<Number> part_of(std::vector<Number> all, std::size_t each) {
+  return [all = std::move(all), each](std::size_t begin, std::size_t end) {
+    return std::vector<Number>(all.begin() + static_cast<std::ptrdiff_t>(each * begin),
+                               all.begin() + static_cast<std::ptrdiff_t>(each * end));
   };
 }
 
@@ -104,17 +104,15 @@ CellMesh cells_of(const PieceMesh<dim>& pieces) {
     offsets.push_back(offsets.back() + corners);
     types.push_back(vtk_type<dim>(corners));
   }
-  return {.points = pieces.points.size(),
-          .cells = pieces.corner_counts.size(),
-          .corners = pieces.corners.size(),
-          .coordinates =
-              [all = std::move(coordinates)](std::size_t begin, std::size_t end) {
-                return std::vector<double>(all.begin() + static_cast<std::ptrdiff_t>(3 * begin),
-                                           all.begin() + static_cast<std::ptrdiff_t>(3 * end));
-              },
-          .corner = part_of(pieces.corners),
-          .offset = part_of(std::move(offsets)),
-          .cell_type = part_of(std::move(types))};
+  CellMesh mesh;
+  mesh.points = pieces.points.size();
+  mesh.cells = pieces.corner_counts.size();
+  mesh.corners = pieces.corners.size();
+  mesh.coordinates = part_of(std::move(coordinates), 3);
+  mesh.corner = part_of(pieces.corners, 1);
+  mesh.offset = part_of(std::move(offsets), 1);
+  mesh.cell_type = part_of(std::move(types), 1);
+  return mesh;
 }
 
 /// A lattice of cubes, or of squares as one layer of them without thickness.
