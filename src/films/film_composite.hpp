@@ -7,6 +7,7 @@
 #include <span>
 
 #include "films/assembly/film_operator.hpp"
+#include "films/solver/full_factors_limit.hpp"
 #include "films/solver/symmetric_solver.hpp"
 #include "quasistatic/reduced/affine_composite.hpp"
 #include "quasistatic/reduced/stored_vectors.hpp"
@@ -46,10 +47,6 @@ class FilmComposite {
  private:
   FilmOperator<dim> film_operator_;
 };
-
-/// The number of unknowns in space from which on compressed factors are the faster ones (docs/performance.md). It does
-/// not depend on the machine, because the last digits of the solvers differ.
-inline constexpr std::int64_t full_factors_in_space = 150'000;
 
 /// Solves for the displacements of grains and films, which must outlive it, for one binder after the other.
 template <int dim>

@@ -21,7 +21,8 @@ class CompressedFactors final : public SymmetricSolver {
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right_side) override;
 
  private:
-  /// The largest errors of the blocks, in the order in which they are tried.
+  /// The accuracies of the factors, in the order in which they are tried: blocks of low rank with errors of 1e-3 and of
+  /// 1e-5, and full blocks in double precision.
   enum class Accuracy { usual, fine, full };
 
   void make_factors(Accuracy accuracy);

@@ -8,6 +8,7 @@
 
 #include "breccia/microstructure/draw_diameters.hpp"
 
+#include "films/solver/full_factors_limit.hpp"
 #include "homogenisation/plan/expected_snapshots.hpp"
 #include "homogenisation/plan/measured_costs.hpp"
 #include "homogenisation/run/named_errors.hpp"
@@ -93,10 +94,15 @@ double system_in_the_plane(double unknowns) {
   return unknowns * (are_in_files ? costs::films_in_files : costs::films_in_memory);
 }
 
+/// Whether the factors of so many unknowns in space are compressed.
+bool has_compressed_factors(double unknowns) {
+  return unknowns > static_cast<double>(films::full_factors_in_space);
+}
+
 /// Memory of matrices and factors in space [B], where resolved films have more entries a row.
 double system_in_space(const Tests& tests, double unknowns) {
   namespace costs = measured_costs;
-  if (unknowns > costs::most_of_full_factors) return costs::compressed_films * unknowns;
+  if (has_compressed_factors(unknowns)) return costs::compressed_films * unknowns;
   const double of_layers = tests.films.layers ? costs::memory_of_resolved_films_in_space : 1.0;
   return of_layers * costs::films_in_space * std::pow(unknowns, costs::power_of_films_in_space);
 }
@@ -151,7 +157,7 @@ double film_time(const Study& study, const Stage& stage, const FilmedGrains& gra
   const bool is_reduced = study.tests.quasistatic.solver == Solver::reduced;
   // Each step has factors of its own.
   const double solutions = is_reduced ? expected_snapshots(study, stage) : expected_steps(study.tests);
-  if (grains.dimensions == 3 && unknowns > costs::most_of_full_factors) {
+  if (grains.dimensions == 3 && has_compressed_factors(unknowns)) {
     const auto loads = static_cast<double>(loads_of(study, stage).size());
     return solutions * unknowns * (costs::compressed_snapshot + loads * costs::solution_by_compressed);
   }

@@ -81,9 +81,9 @@ inline constexpr double film_snapshot = 5e-6, unknowns_of_film_snapshot = 1e5, p
 /// unknowns with which it grows; the number of unknowns with which a snapshot takes one second, and the power.
 inline constexpr double films_in_space = 400.0, power_of_films_in_space = 4.0 / 3.0;
 inline constexpr double unknowns_of_space_snapshot = 2.35e4, power_of_space_snapshot = 1.7;
-/// The same with more unknowns, for which factors are compressed (films/film_composite.hpp): memory for each unknown
-/// [B], and time of the factors and of a solution for each unknown [s].
-inline constexpr double most_of_full_factors = 150e3, compressed_films = 1.6e4;
+/// The same with compressed factors: memory for each unknown [B], and time of the factors and of a solution for each
+/// unknown [s].
+inline constexpr double compressed_films = 1.6e4;
 inline constexpr double compressed_snapshot = 1e-4, solution_by_compressed = 1.5e-5;
 /// Memory and time of resolved films in space over those of as many unknowns of thin films.
 inline constexpr double memory_of_resolved_films_in_space = 2.2, time_of_resolved_films_in_space = 3.0;
