@@ -11,6 +11,7 @@
 
 #include "breccia/viscoelasticity/interconversion.hpp"
 
+#include "films/elastic_state.hpp"
 #include "films/fields/film_recovery.hpp"
 #include "films/film_sampling.hpp"
 #include "films/grains_and_films.hpp"
@@ -47,13 +48,7 @@ Means means_of(const FilmFields<2>& fields) {
 /// Fields with an elastic binder.
 FilmFields<2> elastic_fields(const FilmProblem<2>& problem, const Moduli& binder, Load load) {
   const FilmComposite<2> composite(problem);
-  FilmSolver<2> solver(composite);
-  solver.prepare(std::array{binder.shear, binder.bulk});
-  const auto displacement = solver.solve(load, composite.zero());
-  quasistatic::CompositeState<FilmVector> state{displacement, {displacement, displacement}};
-  state.applied[FilmComposite<2>::shear].scale(binder.shear);
-  state.applied[FilmComposite<2>::bulk].scale(binder.bulk);
-  return fields_of(composite, problem, load, state);
+  return fields_of(composite, problem, load, test::elastic_state(composite, binder, load));
 }
 
 // If the binder has the moduli of the grains, the box is homogeneous: stress and strain are uniform, in periodic boxes

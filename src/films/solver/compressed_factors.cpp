@@ -78,11 +78,17 @@ KrylovSolution CompressedFactors::iterate(const Eigen::VectorXd& right_side) {
   constexpr double goes_on = 1.0, is_done = 0.0;
   KrylovSolution found;
   double state = goes_on;
+  std::exception_ptr failure;
   if (parallel::rank() != 0) {
     for (copy_from_first(state); state == goes_on; copy_from_first(state)) {
-      static_cast<void>(solve_once(right_side));
+      try {
+        static_cast<void>(solve_once(right_side));
+      } catch (...) {
+        // MUMPS fails on the first process, too, which then ends the iteration.
+        failure = std::current_exception();
+      }
     }
-    parallel::throw_together({});
+    parallel::throw_together(failure);
     return found;
   }
   const auto multiply = [&](const Eigen::VectorXd& vector) -> Eigen::VectorXd {
@@ -92,7 +98,6 @@ KrylovSolution CompressedFactors::iterate(const Eigen::VectorXd& right_side) {
     copy_from_first(state);
     return solve_once(vector);
   };
-  std::exception_ptr failure;
   try {
     found = minimal_residuals(multiply, precondition, right_side, largest_residual);
   } catch (...) {

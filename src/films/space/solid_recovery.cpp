@@ -186,8 +186,8 @@ class Recovery {
     }
   }
 
-  /// Begins a cell of binder: its content and its strain, with the part of the integral of the strain that comes from a
-  /// flow. A cell without content has no fields.
+  /// A cell of binder with its content and its strain; `flow` is the part of the integral of the strain that comes from
+  /// a flow. A cell without content has no strain.
   template <class Element>
   [[nodiscard]] FilmCell<3> strained_cell(FilmPart part, const ElementUnknowns<3>& unknowns, const Element& element,
                                           const Tensor& flow) const {

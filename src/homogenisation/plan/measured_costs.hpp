@@ -73,7 +73,7 @@ inline constexpr double snapshots_of_varied_decade = 0.85;
 inline constexpr double film_factors = 1.55e3, films_in_memory = 2.0e3, films_in_files = 1.35e3, most_factors = 2e9;
 /// Memory for writing files of fields [B]: a constant part, one for each grain, and one for each grain and time.
 inline constexpr double field_files = 100e6, fields_of_grain = 9e4, fields_of_grain_and_time = 1e4;
-/// The last one in space, with one element along an edge; it grows with the square of their number.
+/// Memory for each grain and time in space with one element along an edge; it grows with the square of their number.
 inline constexpr double fields_of_polyhedron_and_time = 8e4;
 /// Time of a snapshot for each unknown, with 1e5 unknowns [s]; it grows with this power of the number of unknowns.
 inline constexpr double film_snapshot = 5e-6, unknowns_of_film_snapshot = 1e5, power_of_film_snapshot = 0.2;
