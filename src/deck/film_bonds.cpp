@@ -73,6 +73,14 @@ void read_bonds(const Section& section, Stage& stage) {
   if (!table) return;
   FilmBonds bonds;
   bonds.kind = table->choice<Debonding>("kind").value_or(bonds.kind);
+  if (bonds.kind == Debonding::spring) {
+    const auto stiffness = [&table](const char* key) {
+      return table->quantity(key, Dimension::interface_stiffness, Range::positive());
+    };
+    bonds.springs = {.normal = stiffness("normal_stiffness"), .tangential = stiffness("tangential_stiffness")};
+  } else {
+    table->refuse({"normal_stiffness", "tangential_stiffness"}, R"(kind = "spring" alone has springs)");
+  }
   const auto key = table->exactly_one({"debonded", "films"});
   if (key == "films") {
     table->refuse({"seed", "normal"}, "the films are listed");

@@ -46,6 +46,10 @@ void require_sound(const FilmProblem<dim>& problem) {
   if (has_debonded && problem.layers && problem.debonded.kind != Debonding::open) {
     mistakes.emplace_back("films that are resolved by layers may be debonded as open gaps alone");
   }
+  if (has_debonded && problem.debonded.kind == Debonding::spring) {
+    require_positive(problem.debonded.springs.normal, "the normal stiffness of the springs", " Pa/m");
+    require_positive(problem.debonded.springs.tangential, "the tangential stiffness of the springs", " Pa/m");
+  }
   if (dim == 3 && !problem.tessellation.sites().film_shares.empty()) {
     mistakes.emplace_back("in three dimensions the films have nearly one thickness, without shares of the sites");
   }

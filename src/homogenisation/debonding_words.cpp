@@ -1,9 +1,12 @@
 #include "homogenisation/debonding_words.hpp"
 
+#include <string>
 #include <string_view>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include "io/units.hpp"
 
 namespace breccia {
 namespace {
@@ -12,17 +15,25 @@ constexpr double per_cent = 100.0;
 
 /// What debonded films of a kind are, and what follows from it.
 struct KindInWords {
-  std::string_view name, consequence;
+  std::string name, consequence;
 };
 
-KindInWords words_on(Debonding kind) {
-  switch (kind) {
+/// The stiffness of springs: "1 GPa/um across and 0.5 GPa/um along them".
+std::string words_on(const InterfaceStiffness& springs) {
+  return fmt::format("{} across and {} along them", readable(springs.normal, Dimension::interface_stiffness),
+                     readable(springs.tangential, Dimension::interface_stiffness));
+}
+
+KindInWords words_on(const FilmBonds& bonds) {
+  switch (bonds.kind) {
     case Debonding::open:
       return {"open gaps", ", which carry nothing and take the pressure from the binder around them"};
     case Debonding::sealed:
       return {"sealed gaps", ", which carry nothing while the binder around them keeps its pressure"};
     case Debonding::slip:
       return {"slip", " along one of their grains, without friction and without coming off it"};
+    case Debonding::spring:
+      return {words_on(bonds.springs), ", which hold the binder to one of its two grains"};
   }
   return {};
 }
@@ -37,21 +48,26 @@ std::string choice_of(const Stage& stage) {
 
 }  // namespace
 
+std::string_view state_of(Debonding kind) {
+  return kind == Debonding::spring ? "on springs" : "debonded";
+}
+
 std::string words_on_bonds(const Stage& stage) {
   if (!stage.bonds) return {};
   const auto& bonds = *stage.bonds;
   const auto how_many =
       bonds.films.empty() ? fmt::format("{:.4g} % of the films", per_cent * bonds.debonded) : std::string("films");
-  return fmt::format("{} debonded, {}: {}", how_many, choice_of(stage), words_on(bonds.kind).name);
+  return fmt::format("{} {}, {}: {}", how_many, state_of(bonds.kind), choice_of(stage), words_on(bonds).name);
 }
 
 std::string words_on_debonding(const Stage& stage, const GrainStatistics& grains) {
   if (!stage.bonds) return {};
-  const auto& [name, consequence] = words_on(stage.bonds->kind);
-  const auto* const closing =
-      stage.bonds->kind == Debonding::slip ? "" : "; a gap that closes carries nothing here, in reality it would";
-  return fmt::format("{} film{} debonded, {:.3g} % of the {} of all, {}: {}{}{}", grains.debonded_films,
-                     grains.debonded_films == 1 ? "" : "s", per_cent * grains.debonded,
+  const auto kind = stage.bonds->kind;
+  const auto [name, consequence] = words_on(*stage.bonds);
+  const bool are_gaps = kind == Debonding::open || kind == Debonding::sealed;
+  const auto* const closing = are_gaps ? "; a gap that closes carries nothing here, in reality it would" : "";
+  return fmt::format("{} film{} {}, {:.3g} % of the {} of all, {}: {}{}{}", grains.debonded_films,
+                     grains.debonded_films == 1 ? "" : "s", state_of(kind), per_cent * grains.debonded,
                      stage.dimensions() == 3 ? "area" : "length", choice_of(stage), name, consequence, closing);
 }
 

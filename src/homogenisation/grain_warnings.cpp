@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "homogenisation/debonding_words.hpp"
 #include "io/display.hpp"
 #include "io/units.hpp"
 
@@ -58,7 +59,8 @@ std::vector<std::string> warnings_of_debonding(const Stage& stage, const StageMi
   const double share = grains->debonded;
   std::vector<std::string> warnings;
   constexpr double many = 0.25, most = 0.45, off = 0.05;
-  const bool are_thin_gaps = !films.layers && bonds.kind != Debonding::slip;
+  const bool are_gaps = bonds.kind == Debonding::open || bonds.kind == Debonding::sealed;
+  const bool are_thin_gaps = !films.layers && are_gaps;
   if (are_thin_gaps && share > most) {
     warnings.push_back(fmt::format(
         "{:.0f} % of the films are gaps: the model was not held against resolved films with more than 40 %, and the "
@@ -73,15 +75,16 @@ std::vector<std::string> warnings_of_debonding(const Stage& stage, const StageMi
   }
   if (bonds.films.empty() && std::abs(share - bonds.debonded) > off * bonds.debonded) {
     warnings.push_back(fmt::format(
-        "{:.3g} % of the films are debonded where {:.3g} % were asked for, since whole films are; a box of more grains "
+        "{:.3g} % of the films are {} where {:.3g} % were asked for, since whole films are; a box of more grains "
         "comes closer",
-        100.0 * share, 100.0 * bonds.debonded));
+        100.0 * share, state_of(bonds.kind), 100.0 * bonds.debonded));
   }
   if (!bonds.normal.empty()) {
     warnings.push_back(fmt::format(
-        "films are debonded across one direction, so that the composite is not isotropic: the mean of the shears, "
+        "films are {} across one direction, so that the composite is not isotropic: the mean of the shears, "
         "Young's modulus, Poisson's ratio and exported cards hold for no direction of it; tests.loads = [{}] have the "
         "shears by themselves",
+        state_of(bonds.kind),
         stage.dimensions() == 3 ? R"("shear", "shear-yz", "shear-zx", "shear-zz")" : R"("shear", "shear-xx-yy")"));
   }
   return warnings;

@@ -132,7 +132,8 @@ std::string words_on_films(const StageQuality& quality) {
     return fmt::format("films: error of the model up to about {} by a rule", words_of(*quality.rules.one_grid));
   }
   if (quality.debonding && !quality.films.layers) {
-    return fmt::format("films: error unknown with debonded ones{}",
+    return fmt::format("films: error unknown with {}{}",
+                       *quality.debonding == Debonding::spring ? "springs" : "debonded ones",
                        quality.debonding == Debonding::open
                            ? " (with 10 and 20 % of open gaps the mean shear modulus was within 3 % of resolved films, "
                              "the bulk modulus up to 8 % below)"

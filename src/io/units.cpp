@@ -50,8 +50,10 @@ constexpr std::array<ReadableUnit, 1> angles{{{std::numbers::pi / 180.0, "deg"}}
 constexpr std::array<ReadableUnit, 2> molar_energies{{{1.0, "J/mol"}, {1e3, "kJ/mol"}}};
 constexpr std::array<ReadableUnit, 3> inverse_lengths{{{1.0, "1/m"}, {1e3, "1/mm"}, {1e6, "1/um"}}};
 
+constexpr std::array<ReadableUnit, 3> interface_stiffnesses{{{1e9, "MPa/mm"}, {1e12, "MPa/um"}, {1e15, "GPa/um"}}};
+
 const DimensionFacts& facts(Dimension dimension) {
-  static const std::array<DimensionFacts, 11> all{{
+  static const std::array<DimensionFacts, 12> all{{
       {"length", "48 um", "m", lengths, {"nm", "um", "mm", "cm", "m", "km"}},
       {"time", "10 ns", "s", times, {"ps", "ns", "us", "ms", "s", "min", "hour", "day"}},
       {"frequency", "1 kHz", "s-1", frequencies, {"Hz", "kHz", "MHz", "GHz"}},
@@ -63,6 +65,11 @@ const DimensionFacts& facts(Dimension dimension) {
       {"area", "2 mm^2", "m2", areas, {"um^2", "mm^2", "m^2"}},
       {"angle", "30 deg", "rad", angles, {"deg", "rad"}},
       {"molar energy", "120 kJ/mol", "J mol-1", molar_energies, {"J/mol", "kJ/mol", "kcal/mol"}},
+      {"stiffness of an interface",
+       "1 GPa/um",
+       "Pa m-1",
+       interface_stiffnesses,
+       {"Pa/m", "MPa/mm", "GPa/mm", "MPa/um", "GPa/um"}},
   }};
   return all[static_cast<std::size_t>(dimension)];
 }

@@ -18,7 +18,8 @@ enum class Dimension {
   inverse_length,          ///< [1/m]
   area,                    ///< [m^2]
   angle,                   ///< [rad]
-  molar_energy             ///< [J/mol]
+  molar_energy,            ///< [J/mol]
+  interface_stiffness      ///< [Pa/m]
 };
 
 /// The dimension as a noun: "length", "pressure".

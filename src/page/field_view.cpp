@@ -125,7 +125,8 @@ std::vector<CellTensor> tensors_of(const Hdf5Reader& file, const std::string& na
 std::uint8_t drawn_phase(FilmPart part) {
   constexpr std::uint8_t of_binder = 0, of_grain = 1, of_debonded = 2;
   if (part == FilmPart::grain) return of_grain;
-  return part == FilmPart::gap || part == FilmPart::slip ? of_debonded : of_binder;
+  const bool is_debonded = part == FilmPart::gap || part == FilmPart::slip || part == FilmPart::spring;
+  return is_debonded ? of_debonded : of_binder;
 }
 
 Json view_of_films(const std::filesystem::path& path, const Hdf5Reader& file, double side, Load load, Boundary boundary,

@@ -96,7 +96,7 @@ bool is_sound(const FilmPieces& pieces) {
   for (std::size_t i = 0; i < pieces.count(); ++i) {
     const auto corners = pieces.offsets[i + 1] - pieces.offsets[i];
     if (corners != 4 && corners != 6) return false;
-    if (pieces.parts[i] < FilmPart::grain || pieces.parts[i] > FilmPart::slip) return false;
+    if (pieces.parts[i] < FilmPart::grain || pieces.parts[i] > FilmPart::spring) return false;
   }
   const auto points = static_cast<std::int64_t>(pieces.points.size());
   return std::ranges::all_of(pieces.corners, [points](auto corner) { return corner >= 0 && corner < points; });

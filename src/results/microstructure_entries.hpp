@@ -79,7 +79,7 @@ inline constexpr auto fields<ThresholdEntry> = std::tuple(field("value", &Thresh
 
 /// The films that are debonded.
 struct DebondingEntry {
-  std::string kind;       ///< "open", "sealed" or "slip"
+  std::string kind;       ///< "open", "sealed", "slip" or "spring"
   std::size_t films = 0;  ///< number of films
   double share = 0.0;     ///< share of the area of all films, in two dimensions of their length [-]
   std::string words;      ///< all this as a sentence

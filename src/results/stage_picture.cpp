@@ -13,6 +13,7 @@
 
 #include "homogenisation/box/debonded_films.hpp"
 #include "homogenisation/box/middle_plane.hpp"
+#include "homogenisation/debonding_words.hpp"
 #include "report/grain_picture.hpp"
 #include "report/image_picture.hpp"
 #include "report/particle_picture.hpp"
@@ -70,8 +71,9 @@ struct PictureOf {
     return cut(ellipsoids, fmt::format("{} particles", ellipsoids.particles.size()));
   }
   std::string operator()(const Grains<3>& grains) const {
-    return cut(grains, fmt::format("{} grains{}", grains.statistics.cell_count,
-                                   stage.bonds ? ", films that are debonded in red" : ""));
+    return cut(grains,
+               fmt::format("{} grains{}", grains.statistics.cell_count,
+                           stage.bonds ? fmt::format(", films that are {} in red", state_of(stage.bonds->kind)) : ""));
   }
   std::string operator()(const SharedImage<3>& image) const {
     return cut(image, fmt::format("{} voxels", fmt::join(image->pixels, " x ")));

@@ -125,8 +125,9 @@ class Content {
     if (bonds) add_all(std::string("bonds"), *bonds);
   }
   void add(const FilmBonds& bonds) {
-    const auto& [debonded, kind, seed, normal, films] = bonds;
+    const auto& [debonded, kind, seed, normal, films, springs] = bonds;
     add_all(debonded, kind, seed, normal, films);
+    if (kind == Debonding::spring) add_all(springs.normal, springs.tangential);
   }
   void add(const SitePair& pair) {
     const auto& [sites, image] = pair;

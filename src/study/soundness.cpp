@@ -40,6 +40,13 @@ void check_matrix(const Stage& stage, std::span<const Stage> earlier, const std:
 
 void check_bonds(const Stage& stage, const std::string& part, StudyMistakes& mistakes) {
   const auto& bonds = *stage.bonds;
+  if (bonds.kind == Debonding::spring) {
+    const auto check = [&](std::string_view what, double value) {
+      mistakes.check_quantity(part, what, value, Range::positive(), Dimension::interface_stiffness);
+    };
+    check("normal stiffness of the bonds", bonds.springs.normal);
+    check("tangential stiffness of the bonds", bonds.springs.tangential);
+  }
   if (!bonds.films.empty()) return;
   mistakes.check_number(part, "share of films that are debonded", bonds.debonded, allowed::debonded);
   mistakes.add_all(part + ", normal of films", mistakes_of_normal(bonds.normal, stage.dimensions()));

@@ -48,6 +48,25 @@ TEST_F(FilmBondsOfADeck, AreAShareOfTheFilms) {
   EXPECT_EQ(bonds(R"(debonded = 1, kind = "slip")").kind, Debonding::slip);
 }
 
+TEST_F(FilmBondsOfADeck, AreSprings) {
+  const auto springs =
+      bonds(R"(debonded = 1, kind = "spring", normal_stiffness = "2 GPa/um", tangential_stiffness = "0.3 GPa/mm")");
+  EXPECT_EQ(springs.kind, Debonding::spring);
+  EXPECT_EQ(springs.springs.normal, 2e15);
+  EXPECT_EQ(springs.springs.tangential, 3e11);
+}
+
+TEST_F(FilmBondsOfADeck, RefuseSpringsThatAreNone) {
+  EXPECT_THAT(mistakes(R"(debonded = 1, kind = "spring", normal_stiffness = "2 GPa/um")"),
+              HasSubstr("bonds.tangential_stiffness: missing, expected a stiffness of an interface"));
+  EXPECT_THAT(
+      mistakes(R"(debonded = 1, kind = "spring", normal_stiffness = "2 GPa", tangential_stiffness = "0 GPa/um")"),
+      AllOf(HasSubstr(R"(bonds.normal_stiffness: expected a stiffness of an interface)"), HasSubstr(R"("2 GPa")"),
+            HasSubstr("bonds.tangential_stiffness: expected a positive stiffness of an interface")));
+  EXPECT_THAT(mistakes(R"(debonded = 1, kind = "open", normal_stiffness = "2 GPa/um")"),
+              HasSubstr(R"(bonds.normal_stiffness: kind = "spring" alone has springs)"));
+}
+
 TEST_F(FilmBondsOfADeck, AreThoseAcrossADirection) {
   EXPECT_THAT(bonds(R"(debonded = 0.1, kind = "open", normal = [0, 1])").normal, ElementsAre(0.0, 1.0));
 }
@@ -70,12 +89,17 @@ TEST_F(FilmBondsOfADeck, AreAPartOfTheIdentityOfAStudy) {
   EXPECT_NE(bonded, open);
   EXPECT_NE(open, identity(with(R"(debonded = 0.1, kind = "sealed")")));
   EXPECT_NE(open, identity(with(R"(debonded = 0.1, kind = "open", seed = 7)")));
+  const auto springs = [&](std::string_view stiffness) {
+    return identity(with(test::join(R"(debonded = 0.1, kind = "spring", normal_stiffness = "1 GPa/um", )",
+                                    "tangential_stiffness = ", stiffness)));
+  };
+  EXPECT_NE(springs("\"1 GPa/um\""), springs("\"2 GPa/um\""));
 }
 
 TEST_F(FilmBondsOfADeck, RefuseWhatIsMissingOrNone) {
   EXPECT_THAT(mistakes("debonded = 0.1"),
-              HasSubstr(R"(bonds.kind: missing, expected one of "open", "sealed", "slip")"));
-  EXPECT_THAT(mistakes(R"(debonded = 0.1, kind = "closed")"), HasSubstr(R"("open", "sealed", "slip")"));
+              HasSubstr(R"(bonds.kind: missing, expected one of "open", "sealed", "slip", "spring")"));
+  EXPECT_THAT(mistakes(R"(debonded = 0.1, kind = "closed")"), HasSubstr(R"("open", "sealed", "slip", "spring")"));
   EXPECT_THAT(mistakes(R"(kind = "open")"), HasSubstr("debonded"));
   EXPECT_THAT(mistakes(R"(debonded = -0.1, kind = "open")"),
               HasSubstr("a number from 0 to 1, or per cent as in \"35 %\", got -0.1"));

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "breccia/microstructure/cell_faces.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
 #include "films/elastic_state.hpp"
@@ -120,6 +121,29 @@ TEST(FilmFields, HaveTheMeansOfTheCurves) {
             is_creep ? breccia::modulus_of<2>(load, means.stress) : compliance_of<2>(load, means.strain);
         EXPECT_NEAR(prescribed, 1.0, 1e-9);
       }
+    }
+  }
+}
+
+TEST(FilmFields, OfFilmsOnSpringsHaveTheMeansOfTheCurves) {
+  auto problem = test::voronoi_problem();
+  problem.debonded = {
+      .kind = Debonding::spring, .faces = random_faces(problem.tessellation, 0.5, 1).faces, .springs = {1e13, 3e12}};
+  const auto material = test::relaxing_binder();
+  const auto sampled = sample_film_responses(problem, all_loads, carson_path(material, {1e-7, 1e1}));
+  for (std::size_t l = 0; l < all_loads.size(); ++l) {
+    const auto modulus = relaxation_modulus(creep_compliance(sampled.responses[l], material));
+    const auto strain = unit_strain<2>(all_loads[l]);
+    for (const double time : {1e-7, 1e-4, 1e1}) {
+      SCOPED_TRACE(std::string(name_of(all_loads[l])) + " " + std::to_string(time));
+      const auto fields = sampled.fields(l, std::array{material}, time);
+      EXPECT_TRUE(std::ranges::any_of(fields.cells, [](const auto& one) { return one.part == FilmPart::spring; }));
+      const auto means = means_of(fields);
+      EXPECT_NEAR(means.work / modulus.at(time), 1.0, 1e-9);
+      EXPECT_NEAR(breccia::modulus_of<2>(all_loads[l], means.stress) / modulus.at(time), 1.0, 1e-9);
+      EXPECT_NEAR(means.strain.xx, strain.xx, 1e-12);
+      EXPECT_NEAR(means.strain.yy, strain.yy, 1e-12);
+      EXPECT_NEAR(means.strain.xy, strain.xy, 1e-12);
     }
   }
 }

@@ -37,7 +37,7 @@ FilmProblem<3> six_grains(std::optional<Debonding> debonding = {}) {
                             .thickness = film_thickness(tessellation, 0.93),
                             .grain = hmx,
                             .elements = {.divisions = 1}};
-  if (debonding) problem.debonded = {*debonding, random_faces(tessellation, 0.2, 1).faces};
+  if (debonding) problem.debonded = {*debonding, random_faces(tessellation, 0.2, 1).faces, {1e14, 3e13}};
   return problem;
 }
 
@@ -107,8 +107,8 @@ TEST(SolidFields, OfOneMaterialAreUniform) {
 // The cells tile the box; its mean strain is that of the load, its mean stress and work are the modulus.
 TEST(SolidFields, HaveTheMeansOfTheirLoads) {
   using enum Debonding;
-  for (const auto debonding :
-       {std::optional<Debonding>(), std::optional(open), std::optional(sealed), std::optional(slip)}) {
+  for (const auto debonding : {std::optional<Debonding>(), std::optional(open), std::optional(sealed),
+                               std::optional(slip), std::optional(spring)}) {
     const auto problem = six_grains(debonding);
     for (const auto load : loads_in_space) {
       SCOPED_TRACE(std::string(name_of(load)) + (debonding ? " debonded" : ""));

@@ -11,7 +11,13 @@ namespace breccia {
 enum class Debonding {
   open,    ///< the film carries nothing, and the binder around it can flow into the gap: it has no pressure
   sealed,  ///< the film carries nothing; the binder around it keeps its pressure
-  slip     ///< the binder stays in touch with both grains and slides along one of them without friction
+  slip,    ///< the binder stays in touch with both grains and slides along one of them without friction
+  spring   ///< springs hold the binder to one of the grains
+};
+
+/// Stiffness of the springs of an interface: tractions per jump of the displacement across it [Pa/m].
+struct InterfaceStiffness {
+  double normal = 0.0, tangential = 0.0;
 };
 
 /// The films that are debonded. A face without a film counts for nothing.
@@ -19,6 +25,7 @@ template <int dim>
 struct DebondedFilms {
   Debonding kind = Debonding::open;
   std::vector<CellFace<dim>> faces = {};
+  InterfaceStiffness springs = {};  ///< of films on springs
 };
 
 }  // namespace breccia

@@ -15,7 +15,8 @@ enum class FilmPart {
   junction,  ///< the binder between the corners of three or more grains, in space of four
   gap,       ///< a film that is debonded and carries nothing
   channel,   ///< in space, the binder along an edge between three grains
-  slip       ///< a film whose binder slides along one of its sides
+  slip,      ///< a film whose binder slides along one of its sides
+  spring     ///< a film whose binder is held to one of its sides by springs; its work is that of both
 };
 
 /// A cell of the fields of grains and films. In the plane: a triangle of a grain, a quadrilateral of a film or a gap

@@ -50,7 +50,8 @@ struct FilmProblem {
 
 /// Throws InputError with all mistakes: a thickness, a share, a modulus or a number of layers that is not positive,
 /// crystals that are not one for each grain, a boundary that does not fit the walls of the tessellation, debonded films
-/// with another boundary than a periodic one or, with layers, of another kind than open ones.
+/// with another boundary than a periodic one or, with layers, of another kind than open ones, springs without a
+/// stiffness.
 template <int dim>
 void require_sound(const FilmProblem<dim>& problem);
 

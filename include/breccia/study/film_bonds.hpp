@@ -15,10 +15,11 @@ namespace breccia {
 template <>
 inline constexpr auto words<Debonding> = std::to_array<Word<Debonding>>({{"open", Debonding::open},
                                                                          {"sealed", Debonding::sealed},
-                                                                         {"slip", Debonding::slip}});
+                                                                         {"slip", Debonding::slip},
+                                                                         {"spring", Debonding::spring}});
 
-/// The films of a stage of grains from which the binder has come off, and how (`[stages.bonds]` of a deck): a share of
-/// the films, or those between listed grains.
+/// The films of a stage of grains from which the binder has come off, or to which springs hold it, and how
+/// (`[stages.bonds]` of a deck): a share of the films, or those between listed grains.
 struct FilmBonds {
   double debonded = 0.0;  ///< share of the area of all films, in the plane of their length [-]
   Debonding kind = Debonding::open;
@@ -29,6 +30,7 @@ struct FilmBonds {
   std::vector<double> normal = {};
   /// If not empty, the films between these pairs of grains are debonded, instead of a share of all.
   std::vector<SitePair> films = {};
+  InterfaceStiffness springs = {};  ///< of films on springs [Pa/m]
 };
 
 }  // namespace breccia

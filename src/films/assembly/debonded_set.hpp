@@ -19,8 +19,9 @@ namespace breccia::films {
 
 /// The part of the fields to which a film belongs that is debonded in this way, or bonded.
 [[nodiscard]] constexpr FilmPart part_of_film(const std::optional<Debonding>& debonding) noexcept {
+  if (!debonding) return FilmPart::film;
   if (is_gap(debonding)) return FilmPart::gap;
-  return debonding ? FilmPart::slip : FilmPart::film;
+  return *debonding == Debonding::slip ? FilmPart::slip : FilmPart::spring;
 }
 
 /// Finds out by its grains whether a film is debonded.

@@ -17,13 +17,30 @@ FilmNetwork network_of(const FilmProblem<2>& problem) {
                       problem.elements.face_share);
 }
 
+std::vector<std::optional<Debonding>> debonding_of(const FilmNetwork& network, const DebondedFilms<2>& films) {
+  const DebondedSet<2> debonded(films);
+  std::vector<std::optional<Debonding>> debonding;
+  for (const auto& film : network.films) debonding.push_back(debonded(film.grains(), film.image()));
+  return debonding;
+}
+
+/// Which films are on springs. Where the face on the second side has vanished there is no interface.
+std::vector<bool> on_springs(const FilmNetwork& network, const std::vector<std::optional<Debonding>>& debonding) {
+  std::vector<bool> are;
+  for (std::size_t film = 0; film < debonding.size(); ++film) {
+    are.push_back(debonding[film] == Debonding::spring && network.films[film].sides[1].face);
+  }
+  return are;
+}
+
 }  // namespace
 
 FilmMesh::FilmMesh(const FilmProblem<2>& problem)
-    : network_(network_of(problem)), grains_(meshes_of(network_)), unknowns_(network_, grains_, problem.boundary) {
-  const DebondedSet<2> debonded(problem.debonded);
-  for (const auto& film : network_.films) debonding_.push_back(debonded(film.grains(), film.image()));
-}
+    : network_(network_of(problem)),
+      grains_(meshes_of(network_)),
+      debonding_(debonding_of(network_, problem.debonded)),
+      stiffness_(in_sides_of_the_box(problem.debonded.springs, problem.tessellation.side())),
+      unknowns_(network_, grains_, problem.boundary, on_springs(network_, debonding_)) {}
 
 std::vector<NodeImage> FilmMesh::nodes_of(const Junction& junction) const {
   std::vector<NodeImage> nodes;
@@ -56,6 +73,25 @@ FilmStretch FilmMesh::stretch(std::size_t film, int element) const {
           .direction = direction,
           .normal = normal,
           .thickness = thickness};
+}
+
+InterfaceSprings FilmMesh::springs(std::size_t film, int element) const {
+  InterfaceSprings springs;
+  springs.jumps = unknowns_.jumps(film, element);
+  if (springs.jumps.empty()) return springs;
+  const auto of_element = stretch(film, element);
+  const auto& [first, second] = of_element.ends;
+  const double length = (second[1] - second[0]).norm();
+  // The integrals of the products of quadratic functions along an element of length 1.
+  const Eigen::Matrix3d products = Eigen::Matrix3d{{4.0, 2.0, -1.0}, {2.0, 16.0, 2.0}, {-1.0, 2.0, 4.0}} / 30.0;
+  springs.stiffness = spring_stiffness(stiffness_, network_.films[film].normal, length * products);
+  springs.outflow.setZero(FilmElement::pressures, std::ssize(springs.jumps));
+  const auto out_of = [](const Eigen::Vector2d& end) { return Eigen::RowVector2d(0.5 * end.y(), -0.5 * end.x()); };
+  if (element == 0) springs.outflow.topLeftCorner<1, 2>() = out_of(second[0] - first[0]);
+  if (element == network_.films[film].segments - 1) {
+    springs.outflow.bottomRightCorner<1, 2>() = out_of(first[1] - second[1]);
+  }
+  return springs;
 }
 
 Eigen::Vector2d FilmMesh::cut(std::size_t film, std::size_t end) const {

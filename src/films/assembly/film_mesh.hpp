@@ -12,6 +12,7 @@
 #include "films/assembly/debonded_set.hpp"
 #include "films/assembly/film_element.hpp"
 #include "films/assembly/film_opening.hpp"
+#include "films/assembly/interface_springs.hpp"
 #include "films/assembly/unknowns.hpp"
 #include "films/mesh/film_network.hpp"
 #include "films/mesh/grain_mesh.hpp"
@@ -52,6 +53,9 @@ class FilmMesh {
   [[nodiscard]] FilmPart part(std::size_t film) const { return part_of_film(debonding_[film]); }
   /// Whether a film slides along its second side.
   [[nodiscard]] bool slides(std::size_t film) const { return debonding_[film] == Debonding::slip; }
+  /// The springs of an element of a film that hold it to the grain on its second side; a bonded film has none. In units
+  /// of the side of the box.
+  [[nodiscard]] InterfaceSprings springs(std::size_t film, int element) const;
   /// Matrices of an element of a film; of a gap those that it would have if it were bonded.
   [[nodiscard]] FilmElement element(std::size_t film, int element) const {
     return slides(film) ? sliding_film_element(stretch(film, element)) : film_element(stretch(film, element));
@@ -73,8 +77,9 @@ class FilmMesh {
 
   FilmNetwork network_;
   std::vector<GrainMesh> grains_;
-  Unknowns unknowns_;
   std::vector<std::optional<Debonding>> debonding_;  ///< by film
+  InterfaceStiffness stiffness_;                     ///< of springs [Pa]
+  Unknowns unknowns_;
 };
 
 }  // namespace breccia::films

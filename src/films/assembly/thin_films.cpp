@@ -142,8 +142,11 @@ class ThinFilms {
     const std::array flows = {unknowns_.flow(f, element, 0), unknowns_.flow(f, element, 1)};
     const auto unknowns = unknowns_of(mesh_.nodes_of_stretch(f, element), flows);
     const auto pressures = unknowns_.pressures(network_, f, element);
-    sum_.add_shear(unknowns, matrices.shear);
-    sum_.add_dilatation(pressures, unknowns, matrices.dilatation);
+    const auto springs = mesh_.springs(f, element);
+    const auto all = with_jumps(unknowns, springs);
+    sum_.add_grain(unknowns_of_jumps<2>(springs), springs.stiffness);
+    sum_.add_shear(all, stiffness_with_jumps(matrices.shear, springs));
+    sum_.add_dilatation(pressures, all, dilatation_with_jumps(matrices.dilatation, springs));
     sum_.add_volume(pressures, matrices.volume);
     sum_.add_content(mesh_.slides(f) ? work_in_uniform_shear(unknowns, matrices.shear) : matrices.volume.sum());
   }

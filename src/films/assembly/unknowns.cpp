@@ -1,10 +1,12 @@
 #include "films/assembly/unknowns.hpp"
 
 #include <cmath>
+#include <numeric>
 
 namespace breccia::films {
 
-Unknowns::Unknowns(const FilmNetwork& network, const std::vector<GrainMesh>& meshes, Boundary boundary) {
+Unknowns::Unknowns(const FilmNetwork& network, const std::vector<GrainMesh>& meshes, Boundary boundary,
+                   const std::vector<bool>& is_on_springs) {
   for (std::size_t g = 0; g < network.grains.size(); ++g) {
     displacements_.emplace_back(2 * meshes[g].nodes.size(), 0);
     boundary_nodes_.push_back(meshes[g].boundary_nodes);
@@ -40,6 +42,10 @@ Unknowns::Unknowns(const FilmNetwork& network, const std::vector<GrainMesh>& mes
       if (network.ends_at_wall(film, end)) of_film[end] = count_++;
     }
   }
+  for (std::size_t film = 0; film < network.films.size(); ++film) {
+    first_jumps_.push_back(is_on_springs[film] ? count_ : held);
+    if (is_on_springs[film]) count_ += 2 * (2 * network.films[film].segments + 1);
+  }
 }
 
 void Unknowns::hold_walls(const FilmNetwork& network) {
@@ -73,6 +79,14 @@ void Unknowns::hold_rotation(const std::vector<GrainMesh>& meshes) {
     }
   }
   *rotated = held;
+}
+
+std::vector<int> Unknowns::jumps(std::size_t film, int element) const {
+  if (first_jumps_[film] == held) return {};
+  constexpr std::size_t nodes = 3;
+  std::vector<int> numbers(2 * nodes);
+  std::iota(numbers.begin(), numbers.end(), first_jumps_[film] + 4 * element);
+  return numbers;
 }
 
 std::array<int, 3> Unknowns::pressures(const FilmNetwork& network, std::size_t film, int element) const noexcept {

@@ -15,14 +15,17 @@
 namespace breccia::films {
 
 /// Numbers of the unknowns of a network of films: the fluctuations of the displacement of the nodes of the grains, then
-/// the flows at both ends of each element of each film, and under a traction boundary the slip of each opening of a
-/// film in a wall; the pressures have numbers of their own, those of the junctions first.
+/// the flows at both ends of each element of each film, under a traction boundary the slip of each opening of a film
+/// in a wall, and the jumps along each film on springs; the pressures have numbers of their own, those of the junctions
+/// first.
 ///
 /// A displacement boundary holds the fluctuation at zero on the walls; as many components as there are rigid motions
 /// are held at zero under the other boundaries.
 class Unknowns {
  public:
-  Unknowns(const FilmNetwork& network, const std::vector<GrainMesh>& meshes, Boundary boundary);
+  /// `is_on_springs`: for each film, whether springs hold it to the grain on its second side.
+  Unknowns(const FilmNetwork& network, const std::vector<GrainMesh>& meshes, Boundary boundary,
+           const std::vector<bool>& is_on_springs);
 
   [[nodiscard]] int count() const noexcept { return count_; }
   [[nodiscard]] int pressures() const noexcept { return pressures_; }
@@ -42,6 +45,9 @@ class Unknowns {
   }
   /// The number of the slip of the opening at the start (0) or the end (1) of a film, or `held` where there is none.
   [[nodiscard]] int slip(std::size_t film, std::size_t end) const noexcept { return slips_[film][end]; }
+  /// The numbers of the jumps of an element of a film on springs, two components each at its start, middle and end;
+  /// none of another film.
+  [[nodiscard]] std::vector<int> jumps(std::size_t film, int element) const;
   /// The position of the node that a traction boundary holds against a rotation about the first node.
   [[nodiscard]] const Eigen::Vector2d& farthest_held() const noexcept { return farthest_held_; }
   /// The numbers of the pressures at the start, middle and end of an element of a film.
@@ -57,6 +63,7 @@ class Unknowns {
   std::vector<std::vector<std::size_t>> first_nodes_;  ///< numbers by grain and face
   std::vector<int> first_flows_, first_pressures_;     ///< numbers by film
   std::vector<std::array<int, 2>> slips_;              ///< numbers by film
+  std::vector<int> first_jumps_;                       ///< numbers by film, or `held` of a film without springs
   Eigen::Vector2d farthest_held_ = Eigen::Vector2d::Zero();
   int count_ = 0, pressures_ = 0;
 };

@@ -182,7 +182,8 @@ class Recovery {
   }
 
   /// Displacements of the binder relative to the mean of the grain faces, at the ends of the elements of a film: the
-  /// flow, averaged over the two elements that meet, and at a wall under tractions the slip of the opening.
+  /// flow, averaged over the two elements that meet, at a wall under tractions the slip of the opening, and half of the
+  /// jump across springs.
   [[nodiscard]] std::vector<Eigen::Vector2d> motions_between(std::size_t f) const {
     const auto& film = mesh_.network().films[f];
     std::vector<Eigen::Vector2d> motions = {flow(*displacement_, f, 0, 0) * film.direction};
@@ -196,6 +197,13 @@ class Recovery {
       auto& motion = end == 0 ? motions.front() : motions.back();
       if (boundary_ == Boundary::displacement) motion.setZero();
       if (boundary_ == Boundary::traction) motion += slip(*displacement_, f, end) * mesh_.opening(f, end).slip;
+    }
+    for (int element = 0; element < film.segments; ++element) {
+      const auto jumps = values_of(*displacement_, mesh_.springs(f, element).jumps);
+      if (jumps.size() == 0) continue;
+      const auto first = static_cast<std::size_t>(element);
+      if (element == 0) motions.front() += 0.5 * jumps.head<2>();
+      motions[first + 1] += 0.5 * jumps.tail<2>();
     }
     return motions;
   }
@@ -229,9 +237,18 @@ class Recovery {
     return work;
   }
 
+  [[nodiscard]] static Eigen::VectorXd values_of(const FilmVector& of, std::span<const int> numbers) {
+    Eigen::VectorXd values(std::ssize(numbers));
+    for (std::size_t i = 0; i < numbers.size(); ++i) values[static_cast<Eigen::Index>(i)] = of.unknowns()[numbers[i]];
+    return values;
+  }
+
+  /// Displacements of the nodes of a stretch, its flows and its jumps.
   [[nodiscard]] Eigen::VectorXd unknowns_of_stretch(const FilmVector& of, std::size_t f, int element) const {
-    auto all = displacements_of(of, mesh_.nodes_of_stretch(f, element), FilmElement::flows);
+    const auto jumps = values_of(of, mesh_.springs(f, element).jumps);
+    auto all = displacements_of(of, mesh_.nodes_of_stretch(f, element), FilmElement::flows + jumps.size());
     for (int end = 0; end < 2; ++end) all[FilmElement::displacements + end] = flow(of, f, element, end);
+    all.tail(jumps.size()) = jumps;
     return all;
   }
 
@@ -277,11 +294,15 @@ class Recovery {
       return;
     }
     const auto u = unknowns_of_stretch(*displacement_, f, element);
-    const Eigen::VectorXd shear_forces = matrices.shear * unknowns_of_stretch(*shear_, f, element);
+    const auto springs = mesh_.springs(f, element);
+    const Eigen::VectorXd shear_forces =
+        stiffness_with_jumps(matrices.shear, springs) * unknowns_of_stretch(*shear_, f, element);
+    const Eigen::VectorXd jumps = u.tail(std::ssize(springs.jumps));
+    const double work_of_springs = jumps.dot(springs.stiffness * jumps);
     const auto dilatation = at_pressures(volumetric_strain_, f, element);
     const Eigen::Vector3d bulk_forces = matrices.volume * at_pressures(negative_pressure_, f, element);
     cell.stress = stress_of(mean_deviator(nodes, shear_forces, cell.content), -bulk_forces.sum() / cell.content);
-    cell.work = (u.dot(shear_forces) + dilatation.dot(bulk_forces) + work_of_ends) / cell.content;
+    cell.work = (u.dot(shear_forces) + dilatation.dot(bulk_forces) + work_of_ends + work_of_springs) / cell.content;
     add_cell(cell, corners);
   }
 

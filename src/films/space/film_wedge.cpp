@@ -173,6 +173,25 @@ FilmWedge film_wedge(const Wedge& wedge, bool is_at_rim) {
   return element;
 }
 
+Eigen::Matrix<double, FilmWedge::pressures, FilmWedge::displacements / 2> outflow_of_second_side(const Wedge& wedge) {
+  const auto middle = middle_of(wedge);
+  const Eigen::RowVector3d outward = (middle.axes * middle.rim).transpose();
+  Eigen::Matrix<double, FilmWedge::pressures, FilmWedge::displacements / 2> outflow;
+  outflow.setZero();
+  const auto& [points, weights] = gauss_rule();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    // Along the edge from the second to the third corner.
+    const Eigen::Vector3d place(0.0, 0.5 * (1.0 - points[i]), 0.5 * (1.0 + points[i]));
+    const auto functions = quadratic_in_triangle(place);
+    // The mean motion across the film is half of that of the second side.
+    const Eigen::RowVector3d mean = 0.25 * weights[i] * place.dot(middle.thickness) * outward;
+    for (int node = 0; node < FilmWedge::pressures; ++node) {
+      outflow.middleCols<3>(3 * node) += functions * functions[node] * mean;
+    }
+  }
+  return outflow;
+}
+
 FilmWedge sliding_film_wedge(const Wedge& wedge, bool is_at_rim) {
   const auto middle = middle_of(wedge);
   auto element = empty_element(middle);

@@ -28,4 +28,9 @@ struct FilmWedge {
 /// The matrices of a triangle whose binder slides along its second side (theory, Eqs. 61a and 69c).
 [[nodiscard]] FilmWedge sliding_film_wedge(const Wedge& wedge, bool is_at_rim);
 
+/// The volume that leaves a triangle at the rim where the nodes on its second side move and those on its first side do
+/// not, by the six pressures and the displacements of the second side.
+[[nodiscard]] Eigen::Matrix<double, FilmWedge::pressures, FilmWedge::displacements / 2> outflow_of_second_side(
+    const Wedge& wedge);
+
 }  // namespace breccia::films

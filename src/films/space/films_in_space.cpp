@@ -46,8 +46,11 @@ class SpaceAssembly {
       const auto element = slides ? sliding_film_wedge(mesh_.film(t), is_at_rim) : film_wedge(mesh_.film(t), is_at_rim);
       const auto unknowns = mesh_.unknowns_of(nodes, mesh_.flows_of(t));
       const auto pressures = pressures_of(mesh_.sheets().triangles[t].nodes);
-      sum_.add_shear(unknowns, element.shear);
-      sum_.add_dilatation(pressures, unknowns, element.dilatation);
+      const auto springs = mesh_.springs(t);
+      const auto all = with_jumps(unknowns, springs);
+      sum_.add_grain(unknowns_of_jumps<3>(springs), springs.stiffness);
+      sum_.add_shear(all, stiffness_with_jumps(element.shear, springs));
+      sum_.add_dilatation(pressures, all, dilatation_with_jumps(element.dilatation, springs));
       sum_.add_volume(pressures, element.volume);
       sum_.add_content(slides ? work_in_uniform_shear(unknowns, element.shear) : element.volume.sum());
     }

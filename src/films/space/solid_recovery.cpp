@@ -61,7 +61,7 @@ Eigen::Vector3d integral_of_product(const std::array<double, 2>& factor, const s
 struct MiddleCorner {
   Eigen::Vector3d position;
   double thickness = 0.0;
-  Eigen::Vector3d flow;  ///< mean displacement of the binder relative to the mean of both sides
+  Eigen::Vector3d flow;  ///< mean displacement of the binder relative to the mean of both grains
 };
 
 /// A triangle of a film halfway between both sides.
@@ -210,12 +210,11 @@ class Recovery {
   }
 
   /// Sets the stress and the work of a cell of binder with these unknowns and pressures.
-  template <class Element>
-  void set_stress(FilmCell<3>& cell, const ElementUnknowns<3>& unknowns, const Element& element,
-                  std::span<const SheetNode> pressures) const {
+  void set_stress(FilmCell<3>& cell, const ElementUnknowns<3>& unknowns, const Eigen::MatrixXd& shear,
+                  const Eigen::MatrixXd& volume, std::span<const SheetNode> pressures) const {
     if (cell.content == 0.0) return;
-    const Eigen::VectorXd forces = element.shear * values_of(unknowns, *shear_);
-    const Eigen::VectorXd bulk_forces = element.volume * at_nodes(negative_pressure_, pressures);
+    const Eigen::VectorXd forces = shear * values_of(unknowns, *shear_);
+    const Eigen::VectorXd bulk_forces = volume * at_nodes(negative_pressure_, pressures);
     const Tensor deviator = unknowns.macroscopic.transpose() * forces / cell.content;
     cell.stress = stress_of(deviator, -bulk_forces.sum() / cell.content);
     cell.work =
@@ -228,7 +227,7 @@ class Recovery {
                   std::span<const SheetNode> pressures, const Tensor& flow, std::span<const SolidNode> corners) {
     const auto unknowns = mesh_.unknowns_of(nodes);
     auto cell = strained_cell(part, unknowns, element, flow);
-    set_stress(cell, unknowns, element, pressures);
+    set_stress(cell, unknowns, element.shear, element.volume, pressures);
     add_cell(cell, corners);
   }
 
@@ -238,9 +237,11 @@ class Recovery {
     const auto axes = film_axes(wedge);
     MiddleTriangle middle;
     middle.normal = axes.col(0).cross(axes.col(1));
+    const auto jumps = values_of(unknowns_of_jumps<3>(mesh_.springs(triangle)), *displacement_);
     for (std::size_t k = 0; k < first.size(); ++k) {
-      const auto flow = displacement_->unknowns().segment<2>(mesh_.flows_of(triangle)[2 * k]);
-      middle.corners[k] = {0.5 * (first[k] + second[k]), (second[k] - first[k]).dot(middle.normal), axes * flow};
+      Eigen::Vector3d flow = axes * displacement_->unknowns().segment<2>(mesh_.flows_of(triangle)[2 * k]);
+      if (jumps.size() != 0) flow += 0.5 * jumps.segment<3>(3 * static_cast<Eigen::Index>(k));
+      middle.corners[k] = {0.5 * (first[k] + second[k]), (second[k] - first[k]).dot(middle.normal), flow};
     }
     return middle;
   }
@@ -282,7 +283,13 @@ class Recovery {
         part == FilmPart::slip ? sliding_film_wedge(wedge, triangle.is_at_rim) : film_wedge(wedge, triangle.is_at_rim);
     auto cell = strained_cell(part, unknowns, element, strain_by_flow(t));
     set_motion(cell, values_of(unknowns, *displacement_), element.axes);
-    if (part != FilmPart::gap) set_stress(cell, unknowns, element, triangle.nodes);
+    if (part != FilmPart::gap) {
+      const auto springs = mesh_.springs(t);
+      const auto shear = stiffness_with_jumps(element.shear, springs);
+      set_stress(cell, with_jumps(unknowns, springs), shear, element.volume, triangle.nodes);
+      const auto jumps = values_of(unknowns_of_jumps<3>(springs), *displacement_);
+      if (cell.content != 0.0) cell.work += jumps.dot(springs.stiffness * jumps) / cell.content;
+    }
     // A wedge of VTK begins with the triangle that is counter-clockwise from outside.
     add_cell(cell, std::array{nodes[6], nodes[7], nodes[8], nodes[0], nodes[1], nodes[2]});
   }

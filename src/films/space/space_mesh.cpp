@@ -1,7 +1,12 @@
 #include "films/space/space_mesh.hpp"
 
+#include <map>
 #include <numeric>
+#include <tuple>
 
+#include <Eigen/Geometry>
+
+#include "films/space/film_wedge.hpp"
 #include "films/space/solid_unknowns.hpp"
 
 namespace breccia::films {
@@ -16,7 +21,8 @@ std::vector<ShrunkGrain> grains_of(const FilmProblem<3>& problem, const CellComp
 SpaceMesh::SpaceMesh(const FilmProblem<3>& problem)
     : complex_(cell_complex(problem.tessellation)),
       sheets_(sheet_mesh(complex_, problem.elements.divisions)),
-      solids_(complex_, sheets_, grains_of(problem, complex_)) {
+      solids_(complex_, sheets_, grains_of(problem, complex_)),
+      stiffness_(in_sides_of_the_box(problem.debonded.springs, problem.tessellation.side())) {
   int nodes = 0;
   for (const auto& solid : solids_.solids()) {
     first_node_.push_back(nodes);
@@ -27,6 +33,42 @@ SpaceMesh::SpaceMesh(const FilmProblem<3>& problem)
   for (const auto& [first, second, corners] : complex_.faces) {
     debonding_.push_back(debonded({first, second.cell}, second.image));
   }
+  unknowns_ = first_flow_ + FilmWedge::flows * static_cast<int>(sheets_.triangles.size());
+  number_jumps();
+}
+
+/// Numbers the jumps of films on springs: they are those of a face, continuous from triangle to triangle.
+void SpaceMesh::number_jumps() {
+  using NodeOfFace = std::tuple<std::size_t, std::size_t, int, int, int>;  // face, number of the node, its image
+  std::map<NodeOfFace, int> first_jump;
+  for (const auto& [face, nodes, is_at_rim] : sheets_.triangles) {
+    auto& jumps = jumps_.emplace_back();
+    if (debonding_[face] != Debonding::spring) continue;
+    for (const auto& [number, image] : nodes) {
+      const auto [found, is_new] = first_jump.try_emplace({face, number, image.x(), image.y(), image.z()}, unknowns_);
+      if (is_new) unknowns_ += 3;
+      for (int i = 0; i < 3; ++i) jumps.push_back(found->second + i);
+    }
+  }
+}
+
+InterfaceSprings SpaceMesh::springs(std::size_t triangle) const {
+  InterfaceSprings springs;
+  springs.jumps = jumps_[triangle];
+  if (springs.jumps.empty()) return springs;
+  const auto wedge = film(triangle);
+  const auto& corners = wedge.triangles[1];
+  const Eigen::Vector3d twice_area = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+  const auto& [places, weights] = triangle_rule();
+  Eigen::Matrix<double, 6, 6> products = Eigen::Matrix<double, 6, 6>::Zero();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const auto functions = quadratic_in_triangle(places[i]);
+    products += 0.5 * twice_area.norm() * weights[i] * functions * functions.transpose();
+  }
+  springs.stiffness = spring_stiffness(stiffness_, twice_area.normalized(), products);
+  springs.outflow.setZero(FilmWedge::pressures, std::ssize(springs.jumps));
+  if (sheets_.triangles[triangle].is_at_rim) springs.outflow = outflow_of_second_side(wedge);
+  return springs;
 }
 
 std::array<int, 6> SpaceMesh::flows_of(std::size_t triangle) const {

@@ -144,13 +144,14 @@ FilmProblem<dim> film_problem(const Tests& tests, const Stage& stage, const Stag
   const auto& material = stage.fillers.front().material;
   Tessellation<dim> tessellation(grains.sites);
   auto debonded = debonded_films(stage, tessellation).faces;
+  const auto bonds = stage.bonds.value_or(FilmBonds{});
   return {.tessellation = std::move(tessellation),
           .thickness = grains.statistics.film,
           .grain = {.bulk = material.bulk.unrelaxed(), .shear = material.shear.unrelaxed()},
           .crystals = crystal_stiffnesses(stage, grains.sites.sites.size()),
           .elements = elements_of<dim>(tests.films),
           .layers = tests.films.layers,
-          .debonded = {stage.bonds.value_or(FilmBonds{}).kind, std::move(debonded)}};
+          .debonded = {.kind = bonds.kind, .faces = std::move(debonded), .springs = bonds.springs}};
 }
 
 }  // namespace

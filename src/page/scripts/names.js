@@ -51,6 +51,11 @@ export function bulkSymbolOf({dimensions}) {
   return dimensions === 3 ? "K" : "K + G/3";
 }
 
+/// What films are that are not bonded as the others are.
+export function stateOfBonds({kind}) {
+  return kind === "spring" ? "on springs" : "debonded";
+}
+
 /// A description of the microstructure of a stage.
 export function textOnStage(stage) {
   const box = `a box of ${display(stage.box_m, "m")}`;
@@ -61,7 +66,7 @@ export function textOnStage(stage) {
     const {threshold} = stage.microstructure;
     return `${image} of ${box}, in ${stage.matrix}${threshold === undefined ? "" : `; ${threshold.words}`}`;
   }
-  const debonded = debonding === undefined ? "" : `, of which ${percent(debonding.share)} are debonded`;
+  const debonded = debonding === undefined ? "" : `, of which ${percent(debonding.share)} are ${stateOfBonds(debonding)}`;
   const kind = film === undefined ? "particles" : `grains, with films of ${display(film, "m")} between them${debonded},`;
   return `${particles} ${kind} of ${stage.filler} fill ${percentOfWhole(fraction)} of ${box} of ${stage.matrix}`;
 }

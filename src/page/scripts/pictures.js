@@ -3,7 +3,7 @@
 import {data, study} from "./data.js";
 import {element} from "./elements.js";
 import {fileName, save} from "./files.js";
-import {methodNames, textOnStage} from "./names.js";
+import {methodNames, stateOfBonds, textOnStage} from "./names.js";
 import {display, percentOfWhole} from "./numbers.js";
 import {colourOf, debondedColour, phasesOf} from "./phase_colours.js";
 import {own} from "./records.js";
@@ -48,7 +48,7 @@ export function legendOf({matrix, filler, fillers = [], microstructure}, {showsD
     }
   }
   if (showsDebonded && microstructure?.debonding !== undefined) {
-    const place = entry("filler", "debonded film");
+    const place = entry("filler", `film, ${stateOfBonds(microstructure.debonding)}`);
     place.firstChild.style.background = debondedColour;
     entries.push(place);
   }
