@@ -74,7 +74,7 @@ ParsedValue<double> read_fraction(const DeckValue& value, const Range& range) {
     if (share && accepts(range, *share)) return {*share, {}};
     return wrong<double>(expected_but_got(described(range, "number") + R"(, or per cent as in "35 %")", value));
   }
-  const auto number = read_number(value, range);
+  auto number = read_number(value, range);
   if (number.value) return number;
   return wrong<double>(expected_but_got(described(range, "number") + R"(, or per cent as in "35 %")", value));
 }
