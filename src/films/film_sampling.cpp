@@ -1,11 +1,11 @@
 #include "films/film_sampling.hpp"
 
 #include <memory>
+#include <optional>
 
 #include "checkpoint/checkpoint.hpp"
 #include "films/fields/film_recovery.hpp"
 #include "films/film_composite.hpp"
-#include "films/space/solid_recovery.hpp"
 #include "quasistatic/reduced/greedy_sampling.hpp"
 
 namespace breccia {
@@ -19,6 +19,7 @@ struct SampledFilms {
 
   films::FilmComposite<dim> composite;
   quasistatic::GreedySampling<films::FilmComposite<dim>> sampling;
+  std::optional<films::FilmRecovery<dim>> recovery = {};  ///< built for the first fields
 };
 
 }  // namespace
@@ -42,7 +43,9 @@ FilmResponses<dim> sample_film_responses(const FilmProblem<dim>& problem, std::s
   quasistatic::sample(sampling, solver, path, options, observer, checkpoint);
   const auto fields_at = [sampled, problem](std::size_t load, std::span<const Material> materials, double time) {
     const auto& basis = sampled->sampling.bases().at(load);
-    return films::fields_of(sampled->composite, problem, basis.load(), basis.state(materials, time));
+    auto& recovery = sampled->recovery;
+    if (!recovery) recovery.emplace(sampled->composite, problem);
+    return recovery->fields(basis.load(), basis.state(materials, time));
   };
   return {.responses = sampling.responses(), .effort = solver.effort(), .fields = fields_at};
 }

@@ -4,7 +4,6 @@
 
 #include "films/fields/film_recovery.hpp"
 #include "films/film_composite.hpp"
-#include "films/space/solid_recovery.hpp"
 #include "quasistatic/solvers/linear_effort_state.hpp"
 #include "quasistatic/stepping/log_time_runs.hpp"
 
@@ -33,8 +32,10 @@ FilmSteppingResult<dim> run_film_stepping(const FilmProblem<dim>& problem, const
     return solver.effort();
   }();
   FilmSteppingResult<dim> result = {runs.responses(), {}, effort};
+  if (runs.kept().empty()) return result;
+  const films::FilmRecovery<dim> recovery(composite, problem);
   for (const auto& [time, state] : runs.kept()) {
-    result.fields.push_back({time, films::fields_of(composite, problem, loads.front(), state)});
+    result.fields.push_back({time, recovery.fields(loads.front(), state)});
   }
   return result;
 }

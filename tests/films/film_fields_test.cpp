@@ -49,7 +49,7 @@ Means means_of(const FilmFields<2>& fields) {
 /// Fields with an elastic binder.
 FilmFields<2> elastic_fields(const FilmProblem<2>& problem, const Moduli& binder, Load load) {
   const FilmComposite<2> composite(problem);
-  return fields_of(composite, problem, load, test::elastic_state(composite, binder, load));
+  return FilmRecovery<2>(composite, problem).fields(load, test::elastic_state(composite, binder, load));
 }
 
 // If the binder has the moduli of the grains, the box is homogeneous: stress and strain are uniform, in periodic boxes

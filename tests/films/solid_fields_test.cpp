@@ -13,10 +13,10 @@
 #include "breccia/viscoelasticity/interconversion.hpp"
 
 #include "films/elastic_state.hpp"
+#include "films/fields/film_recovery.hpp"
 #include "films/film_sampling.hpp"
 #include "films/film_stepping.hpp"
 #include "films/grains_and_films.hpp"
-#include "films/space/solid_recovery.hpp"
 #include "quasistatic/reduced/carson_path.hpp"
 
 namespace breccia::films {
@@ -82,7 +82,7 @@ ElasticFields elastic_fields(const FilmProblem<3>& problem, const Moduli& binder
   const FilmComposite<3> composite(problem);
   const auto state = test::elastic_state(composite, binder, load);
   const std::array parameters = {binder.shear, binder.bulk};
-  return {fields_of(composite, problem, load, state),
+  return {FilmRecovery<3>(composite, problem).fields(load, state),
           work(composite.forces(parameters, load, state.displacement), state.displacement)};
 }
 

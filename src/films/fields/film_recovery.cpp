@@ -53,11 +53,12 @@ std::array<double, 4> stress_of(const Eigen::Vector3d& deviator, double pressure
   return {deviator[0] - pressure, deviator[1] - pressure, -deviator[0] - deviator[1] - pressure, deviator[2]};
 }
 
+/// The fields of one state.
 class Recovery {
  public:
-  Recovery(const FilmComposite<2>& composite, const FilmProblem<2>& problem, Load load,
+  Recovery(const FilmComposite<2>& composite, const FilmProblem<2>& problem, const FilmMesh& mesh, Load load,
            const quasistatic::CompositeState<FilmVector>& state)
-      : mesh_(problem),
+      : mesh_(mesh),
         problem_(&problem),
         side_(problem.tessellation.side()),
         boundary_(problem.boundary),
@@ -342,7 +343,7 @@ class Recovery {
     add_cell(cell, nodes);
   }
 
-  FilmMesh mesh_;
+  const FilmMesh& mesh_;
   const FilmProblem<2>* problem_;
   double side_;
   Boundary boundary_;
@@ -356,10 +357,24 @@ class Recovery {
 
 }  // namespace
 
-FilmFields<2> fields_of(const FilmComposite<2>& composite, const FilmProblem<2>& problem, Load load,
-                        const quasistatic::CompositeState<FilmVector>& state) {
+template <>
+struct FilmRecovery<2>::Mesh {
+  explicit Mesh(const FilmProblem<2>& of) : problem(of), films(problem) {}
+
+  FilmProblem<2> problem;
+  FilmMesh films;
+};
+
+template <>
+FilmRecovery<2>::FilmRecovery(const FilmComposite<2>& composite, const FilmProblem<2>& problem)
+    : composite_(&composite) {
   if (problem.layers) throw InputError("films: there are no fields of resolved films, only of thin ones");
-  return Recovery(composite, problem, load, state).fields();
+  mesh_ = std::make_shared<const Mesh>(problem);
+}
+
+template <>
+FilmFields<2> FilmRecovery<2>::fields(Load load, const quasistatic::CompositeState<FilmVector>& state) const {
+  return Recovery(*composite_, mesh_->problem, mesh_->films, load, state).fields();
 }
 
 }  // namespace breccia::films

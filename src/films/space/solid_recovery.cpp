@@ -1,5 +1,3 @@
-#include "films/space/solid_recovery.hpp"
-
 #include <array>
 #include <cstddef>
 #include <map>
@@ -15,6 +13,7 @@
 
 #include "films/assembly/macroscopic.hpp"
 #include "films/assembly/matrix_assembly.hpp"
+#include "films/fields/film_recovery.hpp"
 #include "films/space/film_wedge.hpp"
 #include "films/space/solid_elements.hpp"
 #include "films/space/solid_strain.hpp"
@@ -73,11 +72,39 @@ struct MiddleTriangle {
   [[nodiscard]] const MiddleCorner& corner(int number) const { return corners[static_cast<std::size_t>(number % 3)]; }
 };
 
+/// An edge of a triangle of a film: the face, and the number and the image of the node in its middle.
+using EdgeKey = std::tuple<std::size_t, std::size_t, std::array<int, 3>>;
+
+EdgeKey key_of(const SheetTriangle& triangle, int edge) {
+  const auto& [number, image] = triangle.nodes[3 + static_cast<std::size_t>(edge)];
+  return {triangle.face, number, {image.x(), image.y(), image.z()}};
+}
+
+/// Grains, films and channels, and what is beside the edges of the triangles of the films.
+struct FieldMesh {
+  explicit FieldMesh(const FilmProblem<3>& problem) : pieces(problem) {
+    for (std::size_t t = 0; t < pieces.sheets().triangles.size(); ++t) {
+      const auto& triangle = pieces.sheets().triangles[t];
+      for (int edge = 0; edge < 3; ++edge) edges.emplace(key_of(triangle, edge), std::pair(t, edge));
+    }
+    for (std::size_t s = 0; s < pieces.sheets().segments.size(); ++s) {
+      segment[pieces.sheets().segments[s].nodes[1].number] = s;
+    }
+  }
+
+  SpaceMesh pieces;
+  std::multimap<EdgeKey, std::pair<std::size_t, int>> edges;  ///< triangles and their edges, one or two by edge
+  std::map<std::size_t, std::size_t> segment;                 ///< segment of a channel by the node in its middle
+};
+
+/// The fields of one state.
 class Recovery {
  public:
-  Recovery(const FilmComposite<3>& composite, const FilmProblem<3>& problem, Load load,
+  Recovery(const FilmComposite<3>& composite, const FilmProblem<3>& problem, const FieldMesh& mesh, Load load,
            const quasistatic::CompositeState<FilmVector>& state)
-      : mesh_(problem),
+      : edges_(mesh.edges),
+        segment_(mesh.segment),
+        mesh_(mesh.pieces),
         problem_(&problem),
         side_(problem.tessellation.side()),
         strain_(strain_of<3>(load)),
@@ -85,15 +112,7 @@ class Recovery {
         shear_(&state.applied[FilmComposite<3>::shear]),
         volumetric_strain_(composite.film_operator().volumetric_strains(load, state.displacement)),
         negative_pressure_(composite.film_operator().volumetric_strains(load, state.applied[FilmComposite<3>::bulk])),
-        inflow_(mesh_.sheets().segments.size(), Tensor::Zero()) {
-    for (std::size_t t = 0; t < mesh_.sheets().triangles.size(); ++t) {
-      const auto& triangle = mesh_.sheets().triangles[t];
-      for (int edge = 0; edge < 3; ++edge) edges_.emplace(key_of(triangle, edge), std::pair(t, edge));
-    }
-    for (std::size_t s = 0; s < mesh_.sheets().segments.size(); ++s) {
-      segment_[mesh_.sheets().segments[s].nodes[1].number] = s;
-    }
-  }
+        inflow_(mesh_.sheets().segments.size(), Tensor::Zero()) {}
 
   FilmFields<3> fields() {
     for (std::size_t g = 0; g < mesh_.grains().solids().size(); ++g) add_grain(g);
@@ -114,14 +133,6 @@ class Recovery {
   }
 
  private:
-  /// The face, and the number and the image of the node in the middle of an edge.
-  using EdgeKey = std::tuple<std::size_t, std::size_t, std::array<int, 3>>;
-
-  static EdgeKey key_of(const SheetTriangle& triangle, int edge) {
-    const auto& [number, image] = triangle.nodes[3 + static_cast<std::size_t>(edge)];
-    return {triangle.face, number, {image.x(), image.y(), image.z()}};
-  }
-
   /// Converts lengths from sides of the box to metres.
   void scale_lengths() {
     for (auto* vectors : {&fields_.points, &fields_.displacement}) {
@@ -310,24 +321,38 @@ class Recovery {
     cell.flow = flow.norm();
   }
 
-  SpaceMesh mesh_;
+  const std::multimap<EdgeKey, std::pair<std::size_t, int>>& edges_;
+  const std::map<std::size_t, std::size_t>& segment_;
+  const SpaceMesh& mesh_;
   const FilmProblem<3>* problem_;
   double side_;
   Tensor strain_;
   const FilmVector *displacement_, *shear_;
-  Eigen::VectorXd volumetric_strain_, negative_pressure_;      ///< values by node of the sheets
-  std::multimap<EdgeKey, std::pair<std::size_t, int>> edges_;  ///< triangles and their edges, one or two by edge
-  std::map<std::size_t, std::size_t> segment_;                 ///< segment of a channel by the node in its middle
+  Eigen::VectorXd volumetric_strain_, negative_pressure_;  ///< values by node of the sheets
   std::vector<Tensor> inflow_;  ///< part of the integral of the strain that comes from flow into a channel, by segment
   FilmFields<3> fields_;
 };
 
 }  // namespace
 
-FilmFields<3> fields_of(const FilmComposite<3>& composite, const FilmProblem<3>& problem, Load load,
-                        const quasistatic::CompositeState<FilmVector>& state) {
+template <>
+struct FilmRecovery<3>::Mesh {
+  explicit Mesh(const FilmProblem<3>& of) : problem(of), films(problem) {}
+
+  FilmProblem<3> problem;
+  FieldMesh films;
+};
+
+template <>
+FilmRecovery<3>::FilmRecovery(const FilmComposite<3>& composite, const FilmProblem<3>& problem)
+    : composite_(&composite) {
   if (problem.layers) throw InputError("films: there are no fields of resolved films, only of thin ones");
-  return Recovery(composite, problem, load, state).fields();
+  mesh_ = std::make_shared<const Mesh>(problem);
+}
+
+template <>
+FilmFields<3> FilmRecovery<3>::fields(Load load, const quasistatic::CompositeState<FilmVector>& state) const {
+  return Recovery(*composite_, mesh_->problem, mesh_->films, load, state).fields();
 }
 
 }  // namespace breccia::films
