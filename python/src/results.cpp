@@ -134,7 +134,8 @@ void bind_test(py::module_& module) {
           "strain [-] (xx, yy, xy), stress [Pa] (xx, yy, zz, xy), in the order [y, x] of the material points, or "
           "[z, y, x] of the cells of a cube.\n\n"
           "Of grains with thin films: points [m] and their displacement [m]; part (0: triangle of a grain, 1: piece of "
-          "a film, 2: junction), area [m^2], strain, stress, work [Pa], slip, opening and flow [m] of each cell; and "
+          "a film, 2: junction, 3: gap, 4: channel, 5: film that slips, 6: film on springs), area [m^2] or volume "
+          "[m^3], strain, stress, work [Pa], slip, opening and flow [m] of each cell; and "
           "corners, the points of all cells one after the other, those of cell i from first_corner[i] up to "
           "first_corner[i + 1].")
       .def("__repr__",

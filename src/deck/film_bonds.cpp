@@ -72,13 +72,14 @@ void read_bonds(const Section& section, Stage& stage) {
   const auto table = section.optional_section("bonds");
   if (!table) return;
   FilmBonds bonds;
-  bonds.kind = table->choice<Debonding>("kind").value_or(bonds.kind);
+  const auto kind = table->choice<Debonding>("kind");
+  bonds.kind = kind.value_or(bonds.kind);
   if (bonds.kind == Debonding::spring) {
-    const auto stiffness = [&table](const char* key) {
-      return table->quantity(key, Dimension::interface_stiffness, Range::positive());
-    };
-    bonds.springs = {.normal = stiffness("normal_stiffness"), .tangential = stiffness("tangential_stiffness")};
-  } else {
+    bonds.springs = {
+        .normal = table->quantity("normal_stiffness", Dimension::interface_stiffness, allowed::interface_stiffness),
+        .tangential =
+            table->quantity("tangential_stiffness", Dimension::interface_stiffness, allowed::interface_stiffness)};
+  } else if (kind) {
     table->refuse({"normal_stiffness", "tangential_stiffness"}, R"(kind = "spring" alone has springs)");
   }
   const auto key = table->exactly_one({"debonded", "films"});

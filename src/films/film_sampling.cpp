@@ -6,6 +6,7 @@
 #include "checkpoint/checkpoint.hpp"
 #include "films/fields/film_recovery.hpp"
 #include "films/film_composite.hpp"
+#include "films/space/solid_recovery.hpp"
 #include "quasistatic/reduced/greedy_sampling.hpp"
 
 namespace breccia {

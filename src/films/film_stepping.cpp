@@ -4,6 +4,7 @@
 
 #include "films/fields/film_recovery.hpp"
 #include "films/film_composite.hpp"
+#include "films/space/solid_recovery.hpp"
 #include "quasistatic/solvers/linear_effort_state.hpp"
 #include "quasistatic/stepping/log_time_runs.hpp"
 

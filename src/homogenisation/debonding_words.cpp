@@ -18,9 +18,9 @@ struct KindInWords {
   std::string name, consequence;
 };
 
-/// The stiffness of springs: "1 GPa/um across and 0.5 GPa/um along them".
+/// The stiffness of springs: "1 GPa/um across and 500 MPa/um along the films".
 std::string words_on(const InterfaceStiffness& springs) {
-  return fmt::format("{} across and {} along them", readable(springs.normal, Dimension::interface_stiffness),
+  return fmt::format("{} across and {} along the films", readable(springs.normal, Dimension::interface_stiffness),
                      readable(springs.tangential, Dimension::interface_stiffness));
 }
 
@@ -33,7 +33,7 @@ KindInWords words_on(const FilmBonds& bonds) {
     case Debonding::slip:
       return {"slip", " along one of their grains, without friction and without coming off it"};
     case Debonding::spring:
-      return {words_on(bonds.springs), ", which hold the binder to one of its two grains"};
+      return {words_on(bonds.springs), ", by which one of their grains holds them"};
   }
   return {};
 }

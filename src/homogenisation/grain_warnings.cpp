@@ -51,6 +51,24 @@ std::optional<std::string> warning_of_films(const StageMicrostructure& packed, c
   return is_in_space ? warning_of_films_in_space(*grains, films) : warning_of_short_films(*grains, films);
 }
 
+namespace {
+
+/// Springs that are far softer across than the films that they hold.
+std::optional<std::string> warning_of_soft_springs(const Stage& stage, const GrainStatistics& grains) {
+  const auto* const matrix = std::get_if<Material>(&stage.matrix);
+  if (stage.bonds->kind != Debonding::spring || matrix == nullptr) return std::nullopt;
+  constexpr double soft = 0.01;
+  const double of_springs = stage.bonds->springs.normal * grains.film, of_film = matrix->bulk.unrelaxed();
+  if (of_springs > soft * of_film) return std::nullopt;
+  return fmt::format(
+      "the springs are as soft across as films of a bulk modulus of {}, where that of the matrix is {}: almost gaps, "
+      "which "
+      "carry nothing here when they close, and the bonded corners of the grains carry the load",
+      readable(of_springs, Dimension::pressure), readable(of_film, Dimension::pressure));
+}
+
+}  // namespace
+
 std::vector<std::string> warnings_of_debonding(const Stage& stage, const StageMicrostructure& packed,
                                                const FilmOptions& films) {
   const auto* const grains = packed.grains();
@@ -73,6 +91,7 @@ std::vector<std::string> warnings_of_debonding(const Stage& stage, const StageMi
         "the corners of the grains carry the load then; sealed ones cannot be resolved",
         100.0 * share));
   }
+  if (const auto soft = warning_of_soft_springs(stage, *grains)) warnings.push_back(*soft);
   if (bonds.films.empty() && std::abs(share - bonds.debonded) > off * bonds.debonded) {
     warnings.push_back(fmt::format(
         "{:.3g} % of the films are {} where {:.3g} % were asked for, since whole films are; a box of more grains "

@@ -52,7 +52,8 @@ bool may_show(const std::vector<Vector<2>>& corners, double side) {
 
 }  // namespace
 
-std::string grain_picture(const Tessellation<2>& tessellation, double film, std::span<const CellFace<2>> debonded) {
+std::string grain_picture(const Tessellation<2>& tessellation, double film, std::span<const CellFace<2>> debonded,
+                          std::string_view state) {
   const double side = tessellation.side(), scale = picture_scale(side);
   const auto images = tessellation.walls() == Walls::periodic ? std::vector{-side, 0.0, side} : std::vector{0.0};
   std::string shapes;
@@ -80,7 +81,7 @@ std::string grain_picture(const Tessellation<2>& tessellation, double film, std:
       }
     }
   }
-  const auto in_red = debonded.empty() ? "" : fmt::format(", {} films that are debonded in red,", debonded.size());
+  const auto in_red = debonded.empty() ? "" : fmt::format(", {} films that are {} in red,", debonded.size(), state);
   return framed_picture(side, fmt::format("{} grains{}", tessellation.size(), in_red), R"(fill="#5b7f95")", shapes);
 }
 

@@ -153,8 +153,10 @@ MapOfCells<dim> work_map(const FilmFields<dim>& fields) {
   };
   constexpr double per_cent = 100.0;
   const double mean = mean_of<dim>(fields, &FilmCell<dim>::work);
-  auto words = fmt::format("Work over its mean; {:.3g} % of all is in the binder",
-                           per_cent * mean_of<dim>(fields, in_binder) / mean);
+  const bool has_springs =
+      std::ranges::any_of(fields.cells, [](const auto& cell) { return cell.part == FilmPart::spring; });
+  auto words = fmt::format("Work over its mean; {:.3g} % of all is in the binder{}",
+                           per_cent * mean_of<dim>(fields, in_binder) / mean, has_springs ? " and its springs" : "");
   return {work, {.words = std::move(words), .unit_size = mean}, ColourScale::logarithmic};
 }
 

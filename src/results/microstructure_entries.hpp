@@ -82,13 +82,16 @@ struct DebondingEntry {
   std::string kind;       ///< "open", "sealed", "slip" or "spring"
   std::size_t films = 0;  ///< number of films
   double share = 0.0;     ///< share of the area of all films, in two dimensions of their length [-]
-  std::string words;      ///< all this as a sentence
+  std::optional<double> normal_stiffness = {}, tangential_stiffness = {};  ///< of springs [Pa/m]
+  std::string words;                                                       ///< all this as a sentence
 };
 template <>
-inline constexpr auto fields<DebondingEntry> = std::tuple(field("kind", &DebondingEntry::kind),
-                                                          field("films", &DebondingEntry::films),
-                                                          field("share", &DebondingEntry::share),
-                                                          field("words", &DebondingEntry::words));
+inline constexpr auto fields<DebondingEntry> =
+    std::tuple(field("kind", &DebondingEntry::kind), field("films", &DebondingEntry::films),
+               field("share", &DebondingEntry::share),
+               field_if_any("normal_stiffness_Pa_per_m", &DebondingEntry::normal_stiffness),
+               field_if_any("tangential_stiffness_Pa_per_m", &DebondingEntry::tangential_stiffness),
+               field("words", &DebondingEntry::words));
 
 struct MicrostructureEntry {
   std::optional<std::size_t> particles = {};

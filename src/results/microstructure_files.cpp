@@ -96,7 +96,7 @@ void write_films(const std::filesystem::path& directory, const Stage& stage, con
   write_csv(
       directory / "films.csv", columns,
       fmt::format("Films of stage {} between two grains, numbered from 0 as in grains.csv, the second displaced by "
-                  "an image in sides of the box; of the debonded ones the kind is {}",
+                  "an image in sides of the box; bonds of the kind {} where debonded is 1",
                   stage.name, name_of(stage.bonds->kind)));
 }
 

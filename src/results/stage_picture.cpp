@@ -56,7 +56,8 @@ struct PictureOf {
   }
   std::string operator()(const Grains<2>& grains) const {
     const Tessellation<2> tessellation(grains.sites);
-    return grain_picture(tessellation, grains.statistics.film, debonded_films(stage, tessellation).faces);
+    const auto state = stage.bonds ? state_of(stage.bonds->kind) : "";
+    return grain_picture(tessellation, grains.statistics.film, debonded_films(stage, tessellation).faces, state);
   }
   std::string operator()(const SharedImage<2>& image) const {
     const auto phases = phases_of(stage);

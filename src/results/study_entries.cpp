@@ -248,6 +248,10 @@ struct AddContent {
                          .films = grains.statistics.debonded_films,
                          .share = grains.statistics.debonded,
                          .words = words_on_debonding(stage, grains.statistics)};
+      if (stage.bonds->kind == Debonding::spring) {
+        entry.debonding->normal_stiffness = stage.bonds->springs.normal;
+        entry.debonding->tangential_stiffness = stage.bonds->springs.tangential;
+      }
     }
     entry.smallest_diameter = filler.smallest_diameter;
     entry.largest_diameter = filler.largest_diameter;

@@ -33,6 +33,9 @@ inline constexpr Range face_share = {.lower = 0.005, .upper = 1.0};
 
 inline constexpr Range debonded = {.lower = 0.0, .upper = 1.0};  ///< share of films [-]
 
+/// Stiffness of springs [Pa/m]. Above, films are bonded and linear systems lose their digits.
+inline constexpr Range interface_stiffness = {.lower = 1.0, .upper = 1e22};
+
 inline constexpr Range divisions = {.lower = 1.0, .upper = 8.0};  ///< number of elements along an edge of a grain
 inline constexpr Range layers = {.lower = 1.0, .upper = 16.0};    ///< number of layers of elements across a film
 

@@ -42,7 +42,7 @@ void check_bonds(const Stage& stage, const std::string& part, StudyMistakes& mis
   const auto& bonds = *stage.bonds;
   if (bonds.kind == Debonding::spring) {
     const auto check = [&](std::string_view what, double value) {
-      mistakes.check_quantity(part, what, value, Range::positive(), Dimension::interface_stiffness);
+      mistakes.check_quantity(part, what, value, allowed::interface_stiffness, Dimension::interface_stiffness);
     };
     check("normal stiffness of the bonds", bonds.springs.normal);
     check("tangential stiffness of the bonds", bonds.springs.tangential);

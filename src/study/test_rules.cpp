@@ -54,9 +54,10 @@ std::vector<std::string> bonds_without_films(const Study& study) {
   std::vector<std::string> mistakes;
   for (const auto& stage : study.stages) {
     if (!stage.bonds || model_of(study.tests, stage) == Model::films) continue;
-    mistakes.push_back(fmt::format(R"(bonds of stage {}: films alone can be debonded: expected tests.model = "films")"
-                                   R"( and grains, packing.method = "laguerre")",
-                                   stage.name));
+    mistakes.push_back(
+        fmt::format(R"(bonds of stage {}: films alone can be debonded or on springs: expected tests.model = "films")"
+                    R"( and grains, packing.method = "laguerre")",
+                    stage.name));
   }
   return mistakes;
 }

@@ -234,6 +234,26 @@ TEST(Grains, TheirFilmsTellTheCellsForAnError) {
   EXPECT_THAT(points.output, testing::Not(HasSubstr("across a film, the error of the grid")));
 }
 
+TEST(Grains, MayBeOnSprings) {
+  const VoronoiFilms study;
+  const auto run = study.breccia(
+      "run", {"--set", R"(stages.0.bonds={ debonded = 0.5, kind = "spring", normal_stiffness = "1 GPa/um", )"
+                       R"(tangential_stiffness = "20 MPa/um" })"});
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_THAT(run.output, HasSubstr("films on springs"));
+  EXPECT_THAT(run.output, HasSubstr("1 GPa/um across and 20 MPa/um along the films"));
+  EXPECT_THAT(run.output, HasSubstr("films: error unknown with springs"));
+  const auto record = nlohmann::json::parse(read_text(study.result("study.json")))["stages"][0]["microstructure"];
+  EXPECT_EQ(record["debonding"]["kind"], "spring");
+  EXPECT_EQ(record["debonding"]["normal_stiffness_Pa_per_m"], 1e15);
+  EXPECT_EQ(record["debonding"]["tangential_stiffness_Pa_per_m"], 2e13);
+  EXPECT_THAT(read_text(study.result("grains/microstructure.svg")), HasSubstr("that are on springs in red"));
+  const auto soft = study.breccia(
+      "check", {"--set", R"(stages.0.bonds={ debonded = 1, kind = "spring", normal_stiffness = "1 GPa/m", )"
+                         R"(tangential_stiffness = "1 GPa/m" })"});
+  EXPECT_THAT(soft.output + soft.errors, HasSubstr("almost gaps"));
+}
+
 // The films that a run has chosen are listed with it, and a deck that lists them has the same modulus.
 TEST(Grains, MayBeDebonded) {
   const VoronoiFilms study;

@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -62,7 +63,10 @@ TEST_F(FilmBondsOfADeck, RefuseSpringsThatAreNone) {
   EXPECT_THAT(
       mistakes(R"(debonded = 1, kind = "spring", normal_stiffness = "2 GPa", tangential_stiffness = "0 GPa/um")"),
       AllOf(HasSubstr(R"(bonds.normal_stiffness: expected a stiffness of an interface)"), HasSubstr(R"("2 GPa")"),
-            HasSubstr("bonds.tangential_stiffness: expected a positive stiffness of an interface")));
+            HasSubstr("bonds.tangential_stiffness: expected a stiffness of an interface from")));
+  EXPECT_THAT(mistakes("debonded = 1, kind = \"spring\", normal_stiffness = \"1e30 Pa/m\", "
+                       "tangential_stiffness = \"1 GPa/um\""),
+              HasSubstr("1e30 Pa/m"));
   EXPECT_THAT(mistakes(R"(debonded = 1, kind = "open", normal_stiffness = "2 GPa/um")"),
               HasSubstr(R"(bonds.normal_stiffness: kind = "spring" alone has springs)"));
 }
@@ -89,11 +93,13 @@ TEST_F(FilmBondsOfADeck, AreAPartOfTheIdentityOfAStudy) {
   EXPECT_NE(bonded, open);
   EXPECT_NE(open, identity(with(R"(debonded = 0.1, kind = "sealed")")));
   EXPECT_NE(open, identity(with(R"(debonded = 0.1, kind = "open", seed = 7)")));
-  const auto springs = [&](std::string_view stiffness) {
-    return identity(with(test::join(R"(debonded = 0.1, kind = "spring", normal_stiffness = "1 GPa/um", )",
-                                    "tangential_stiffness = ", stiffness)));
+  const auto springs = [&](int normal, int tangential) {
+    return identity(with(fmt::format(
+        R"(debonded = 0.1, kind = "spring", normal_stiffness = "{} Pa/m", tangential_stiffness = "{} Pa/m")", normal,
+        tangential)));
   };
-  EXPECT_NE(springs("\"1 GPa/um\""), springs("\"2 GPa/um\""));
+  EXPECT_NE(springs(1, 1), springs(1, 2));
+  EXPECT_NE(springs(1, 1), springs(2, 1));
 }
 
 TEST_F(FilmBondsOfADeck, RefuseWhatIsMissingOrNone) {

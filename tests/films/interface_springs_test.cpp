@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
@@ -14,6 +15,8 @@
 #include "breccia/microstructure/random_sites.hpp"
 
 #include "films/grains_and_films.hpp"
+#include "films/space/film_wedge.hpp"
+#include "films/space/space_mesh.hpp"
 #include "films/stepped_response.hpp"
 #include "microstructure/expect_error.hpp"
 
@@ -72,6 +75,50 @@ TEST(InterfaceSprings, ResistToAUniformJumpWithTheirStiffness) {
   EXPECT_NEAR(across.dot(stiffness * across), 5.0 * area, 1e-14);
   EXPECT_NEAR(tangential.dot(stiffness * tangential), 3.0 * area, 1e-14);
   EXPECT_NEAR(across.dot(stiffness * tangential), 0.0, 1e-14);
+}
+
+// The springs of a face, for a jump that is the same everywhere: their stiffness times the area, in sides of the box.
+TEST(InterfaceSprings, InSpaceHaveTheAreaOfTheirSide) {
+  const auto problem = on_springs(random_grains_in_space(), {.normal = 5e12, .tangential = 2e12}, 0.3);
+  const SpaceMesh mesh(problem);
+  const Eigen::Vector3d jump(0.3, -0.5, 0.8);
+  std::size_t count = 0;
+  for (std::size_t t = 0; t < mesh.sheets().triangles.size(); ++t) {
+    const auto springs = mesh.springs(t);
+    if (springs.jumps.empty()) continue;
+    ++count;
+    const auto wedge = mesh.film(t);
+    const auto& corners = wedge.triangles[1];
+    const Eigen::Vector3d area = 0.5 * (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+    const double across = jump.dot(area.normalized());
+    const double per_area = 5e9 * across * across + 2e9 * (jump.squaredNorm() - across * across);
+    const Eigen::VectorXd uniform = jump.replicate(6, 1);
+    EXPECT_NEAR(uniform.dot(springs.stiffness * uniform) / (per_area * area.norm()), 1.0, 1e-12);
+  }
+  EXPECT_GT(count, 0U);
+}
+
+// What a uniform motion of the second side adds to the volume of a skew wedge leaves through its three ends, or is
+// swept by that side.
+TEST(InterfaceSprings, InSpaceLoseAtTheirEndsWhatTheSideDoesNotSweep) {
+  Wedge wedge;
+  wedge.triangles[0] = {Eigen::Vector3d(0.0, 0.0, 0.0), Eigen::Vector3d(1.0, 0.1, 0.0), Eigen::Vector3d(0.2, 0.9, 0.0)};
+  wedge.triangles[1] = {Eigen::Vector3d(0.05, -0.1, 0.1), Eigen::Vector3d(1.2, 0.15, 0.12),
+                        Eigen::Vector3d(0.1, 1.1, 0.09)};
+  const Eigen::Vector3d motion(0.4, -0.7, 0.5);
+  const Eigen::VectorXd uniform = motion.replicate(6, 1);
+  const double grown = (film_wedge(wedge, false).dilatation.middleCols<18>(18) * uniform).sum();
+  double left = 0.0;
+  for (std::size_t turn = 0; turn < 3; ++turn) {
+    Wedge turned;
+    for (std::size_t side = 0; side < 2; ++side) {
+      for (std::size_t k = 0; k < 3; ++k) turned.triangles[side][k] = wedge.triangles[side][(k + turn) % 3];
+    }
+    left += (outflow_of_second_side(turned) * uniform).sum();
+  }
+  const auto& corners = wedge.triangles[1];
+  const double swept = 0.5 * (corners[1] - corners[0]).cross(corners[2] - corners[0]).dot(motion);
+  EXPECT_NEAR(grown, left + swept, 1e-13);
 }
 
 // Two slabs with two interfaces a period. The binder is soft, so that the corners between four grains bridge little,

@@ -13,10 +13,10 @@
 #include "breccia/viscoelasticity/interconversion.hpp"
 
 #include "films/elastic_state.hpp"
-#include "films/fields/film_recovery.hpp"
 #include "films/film_sampling.hpp"
 #include "films/film_stepping.hpp"
 #include "films/grains_and_films.hpp"
+#include "films/space/solid_recovery.hpp"
 #include "quasistatic/reduced/carson_path.hpp"
 
 namespace breccia::films {

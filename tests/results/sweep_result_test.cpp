@@ -85,9 +85,10 @@ TEST(TaskCurves, HaveTheErrorsOfTheirTimes) {
   EXPECT_THAT(curve.errors, ElementsAre(Optional(DoubleNear(0.05, 1e-15)), std::nullopt));
   EXPECT_EQ(curve.error_at(2.0), curve.errors[0]) << "nearest in the logarithm";
   EXPECT_EQ(curve.error_at(5.0), std::nullopt);
-  for (const auto& damaged : {head + first, head + second, head + second + first, head + first + second + second}) {
-    directory.write("errors.csv", damaged);
-    EXPECT_THROW(static_cast<void>(read()), FileError) << damaged;
+  for (const auto& rows :
+       {first, second, fmt::format("{}{}", second, first), fmt::format("{}{}{}", first, second, second)}) {
+    directory.write("errors.csv", head + rows);
+    EXPECT_THROW(static_cast<void>(read()), FileError) << rows;
   }
 }
 

@@ -16,7 +16,8 @@ enum class FilmPart {
   gap,       ///< a film that is debonded and carries nothing
   channel,   ///< in space, the binder along an edge between three grains
   slip,      ///< a film whose binder slides along one of its sides
-  spring     ///< a film whose binder is held to one of its sides by springs; its work is that of both
+  spring     ///< a film whose binder is held to one of its sides by springs; its work is that of the binder and the
+             ///< springs
 };
 
 /// A cell of the fields of grains and films. In the plane: a triangle of a grain, a quadrilateral of a film or a gap

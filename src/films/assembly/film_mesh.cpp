@@ -17,19 +17,20 @@ FilmNetwork network_of(const FilmProblem<2>& problem) {
                       problem.elements.face_share);
 }
 
+/// How the films are debonded. Where the face on the second side has vanished there is no interface for springs.
 std::vector<std::optional<Debonding>> debonding_of(const FilmNetwork& network, const DebondedFilms<2>& films) {
   const DebondedSet<2> debonded(films);
   std::vector<std::optional<Debonding>> debonding;
-  for (const auto& film : network.films) debonding.push_back(debonded(film.grains(), film.image()));
+  for (const auto& film : network.films) {
+    const auto kind = debonded(film.grains(), film.image());
+    debonding.push_back(kind == Debonding::spring && !film.sides[1].face ? std::nullopt : kind);
+  }
   return debonding;
 }
 
-/// Which films are on springs. Where the face on the second side has vanished there is no interface.
-std::vector<bool> on_springs(const FilmNetwork& network, const std::vector<std::optional<Debonding>>& debonding) {
+std::vector<bool> on_springs(const std::vector<std::optional<Debonding>>& debonding) {
   std::vector<bool> are;
-  for (std::size_t film = 0; film < debonding.size(); ++film) {
-    are.push_back(debonding[film] == Debonding::spring && network.films[film].sides[1].face);
-  }
+  for (const auto& kind : debonding) are.push_back(kind == Debonding::spring);
   return are;
 }
 
@@ -40,7 +41,7 @@ FilmMesh::FilmMesh(const FilmProblem<2>& problem)
       grains_(meshes_of(network_)),
       debonding_(debonding_of(network_, problem.debonded)),
       stiffness_(in_sides_of_the_box(problem.debonded.springs, problem.tessellation.side())),
-      unknowns_(network_, grains_, problem.boundary, on_springs(network_, debonding_)) {}
+      unknowns_(network_, grains_, problem.boundary, on_springs(debonding_)) {}
 
 std::vector<NodeImage> FilmMesh::nodes_of(const Junction& junction) const {
   std::vector<NodeImage> nodes;

@@ -200,7 +200,7 @@ class Recovery {
       if (boundary_ == Boundary::traction) motion += slip(*displacement_, f, end) * mesh_.opening(f, end).slip;
     }
     for (int element = 0; element < film.segments; ++element) {
-      const auto jumps = values_of(*displacement_, mesh_.springs(f, element).jumps);
+      const auto jumps = values_of(*displacement_, mesh_.unknowns().jumps(f, element));
       if (jumps.size() == 0) continue;
       const auto first = static_cast<std::size_t>(element);
       if (element == 0) motions.front() += 0.5 * jumps.head<2>();
@@ -246,7 +246,7 @@ class Recovery {
 
   /// Displacements of the nodes of a stretch, its flows and its jumps.
   [[nodiscard]] Eigen::VectorXd unknowns_of_stretch(const FilmVector& of, std::size_t f, int element) const {
-    const auto jumps = values_of(of, mesh_.springs(f, element).jumps);
+    const auto jumps = values_of(of, mesh_.unknowns().jumps(f, element));
     auto all = displacements_of(of, mesh_.nodes_of_stretch(f, element), FilmElement::flows + jumps.size());
     for (int end = 0; end < 2; ++end) all[FilmElement::displacements + end] = flow(of, f, element, end);
     all.tail(jumps.size()) = jumps;

@@ -11,8 +11,8 @@
 
 namespace breccia::films {
 
-/// Computes fields of grains and films (theory, Eqs. 67 to 69, in space 69e). It builds their mesh once, for all
-/// fields.
+/// Computes fields of grains and films (theory, Eqs. 67 to 69, in space 69e: films/space/solid_recovery.hpp). It builds
+/// their mesh once, for all fields.
 template <int dim>
 class FilmRecovery {
  public:
@@ -34,10 +34,6 @@ class FilmRecovery {
 template <>
 FilmRecovery<2>::FilmRecovery(const FilmComposite<2>& composite, const FilmProblem<2>& problem);
 template <>
-FilmRecovery<3>::FilmRecovery(const FilmComposite<3>& composite, const FilmProblem<3>& problem);
-template <>
 FilmFields<2> FilmRecovery<2>::fields(Load load, const quasistatic::CompositeState<FilmVector>& state) const;
-template <>
-FilmFields<3> FilmRecovery<3>::fields(Load load, const quasistatic::CompositeState<FilmVector>& state) const;
 
 }  // namespace breccia::films

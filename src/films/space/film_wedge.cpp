@@ -174,19 +174,23 @@ FilmWedge film_wedge(const Wedge& wedge, bool is_at_rim) {
 }
 
 Eigen::Matrix<double, FilmWedge::pressures, FilmWedge::displacements / 2> outflow_of_second_side(const Wedge& wedge) {
-  const auto middle = middle_of(wedge);
-  const Eigen::RowVector3d outward = (middle.axes * middle.rim).transpose();
+  const auto& [first, second] = wedge.triangles;
   Eigen::Matrix<double, FilmWedge::pressures, FilmWedge::displacements / 2> outflow;
   outflow.setZero();
+  // Over the quadrilateral between the edges from the second to the third corner of both sides.
   const auto& [points, weights] = gauss_rule();
   for (std::size_t i = 0; i < points.size(); ++i) {
-    // Along the edge from the second to the third corner.
-    const Eigen::Vector3d place(0.0, 0.5 * (1.0 - points[i]), 0.5 * (1.0 + points[i]));
-    const auto functions = quadratic_in_triangle(place);
-    // The mean motion across the film is half of that of the second side.
-    const Eigen::RowVector3d mean = 0.25 * weights[i] * place.dot(middle.thickness) * outward;
-    for (int node = 0; node < FilmWedge::pressures; ++node) {
-      outflow.middleCols<3>(3 * node) += functions * functions[node] * mean;
+    const auto along = linear(points[i]);
+    const auto functions = quadratic_in_triangle({0.0, along[0], along[1]});
+    const Eigen::Vector3d across = along[0] * (second[1] - first[1]) + along[1] * (second[2] - first[2]);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const auto side = linear(points[k]);
+      const Eigen::Vector3d edge = side[0] * (first[2] - first[1]) + side[1] * (second[2] - second[1]);
+      const double weight = 0.25 * weights[i] * weights[k] * side[1];
+      const Eigen::RowVector3d outward = weight * edge.cross(across).transpose();
+      for (int node = 0; node < FilmWedge::pressures; ++node) {
+        outflow.middleCols<3>(3 * node) += functions * functions[node] * outward;
+      }
     }
   }
   return outflow;

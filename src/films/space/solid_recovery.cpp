@@ -1,3 +1,5 @@
+#include "films/space/solid_recovery.hpp"
+
 #include <array>
 #include <cstddef>
 #include <map>
@@ -13,7 +15,6 @@
 
 #include "films/assembly/macroscopic.hpp"
 #include "films/assembly/matrix_assembly.hpp"
-#include "films/fields/film_recovery.hpp"
 #include "films/space/film_wedge.hpp"
 #include "films/space/solid_elements.hpp"
 #include "films/space/solid_strain.hpp"
@@ -60,16 +61,24 @@ Eigen::Vector3d integral_of_product(const std::array<double, 2>& factor, const s
 struct MiddleCorner {
   Eigen::Vector3d position;
   double thickness = 0.0;
-  Eigen::Vector3d flow;  ///< mean displacement of the binder relative to the mean of both grains
+  Eigen::Vector3d flow;  ///< mean displacement of the binder relative to the mean of both sides
 };
 
 /// A triangle of a film halfway between both sides.
 struct MiddleTriangle {
   Eigen::Vector3d normal;  ///< from the first side to the second one, of length 1
   std::array<MiddleCorner, 3> corners;
+  std::array<Eigen::Vector3d, 6> jumps;  ///< at its nodes; zero without springs
 
   /// The number of a corner after a whole turn is that of the first one.
   [[nodiscard]] const MiddleCorner& corner(int number) const { return corners[static_cast<std::size_t>(number % 3)]; }
+
+  /// The integral of the thickness times the jump along an edge whose length counts as 1, by Simpson's rule.
+  [[nodiscard]] Eigen::Vector3d integral_of_jumps(int edge) const {
+    const auto begin = static_cast<std::size_t>(edge), end = (begin + 1) % 3, between = begin + 3;
+    const double of_begin = corners[begin].thickness, of_end = corners[end].thickness;
+    return (of_begin * jumps[begin] + 2.0 * (of_begin + of_end) * jumps[between] + of_end * jumps[end]) / 6.0;
+  }
 };
 
 /// An edge of a triangle of a film: the face, and the number and the image of the node in its middle.
@@ -248,11 +257,14 @@ class Recovery {
     const auto axes = film_axes(wedge);
     MiddleTriangle middle;
     middle.normal = axes.col(0).cross(axes.col(1));
-    const auto jumps = values_of(unknowns_of_jumps<3>(mesh_.springs(triangle)), *displacement_);
     for (std::size_t k = 0; k < first.size(); ++k) {
-      Eigen::Vector3d flow = axes * displacement_->unknowns().segment<2>(mesh_.flows_of(triangle)[2 * k]);
-      if (jumps.size() != 0) flow += 0.5 * jumps.segment<3>(3 * static_cast<Eigen::Index>(k));
-      middle.corners[k] = {0.5 * (first[k] + second[k]), (second[k] - first[k]).dot(middle.normal), flow};
+      const auto flow = displacement_->unknowns().segment<2>(mesh_.flows_of(triangle)[2 * k]);
+      middle.corners[k] = {0.5 * (first[k] + second[k]), (second[k] - first[k]).dot(middle.normal), axes * flow};
+    }
+    middle.jumps.fill(Eigen::Vector3d::Zero());
+    const auto& jumps = mesh_.jumps(triangle);
+    for (std::size_t node = 0; 3 * node < jumps.size(); ++node) {
+      middle.jumps[node] = displacement_->unknowns().segment<3>(jumps[3 * node]);
     }
     return middle;
   }
@@ -275,8 +287,9 @@ class Recovery {
         flows = {0.5 * (flows[0] + beyond.corner(number + 1).flow), 0.5 * (flows[1] + beyond.corner(number).flow)};
       }
       const Eigen::Vector3d outward = (end.position - begin.position).cross(middle.normal);
-      const Tensor strain =
-          strain_by(integral_of_product({begin.thickness, end.thickness}, flows) * outward.transpose());
+      const Eigen::Vector3d integral =
+          integral_of_product({begin.thickness, end.thickness}, flows) + 0.5 * middle.integral_of_jumps(edge);
+      const Tensor strain = strain_by(integral * outward.transpose());
       sum += strain;
       constexpr int rim = 1;
       if (element.is_at_rim && edge == rim) inflow_[segment_.at(std::get<1>(key_of(element, edge)))] -= strain;

@@ -46,6 +46,9 @@ class SpaceMesh {
   [[nodiscard]] std::optional<Debonding> debonding(std::size_t triangle) const {
     return debonding_[sheets_.triangles[triangle].face];
   }
+  /// The numbers of the jumps of a triangle of a film on springs, three components at each of its nodes; none of
+  /// another film.
+  [[nodiscard]] const std::vector<int>& jumps(std::size_t triangle) const { return jumps_[triangle]; }
   /// The springs of a triangle of a film that hold it to the grain on its second side; a bonded film has none. In units
   /// of the side of the box.
   [[nodiscard]] InterfaceSprings springs(std::size_t triangle) const;

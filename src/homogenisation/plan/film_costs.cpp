@@ -87,6 +87,19 @@ double unknowns_of_grain(const Tests& tests, double film) {
   return of_junction_rows * layers * layers + elements_along(tests, film) * (of_layer * layers + of_grain);
 }
 
+/// The jumps across springs for each grain if all films have them: at the nodes of three films of the plane, each as
+/// long as the side of a hexagon of the unit area, or of seven faces, fans of triangles between five corners or so.
+double jumps_of_grain(const FilmOptions& films, int dimensions) {
+  if (dimensions == 2) return 3.0 * 2.0 * (1.0 + 2.0 * 0.62 / films.face_share);
+  constexpr double corners = 36.0 / 7.0;
+  const double divisions = films.divisions;
+  return 7.0 * 3.0 * (1.0 + corners * divisions * (2.0 * divisions + 1.0));
+}
+
+bool has_springs(const Stage& stage) {
+  return stage.bonds && stage.bonds->kind == Debonding::spring;
+}
+
 /// Memory of matrices and factors in the plane [B]; the solver keeps factors in files if they took more than some size.
 double system_in_the_plane(double unknowns) {
   namespace costs = measured_costs;
@@ -114,21 +127,27 @@ FilmedGrains expected_grains(const Stage& stage) {
   const auto shares =
       name_errors(stage.name, [&] { return is_in_space ? shares_of_cells<3>(stage) : shares_of_cells<2>(stage); });
   const auto count = static_cast<double>(shares.size());
-  if (is_in_space) return {.count = count, .dimensions = 3};
+  const double on_springs = has_springs(stage) ? stage.bonds->debonded : 0.0;
+  if (is_in_space) return {.count = count, .dimensions = 3, .on_springs = on_springs};
   const auto& asked = stage.packed_by<LaguerrePacking<2>>()->film;
   const double film =
       asked ? *asked / stage.side : film_between_hexagons(shares, stage.fillers.front().fraction.value_or(1.0));
-  return {.count = count, .film = film * std::sqrt(count)};
+  return {.count = count, .film = film * std::sqrt(count), .on_springs = on_springs};
 }
 
 FilmedGrains placed_grains(const Stage& stage, const GrainStatistics& grains) {
   const auto count = static_cast<double>(grains.count);
-  return {count, grains.film / stage.side * std::sqrt(count), stage.dimensions()};
+  return {.count = count,
+          .film = grains.film / stage.side * std::sqrt(count),
+          .dimensions = stage.dimensions(),
+          .on_springs = has_springs(stage) ? grains.debonded : 0.0};
 }
 
 double film_unknowns(const Tests& tests, const FilmedGrains& grains) {
   const bool is_in_space = grains.dimensions == 3;
-  return grains.count * (is_in_space ? unknowns_of_polyhedron(tests.films) : unknowns_of_grain(tests, grains.film));
+  const double of_jumps = grains.on_springs * jumps_of_grain(tests.films, grains.dimensions);
+  return grains.count *
+         (of_jumps + (is_in_space ? unknowns_of_polyhedron(tests.films) : unknowns_of_grain(tests, grains.film)));
 }
 
 double film_memory(const Study& study, const Stage& stage, const FilmedGrains& grains) {

@@ -10,6 +10,7 @@ struct FilmedGrains {
   double count = 0.0;
   double film = 0.0;  ///< in the plane, thickness of the films over the square root of the mean area of the cells [-]
   int dimensions = 2;
+  double on_springs = 0.0;  ///< share of the films that are on springs [-]
 };
 
 /// The expected grains of a stage that is not packed yet, with the films that hexagons of their sizes would have.

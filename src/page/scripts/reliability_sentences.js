@@ -30,7 +30,7 @@ function onDebonding({microstructure: {debonding} = {}}) {
 }
 
 function onModel(stage) {
-  const bonded = stage.microstructure?.debonding === undefined ? "bonded" : "bonded in part";
+  const bonded = stage.microstructure?.debonding === undefined ? "bonded" : "bonded as said below";
   const ofCube = stage.tests.some(({cells}) => cells === "films")
     ? `The model: a cube of polyhedral grains, each its cell made smaller, ${bonded} to films of nearly one thickness.`
     : "The model: a cube with its particles bonded to their matrix.";
