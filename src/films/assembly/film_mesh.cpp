@@ -1,5 +1,7 @@
 #include "films/assembly/film_mesh.hpp"
 
+#include <algorithm>
+
 namespace breccia::films {
 namespace {
 
@@ -29,8 +31,8 @@ std::vector<std::optional<Debonding>> debonding_of(const FilmNetwork& network, c
 }
 
 std::vector<bool> on_springs(const std::vector<std::optional<Debonding>>& debonding) {
-  std::vector<bool> are;
-  for (const auto& kind : debonding) are.push_back(kind == Debonding::spring);
+  std::vector<bool> are(debonding.size());
+  std::ranges::transform(debonding, are.begin(), [](const auto& kind) { return kind == Debonding::spring; });
   return are;
 }
 
