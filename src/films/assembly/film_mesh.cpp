@@ -1,7 +1,5 @@
 #include "films/assembly/film_mesh.hpp"
 
-#include <algorithm>
-
 namespace breccia::films {
 namespace {
 
@@ -31,8 +29,9 @@ std::vector<std::optional<Debonding>> debonding_of(const FilmNetwork& network, c
 }
 
 std::vector<bool> on_springs(const std::vector<std::optional<Debonding>>& debonding) {
-  std::vector<bool> are(debonding.size());
-  std::ranges::transform(debonding, are.begin(), [](const auto& kind) { return kind == Debonding::spring; });
+  std::vector<bool> are;
+  are.reserve(debonding.size());
+  for (const auto& kind : debonding) are.push_back(kind == Debonding::spring);
   return are;
 }
 
