@@ -18,9 +18,10 @@ PathLike = Union[str, "os.PathLike[str]"]
 UNITS = {
     "activation_energy": "J/mol", "angle": "rad", "box": "m", "budget": "s", "bulk": "Pa", "c2": "K",
     "density": "kg/m^3", "diameter": "m", "equilibrium": "Pa", "fields": "s", "film": "m", "frequencies": "Hz",
-    "from": "m", "gap": "m", "list": "m", "median": "m", "modulus": "Pa", "normal_stiffness": "Pa/m", "pixel": "m", "ramp": "s", "reference": "K",
-    "reference_temperature": "K", "resolution": "1/m", "shear": "Pa", "tangential_stiffness": "Pa/m", "temperature": "K", "thickness": "m",
-    "time": "s", "times": "s", "to": "m", "young": "Pa",
+    "from": "m", "gap": "m", "list": "m", "median": "m", "modulus": "Pa", "normal_stiffness": "Pa/m", "pixel": "m",
+    "ramp": "s", "reference": "K", "reference_temperature": "K", "resolution": "1/m", "shear": "Pa",
+    "tangential_stiffness": "Pa/m", "temperature": "K", "thickness": "m", "time": "s", "times": "s", "to": "m",
+    "young": "Pa",
 }
 
 #: What messages call the dimensions of arguments, with the SI unit.

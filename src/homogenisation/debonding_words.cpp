@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "films/assembly/debonded_set.hpp"
 #include "io/units.hpp"
 
 namespace breccia {
@@ -64,8 +65,8 @@ std::string words_on_debonding(const Stage& stage, const GrainStatistics& grains
   if (!stage.bonds) return {};
   const auto kind = stage.bonds->kind;
   const auto [name, consequence] = words_on(*stage.bonds);
-  const bool are_gaps = kind == Debonding::open || kind == Debonding::sealed;
-  const auto* const closing = are_gaps ? "; a gap that closes carries nothing here, in reality it would" : "";
+  const auto* const closing =
+      films::is_gap(kind) ? "; a gap that closes carries nothing here, in reality it would" : "";
   return fmt::format("{} film{} {}, {:.3g} % of the {} of all, {}: {}{}{}", grains.debonded_films,
                      grains.debonded_films == 1 ? "" : "s", state_of(kind), per_cent * grains.debonded,
                      stage.dimensions() == 3 ? "area" : "length", choice_of(stage), name, consequence, closing);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "films/assembly/debonded_set.hpp"
 #include "homogenisation/debonding_words.hpp"
 #include "io/display.hpp"
 #include "io/units.hpp"
@@ -62,8 +63,7 @@ std::optional<std::string> warning_of_soft_springs(const Stage& stage, const Gra
   if (of_springs > soft * of_film) return std::nullopt;
   return fmt::format(
       "the springs are as soft across as films of a bulk modulus of {}, where that of the matrix is {}: almost gaps, "
-      "which "
-      "carry nothing here when they close, and the bonded corners of the grains carry the load",
+      "which in reality carry pressure where they close, and the bonded corners of the grains carry the load",
       readable(of_springs, Dimension::pressure), readable(of_film, Dimension::pressure));
 }
 
@@ -77,8 +77,7 @@ std::vector<std::string> warnings_of_debonding(const Stage& stage, const StageMi
   const double share = grains->debonded;
   std::vector<std::string> warnings;
   constexpr double many = 0.25, most = 0.45, off = 0.05;
-  const bool are_gaps = bonds.kind == Debonding::open || bonds.kind == Debonding::sealed;
-  const bool are_thin_gaps = !films.layers && are_gaps;
+  const bool are_thin_gaps = !films.layers && films::is_gap(bonds.kind);
   if (are_thin_gaps && share > most) {
     warnings.push_back(fmt::format(
         "{:.0f} % of the films are gaps: the model was not held against resolved films with more than 40 %, and the "

@@ -52,12 +52,14 @@ double film_between_hexagons(const std::vector<double>& shares, double fraction)
   return films / (half + std::sqrt(std::max(0.0, half * half - square * films)));
 }
 
+constexpr double side_of_hexagon = 0.62;  ///< of the unit area
+
 /// Number of elements along a film, with so many layers, between hexagons of the unit area (graded_divisions).
 double elements_along(const Tests& tests, double film) {
-  constexpr double growth = 1.5, grading = 0.7, side = 0.62;
+  constexpr double growth = 1.5, grading = 0.7;
   const double layers = *tests.films.layers, turn = 2.0 * std::numbers::pi;
   const double first = film * (1.0 / layers - grading / turn * std::sin(turn / layers));
-  const double half = 0.5 * std::max(film, side - film / std::numbers::sqrt3);
+  const double half = 0.5 * std::max(film, side_of_hexagon - film / std::numbers::sqrt3);
   const double longest = std::max(first, tests.films.face_share);
   const double in_growing = std::min(half, 2.0 * (longest - first));
   return 1.0 + 2.0 * (std::log1p(0.5 * in_growing / first) / std::log(growth) + (half - in_growing) / longest);
@@ -90,7 +92,7 @@ double unknowns_of_grain(const Tests& tests, double film) {
 /// The jumps across springs for each grain if all films have them: at the nodes of three films of the plane, each as
 /// long as the side of a hexagon of the unit area, or of seven faces, fans of triangles between five corners or so.
 double jumps_of_grain(const FilmOptions& films, int dimensions) {
-  if (dimensions == 2) return 3.0 * 2.0 * (1.0 + 2.0 * 0.62 / films.face_share);
+  if (dimensions == 2) return 3.0 * 2.0 * (1.0 + 2.0 * side_of_hexagon / films.face_share);
   constexpr double corners = 36.0 / 7.0;
   const double divisions = films.divisions;
   return 7.0 * 3.0 * (1.0 + corners * divisions * (2.0 * divisions + 1.0));
