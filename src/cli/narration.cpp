@@ -54,9 +54,9 @@ std::string describe(const Stage& stage, const StageResult& result) {
   if (const auto* grains = packed.grains()) {
     text += fmt::format(", films of {}", readable(grains->film, Dimension::length));
     if (has_points) text += fmt::format(" ({:.2g} cells)", grains->film / stage.cell_size());
-    if (const auto& crystal = stage.fillers.front().crystal) text += "\n  " + words_on_crystals(stage, *crystal);
     if (stage.bonds) text += "\n  " + words_on_debonding(stage, *grains);
   }
+  for (const auto& line : words_on_crystals(stage)) text += "\n  " + line;
   if (stage.fillers.size() > 1) {
     for (std::size_t number = 0; number < packed.fillers.size(); ++number) {
       const auto& own = packed.fillers[number];

@@ -51,7 +51,7 @@ std::vector<ShiftedMaterial> read_materials(const Section& deck) {
 }
 
 void refuse_crystal(const Section& section, const std::string& key) {
-  section.report(key, "a crystal, which has a stiffness, is expected as a filler of grains alone");
+  section.report(key, "a crystal, which has a stiffness, is expected as a filler alone");
 }
 
 Material read_material_reference(const Section& section, const std::string& key,

@@ -25,15 +25,25 @@ struct OrientationsInWords {
   }
 };
 
-}  // namespace
-
-std::string words_on_crystals(const Stage& stage, const Crystal& crystal) {
+std::string words_on_crystal(const Stage& stage, const Crystal& crystal) {
   const auto means = isotropic_means(stiffness_tensor(crystal.constants));
   const auto pressure = [](double value) { return display(value, "Pa", 3); };
   return fmt::format("crystals {}; isotropic means by Hill: K {} (Reuss {}, Voigt {}), G {} ({}, {})",
                      std::visit(OrientationsInWords{stage}, crystal.orientations), pressure(means.bulk()),
                      pressure(means.bulk_reuss), pressure(means.bulk_voigt), pressure(means.shear()),
                      pressure(means.shear_reuss), pressure(means.shear_voigt));
+}
+
+}  // namespace
+
+std::vector<std::string> words_on_crystals(const Stage& stage) {
+  std::vector<std::string> sentences;
+  for (const auto& filler : stage.fillers) {
+    if (!filler.crystal) continue;
+    const auto name = stage.fillers.size() > 1 ? filler.material.name + ": " : "";
+    sentences.push_back(name + words_on_crystal(stage, *filler.crystal));
+  }
+  return sentences;
 }
 
 }  // namespace breccia

@@ -2,8 +2,8 @@
 
 #include <array>
 #include <cstddef>
-#include <numbers>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -14,6 +14,7 @@
 #include "homogenisation/box/debonded_films.hpp"
 #include "io/text_file.hpp"
 #include "microstructure/tessellation/tessellation_statistics.hpp"
+#include "results/crystal_files.hpp"
 #include "results/particle_files.hpp"
 #include "results/stage_picture.hpp"
 #include "tables/csv.hpp"
@@ -49,17 +50,8 @@ void write_grains(const std::filesystem::path& directory, const Stage& stage, co
   columns.push_back({"equivalent_diameter_m", diameters});
   columns.push_back({"aspect_ratio", aspect_ratios});
   columns.push_back({"neighbours", neighbours});
-  if (const auto angles = crystal_orientations(stage, weights.size()); !angles.empty()) {
-    std::array<std::vector<double>, 3> degrees;
-    for (const auto& [phi1, phi, phi2] : angles) {
-      constexpr double degree = std::numbers::pi / 180.0;
-      degrees[0].push_back(phi1 / degree);
-      degrees[1].push_back(phi / degree);
-      degrees[2].push_back(phi2 / degree);
-    }
-    columns.push_back({"phi1_deg", degrees[0]});
-    columns.push_back({"phi_deg", degrees[1]});
-    columns.push_back({"phi2_deg", degrees[2]});
+  if (const auto angles = crystal_orientations(stage, 0, weights.size()); !angles.empty()) {
+    for (auto& column : columns_of_angles(angles)) columns.push_back(std::move(column));
   }
   const auto& film_shares = tessellation.sites().film_shares;
   if (!film_shares.empty()) columns.push_back({"film_share", film_shares});
@@ -146,6 +138,7 @@ void write_microstructure(const std::filesystem::path& directory, const Stage& s
                           const StageMicrostructure& microstructure) {
   write_labels(directory, stage, microstructure);
   visit_nested(WriteTable{directory, stage}, microstructure.box);
+  write_crystals(directory, stage, microstructure);
   write_text(directory / "microstructure.svg", stage_picture(stage, microstructure));
   if (stage.dimensions() == 2) return;
   write_text(directory / "cut-x.svg", stage_picture(stage, microstructure, Axis::x));

@@ -18,9 +18,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array stage_files = {"microstructure.csv", "grains.csv",  "films.csv",        "polygons.csv",
-                                    "microstructure.svg", "cut-x.svg",   "cut-y.svg",        "labels.npy",
-                                    "labels.vti",         "modulus.svg", "bulk_modulus.svg", "response.h5"};
+constexpr std::array stage_files = {"microstructure.csv", "grains.csv",         "films.csv",   "polygons.csv",
+                                    "crystals.csv",       "microstructure.svg", "cut-x.svg",   "cut-y.svg",
+                                    "labels.npy",         "labels.vti",         "modulus.svg", "bulk_modulus.svg",
+                                    "response.h5"};
 
 bool is_among(const std::vector<std::string>& names, std::string_view name) {
   return std::ranges::find(names, name) != names.end();

@@ -242,7 +242,6 @@ struct AddContent {
     const auto& filler = packed.fillers.front();
     entry.film = grains.statistics.film;
     entry.film_cells = grains.statistics.film / stage.cell_size();
-    if (const auto& crystal = stage.fillers.front().crystal) entry.crystals = words_on_crystals(stage, *crystal);
     if (stage.bonds) {
       entry.debonding = {.kind = std::string(name_of(stage.bonds->kind)),
                          .films = grains.statistics.debonded_films,
@@ -287,6 +286,9 @@ MicrostructureEntry entry_of(const Stage& stage, const StageMicrostructure& pack
                             .seconds = packing.seconds};
   (stage.dimensions() == 3 ? entry.interface_per_volume : entry.interface_per_area) = packing.interface_per_area;
   visit_nested(AddContent{stage, packing, entry}, packing.box);
+  if (const auto crystals = words_on_crystals(stage); !crystals.empty()) {
+    entry.crystals = fmt::format("{}", fmt::join(crystals, "; "));
+  }
   entry.size_deviation = packing.size_deviation();
   if (!stage.fillers.empty() && stage.is_random()) {
     entry.seed = stage.seed().value();

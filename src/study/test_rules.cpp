@@ -62,19 +62,22 @@ std::vector<std::string> bonds_without_films(const Study& study) {
   return mistakes;
 }
 
-/// The stages of crystals that are not computed as grains and films, or whose moduli vary, a line each.
+/// The stages of crystals that are in images or tested by the dynamic method, or whose moduli vary, a line each.
 std::vector<std::string> misplaced_crystals(const Study& study) {
   std::vector<std::string> mistakes;
   for (const auto& stage : study.stages) {
     for (const auto& filler : stage.fillers) {
       if (!filler.crystal) continue;
       const auto part = fmt::format("crystals of stage {}, {}: ", stage.name, filler.material.name);
-      if (model_of(study.tests, stage) != Model::films) {
-        mistakes.push_back(fmt::format(
-            R"({}expected grains, packing.method = "laguerre", and tests.model = "films"; elsewhere a material with )"
-            "their isotropic means, bulk = \"{}\" and shear = \"{}\", takes their place",
-            part, readable(filler.material.bulk.unrelaxed(), Dimension::pressure),
-            readable(filler.material.shear.unrelaxed(), Dimension::pressure)));
+      const auto refuse = [&](std::string_view expected) {
+        mistakes.push_back(
+            fmt::format("{}{}, or a material with their isotropic means, bulk = \"{}\" and shear = \"{}\"", part,
+                        expected, readable(filler.material.bulk.unrelaxed(), Dimension::pressure),
+                        readable(filler.material.shear.unrelaxed(), Dimension::pressure)));
+      };
+      if (stage.has_image()) refuse("expected particles or grains, which pixels do not distinguish");
+      if (uses(study.tests, Method::dynamic)) {
+        refuse("expected tests.methods = \"quasistatic\"; the dynamic method knows isotropic materials");
       }
       if (std::ranges::find(study.tests.varied, filler.material.name, &VariedMaterial::name) !=
           study.tests.varied.end()) {

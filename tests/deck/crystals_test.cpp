@@ -87,13 +87,10 @@ TEST_F(CrystalsOfADeck, MistakesAreNamed) {
               HasSubstr("bulk: the stiffness of a crystal gives all of its moduli"));
 }
 
-TEST_F(CrystalsOfADeck, AreGrainsBetweenFilmsAlone) {
-  EXPECT_THAT(
-      mistakes(deck(cubic, {}, "")),
-      HasSubstr(R"(crystals of stage a, crystal: expected grains, packing.method = "laguerre", and tests.model)"));
+TEST_F(CrystalsOfADeck, AreFillersAlone) {
   auto text = deck(cubic);
   text.replace(text.find("matrix = \"binder\""), 17, "matrix = \"crystal\"");
-  EXPECT_THAT(mistakes(text), HasSubstr("matrix: a crystal, which has a stiffness, is expected as a filler of grains"));
+  EXPECT_THAT(mistakes(text), HasSubstr("matrix: a crystal, which has a stiffness, is expected as a filler alone"));
   auto isotropic = deck(cubic, R"(, orientations = "random")");
   isotropic.replace(isotropic.find("material = \"crystal\""), 20, "material = \"hmx\"");
   EXPECT_THAT(mistakes(isotropic), HasSubstr("orientations: only crystals have them, whose material has a stiffness"));

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
 #include <vector>
 
 #include <Eigen/Dense>
@@ -12,6 +13,7 @@
 #include "breccia/quasistatic/apparent_moduli.hpp"
 
 #include "composites.hpp"
+#include "quasistatic/operator/recovery.hpp"
 
 namespace breccia {
 namespace {
@@ -66,13 +68,21 @@ double modulus_under(Load load, const StiffnessTensor<dim>& stiffness) {
   return strain.dot(stiffness * strain);
 }
 
+/// A stiffness in space whose part in plane strain is given.
+Matrix6 in_space(const StiffnessTensor<2>& in_plane) {
+  const std::vector<int> components = {0, 1, 5};
+  Matrix6 stiffness = Matrix6::Identity();
+  stiffness(components, components) = in_plane;
+  return stiffness;
+}
+
 Material elastic(const Moduli& moduli) {
   return {"solid", 1000.0, PronySeries(moduli.bulk), PronySeries(moduli.shear)};
 }
 
 /// Four layers across the last axis, one of them of the binder.
 template <int dim>
-QuasistaticProblem<dim> layers_of(const StiffnessTensor<dim>& crystal, LinearMethod method) {
+QuasistaticProblem<dim> layers_of(const Matrix6& crystal, LinearMethod method) {
   Index<dim> cells;
   cells.fill(4);
   QuasistaticProblem<dim> problem = {.discretisation = Discretisation<dim>(Grid<dim>{cells, 1.0}),
@@ -100,20 +110,54 @@ TEST(Crystals, InLayersOfPlaneStrainHaveTheExactStiffness) {
   const auto exact = laminate<2>(isotropic_stiffness<2>(binder), crystal, 0.25, {0}, {1, 2});
   constexpr std::array loads = {Load::shear, Load::diagonal_shear, Load::bulk};
   for (const auto method : {LinearMethod::direct, LinearMethod::iterative}) {
-    const auto found = apparent_moduli(layers_of<2>(crystal, method), loads);
+    const auto found = apparent_moduli(layers_of<2>(in_space(crystal), method), loads);
     for (std::size_t i = 0; i < loads.size(); ++i) {
       EXPECT_NEAR(found[i] / modulus_under<2>(loads[i], exact), 1.0, 1e-7) << name_of(loads[i]);
     }
   }
 }
 
+// In plane strain the stress out of the plane is that of the constants in space.
+template <int dim>
+void expect_the_stress_of_a_uniform_strain() {
+  const auto problem = layers_of<dim>(triclinic(), LinearMethod::iterative);
+  const quasistatic::ElasticOperator<dim> elastic_operator(problem.discretisation, problem.volumetric, problem.boundary,
+                                                           1, problem.crystals);
+  for (const auto load : {Load::shear, Load::diagonal_shear, Load::bulk}) {
+    const auto displacement = elastic_operator.uniform_strain(load);
+    std::map<PhaseIndex, quasistatic::AppliedModuli> applied;
+    applied.emplace(0, quasistatic::AppliedModuli{displacement.copy(), displacement.copy()});
+    const auto fields = recover_fields(elastic_operator, problem.discretisation, problem.volumetric, load, displacement,
+                                       applied, problem.crystals);
+    Eigen::Matrix<double, 6, 1> strain = Eigen::Matrix<double, 6, 1>::Zero();
+    for (int i = 0; i < tensor_components<dim>; ++i) {
+      strain[i < dim ? i : i + 6 - tensor_components<dim>] =
+          (i < dim ? 1.0 : 2.0) * component(unit_strain<dim>(load), i);
+    }
+    const Eigen::Matrix<double, 6, 1> expected = triclinic() * strain;
+    for (std::size_t place = 0; place < fields.phase.size(); ++place) {
+      if (fields.phase[place] != 1) continue;
+      const auto& stress = fields.stress[place];
+      for (std::size_t i = 0; i < stress.size(); ++i) {
+        const auto component = static_cast<Eigen::Index>(i < 3 ? i : i + 6 - stress.size());
+        EXPECT_NEAR(stress[i], expected[component], 1e-12) << name_of(load) << ", component " << i;
+      }
+    }
+  }
+}
+
+TEST(Crystals, UnderAUniformStrainHaveTheStressOfTheirStiffness) {
+  expect_the_stress_of_a_uniform_strain<2>();
+  expect_the_stress_of_a_uniform_strain<3>();
+}
+
 /// Compares an isotropic filler given as a crystal with the same filler given by its moduli.
-template <class Problem, class Stiffness>
-void expect_the_moduli_of_isotropic_phases(Problem problem, const Stiffness& stiffness_of) {
+template <class Problem>
+void expect_the_moduli_of_isotropic_phases(Problem problem) {
   constexpr std::array loads = {Load::shear, Load::bulk};
   const auto expected = apparent_moduli(problem, loads);
   const auto& filler = problem.materials[1];
-  problem.crystals.emplace(1, stiffness_of(Moduli{filler.bulk.equilibrium(), filler.shear.equilibrium()}));
+  problem.crystals.emplace(1, isotropic_stiffness<3>({filler.bulk.equilibrium(), filler.shear.equilibrium()}));
   const auto found = apparent_moduli(problem, loads);
   for (std::size_t i = 0; i < loads.size(); ++i) EXPECT_NEAR(found[i] / expected[i], 1.0, 1e-6) << name_of(loads[i]);
 }
@@ -126,7 +170,7 @@ TEST(Crystals, ThatAreIsotropicGiveTheModuliOfIsotropicPhases) {
       for (auto& material : disc.materials) {
         material = elastic({.bulk = material.bulk.equilibrium() + 1e6, .shear = material.shear.equilibrium() + 1e5});
       }
-      expect_the_moduli_of_isotropic_phases(disc, isotropic_stiffness<2>);
+      expect_the_moduli_of_isotropic_phases(disc);
       QuasistaticProblem<3> ball = {.discretisation = Discretisation<3>(Grid<3>{{5, 5, 5}, 0.2}),
                                     .materials = {elastic(binder), elastic({.bulk = 40.0, .shear = 20.0})},
                                     .volumetric = volumetric,
@@ -136,7 +180,7 @@ TEST(Crystals, ThatAreIsotropicGiveTheModuliOfIsotropicPhases) {
         return (x[0] - 0.4) * (x[0] - 0.4) + (x[1] - 0.5) * (x[1] - 0.5) + (x[2] - 0.55) * (x[2] - 0.55) < 0.1;
       };
       ball.discretisation.paint(is_inside, 1);
-      expect_the_moduli_of_isotropic_phases(ball, isotropic_stiffness<3>);
+      expect_the_moduli_of_isotropic_phases(ball);
     }
   }
 }

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <functional>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -28,12 +30,13 @@ Displacement with_fluctuation(const ElasticOperator<2>& elastic_operator,
   return displacement;
 }
 
-std::vector<AppliedModuli> elastic(const Displacement& displacement, const std::vector<Moduli>& moduli) {
-  std::vector<AppliedModuli> applied;
+std::map<PhaseIndex, AppliedModuli> elastic(const Displacement& displacement, const std::vector<Moduli>& moduli) {
+  std::map<PhaseIndex, AppliedModuli> applied;
   for (const auto& [bulk, shear] : moduli) {
-    applied.push_back({displacement.copy(), displacement.copy()});
-    applied.back().bulk.scale(bulk);
-    applied.back().shear.scale(shear);
+    AppliedModuli of_phase = {displacement.copy(), displacement.copy()};
+    of_phase.bulk.scale(bulk);
+    of_phase.shear.scale(shear);
+    applied.emplace(static_cast<PhaseIndex>(applied.size()), std::move(of_phase));
   }
   return applied;
 }

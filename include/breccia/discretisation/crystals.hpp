@@ -16,9 +16,9 @@ namespace breccia {
 template <int dim>
 using StiffnessTensor = Eigen::Matrix<double, tensor_components<dim>, tensor_components<dim>>;
 
-/// The stiffness of each phase that is not isotropic.
-template <int dim>
-using Crystals = std::map<PhaseIndex, StiffnessTensor<dim>>;
+/// The stiffness of each phase that is not isotropic, in the axes of the box [Pa]. In plane strain its part for the
+/// strains in the plane acts, and the stress out of the plane follows.
+using Crystals = std::map<PhaseIndex, StiffnessTensor<3>>;
 
 /// The stiffness of an isotropic solid, in plane strain without strain out of the plane.
 template <int dim>
@@ -36,6 +36,17 @@ template <int dim>
 
 /// The stiffness in plane strain: that for the strains xx, yy and xy without any other.
 [[nodiscard]] StiffnessTensor<2> in_plane_strain(const StiffnessTensor<3>& stiffness);
+
+/// The stiffness for the strains that a body of these dimensions may have: the whole in space, in_plane_strain() in the
+/// plane.
+template <int dim>
+[[nodiscard]] StiffnessTensor<dim> stiffness_in(const StiffnessTensor<3>& stiffness) {
+  if constexpr (dim == 2) {
+    return in_plane_strain(stiffness);
+  } else {
+    return stiffness;
+  }
+}
 
 /// Moduli of an aggregate of crystals without any texture [Pa]. No such aggregate is stiffer than the mean of the
 /// stiffnesses (Voigt) or softer than that of the compliances (Reuss).

@@ -22,7 +22,7 @@ struct QuasistaticProblem {
   Boundary boundary = Boundary::displacement;
   LinearOptions linear = {};
   /// Phases that are not isotropic. They are elastic, and their stiffness replaces the moduli of their materials.
-  Crystals<dim> crystals = {};
+  Crystals crystals = {};
 };
 
 }  // namespace breccia

@@ -1,5 +1,6 @@
 #include "homogenisation/box/crystal_orientations.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -23,12 +24,13 @@ EulerAngles random_angles(std::mt19937_64& engine) {
 
 struct DrawOrientations {
   const Stage& stage;
+  std::size_t filler;
   std::size_t count;
 
   std::vector<EulerAngles> operator()(const RandomOrientations& random) const {
-    // The packing draws from the same seed: other numbers follow for the orientations.
+    // The packing draws from the same seed: other numbers follow for the orientations of each filler.
     constexpr std::uint64_t of_orientations = 0x9e3779b97f4a7c15;
-    std::mt19937_64 engine(random.seed.value_or(stage.seed().value_or(1)) ^ of_orientations);
+    std::mt19937_64 engine(random.seed.value_or(stage.seed().value_or(1)) ^ (of_orientations + filler));
     std::vector<EulerAngles> angles;
     for (std::size_t crystal = 0; crystal < count; ++crystal) angles.push_back(random_angles(engine));
     return angles;
@@ -38,26 +40,37 @@ struct DrawOrientations {
   }
   std::vector<EulerAngles> operator()(const ListedOrientations& listed) const {
     if (listed.angles.size() == count) return listed.angles;
-    throw InputError(fmt::format("stage {}: {}: expected the orientations of {} grains, got {}", stage.name,
-                                 listed.file.string(), count, listed.angles.size()));
+    throw InputError(fmt::format("stage {}: {}: expected the orientations of {} {}, got {}", stage.name,
+                                 listed.file.string(), count, stage.has_grains() ? "grains" : "particles",
+                                 listed.angles.size()));
   }
 };
 
 }  // namespace
 
-std::vector<EulerAngles> crystal_orientations(const Stage& stage, std::size_t count) {
-  const auto& crystal = stage.fillers.front().crystal;
+std::vector<EulerAngles> crystal_orientations(const Stage& stage, std::size_t filler, std::size_t count) {
+  const auto& crystal = stage.fillers[filler].crystal;
   if (!crystal) return {};
-  return std::visit(DrawOrientations{stage, count}, crystal->orientations);
+  return std::visit(DrawOrientations{stage, filler, count}, crystal->orientations);
 }
 
-std::vector<StiffnessTensor<3>> crystal_stiffnesses(const Stage& stage, std::size_t count) {
-  std::vector<StiffnessTensor<3>> stiffnesses;
-  for (const auto& [phi1, phi, phi2] : crystal_orientations(stage, count)) {
-    stiffnesses.push_back(
-        rotated(stiffness_tensor(stage.fillers.front().crystal->constants), crystal_axes(phi1, phi, phi2)));
+std::vector<std::optional<EulerAngles>> orientations_of_particles(const Stage& stage,
+                                                                  std::span<const std::size_t> fillers) {
+  std::vector<std::optional<EulerAngles>> orientations(fillers.size());
+  for (std::size_t filler = 0; filler < stage.fillers.size(); ++filler) {
+    if (!stage.fillers[filler].crystal) continue;
+    const auto count = static_cast<std::size_t>(std::ranges::count(fillers, filler));
+    auto next = crystal_orientations(stage, filler, count);
+    std::size_t taken = 0;
+    for (std::size_t particle = 0; particle < fillers.size(); ++particle) {
+      if (fillers[particle] == filler) orientations[particle] = next[taken++];
+    }
   }
-  return stiffnesses;
+  return orientations;
+}
+
+StiffnessTensor<3> crystal_stiffness(const Crystal& crystal, const EulerAngles& angles) {
+  return rotated(stiffness_tensor(crystal.constants), crystal_axes(angles.phi1, angles.phi, angles.phi2));
 }
 
 }  // namespace breccia

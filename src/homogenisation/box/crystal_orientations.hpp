@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "breccia/discretisation/crystals.hpp"
@@ -8,11 +10,16 @@
 
 namespace breccia {
 
-/// The orientations of so many crystals of the only filler of a stage; none where its grains are isotropic. Throws
+/// The orientations of so many particles of a filler, in the order of the box; none where they are isotropic. Throws
 /// InputError where a list has another number of them.
-[[nodiscard]] std::vector<EulerAngles> crystal_orientations(const Stage& stage, std::size_t count);
+[[nodiscard]] std::vector<EulerAngles> crystal_orientations(const Stage& stage, std::size_t filler, std::size_t count);
 
-/// The stiffness of each of so many grains in the axes of the box [Pa]; none where they are isotropic.
-[[nodiscard]] std::vector<StiffnessTensor<3>> crystal_stiffnesses(const Stage& stage, std::size_t count);
+/// The orientation of each particle of a box, whose numbers of the fillers are given; nothing for those that are
+/// isotropic. Throws as crystal_orientations().
+[[nodiscard]] std::vector<std::optional<EulerAngles>> orientations_of_particles(const Stage& stage,
+                                                                                std::span<const std::size_t> fillers);
+
+/// The stiffness of a crystal of a filler with an orientation, in the axes of the box [Pa].
+[[nodiscard]] StiffnessTensor<3> crystal_stiffness(const Crystal& crystal, const EulerAngles& angles);
 
 }  // namespace breccia

@@ -65,7 +65,7 @@ class StageSolution {
  private:
   void run_on_grids(int threads) {
     for (const int cells : stage_.grids()) {
-      const StageGrid grid{&study_, &stage_,
+      const StageGrid grid{&study_, &stage_, &done_.microstructure,
                            discretise_together(stage_, done_.microstructure, cells, study_.tests.mixing), threads};
       for (const auto boundary : study_.tests.boundaries) {
         for (const auto method : study_.tests.methods) run(grid, boundary, method);

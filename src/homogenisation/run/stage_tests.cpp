@@ -11,6 +11,7 @@
 
 #include "checkpoint/checkpoint.hpp"
 #include "homogenisation/dynamic_warnings.hpp"
+#include "homogenisation/run/crystal_cells.hpp"
 #include "homogenisation/run/field_times_state.hpp"
 #include "homogenisation/run/named_errors.hpp"
 #include "homogenisation/run/test_requests.hpp"
@@ -94,6 +95,7 @@ std::vector<TestResult> run_quasistatic(const StageGrid& grid, const Material& m
                                         std::vector<std::vector<Moduli>> relaxation, Boundary boundary,
                                         StudySink& sink) {
   auto test = make_quasistatic_test(*grid.study, *grid.stage, matrix, grid.discretisation, boundary, grid.threads);
+  add_crystals(*grid.stage, *grid.packed, test);
   test.relaxation = std::move(relaxation);
   return run_all_loads(*grid.stage, test, grid_of(grid), sink);
 }

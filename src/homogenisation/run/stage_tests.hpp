@@ -17,6 +17,7 @@ namespace breccia {
 struct StageGrid {
   const Study* study = nullptr;
   const Stage* stage = nullptr;
+  const StageMicrostructure* packed = nullptr;
   StageDiscretisation discretisation;
   int threads = 0;  ///< 0: all cores
 };

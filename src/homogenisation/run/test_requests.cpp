@@ -138,6 +138,15 @@ FilmElements<dim> elements_of(const FilmOptions& options) {
   }
 }
 
+/// The stiffness of each grain that is a crystal; none where they are isotropic.
+std::vector<StiffnessTensor<3>> crystals_of(const Stage& stage, std::size_t grains) {
+  std::vector<StiffnessTensor<3>> stiffnesses;
+  for (const auto& angles : crystal_orientations(stage, 0, grains)) {
+    stiffnesses.push_back(crystal_stiffness(*stage.fillers.front().crystal, angles));
+  }
+  return stiffnesses;
+}
+
 template <int dim>
 FilmProblem<dim> film_problem(const Tests& tests, const Stage& stage, const StageMicrostructure& microstructure) {
   const auto& grains = std::get<Grains<dim>>(std::get<Box<dim>>(microstructure.box));
@@ -148,7 +157,7 @@ FilmProblem<dim> film_problem(const Tests& tests, const Stage& stage, const Stag
   return {.tessellation = std::move(tessellation),
           .thickness = grains.statistics.film,
           .grain = {.bulk = material.bulk.unrelaxed(), .shear = material.shear.unrelaxed()},
-          .crystals = crystal_stiffnesses(stage, grains.sites.sites.size()),
+          .crystals = crystals_of(stage, grains.sites.sites.size()),
           .elements = elements_of<dim>(tests.films),
           .layers = tests.films.layers,
           .debonded = {.kind = bonds.kind, .faces = std::move(debonded), .springs = bonds.springs}};

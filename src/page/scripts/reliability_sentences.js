@@ -19,9 +19,9 @@ function textOnParticles({fillers = [], microstructure: made}) {
   return shapes.length > 0 ? listed(shapes) : "particles";
 }
 
-/// A sentence on grains that are crystals.
+/// A sentence on fillers of crystals.
 function onCrystals({microstructure: {crystals} = {}}) {
-  return crystals === undefined ? "" : `The grains: ${crystals}.`;
+  return crystals === undefined ? "" : `The filler: ${crystals}.`;
 }
 
 /// A sentence on films that are debonded.

@@ -9,8 +9,7 @@
 namespace breccia::quasistatic {
 namespace {
 
-template <int dim>
-void require_no_crystals(const std::vector<Mixture>& mixtures, const Crystals<dim>& crystals) {
+void require_no_crystals(const std::vector<Mixture>& mixtures, const Crystals& crystals) {
   const auto is_crystal = [&](const MixedPart& part) { return crystals.contains(part.phase); };
   const auto holds_crystal = [&](const Mixture& mixture) { return std::ranges::any_of(mixture, is_crystal); };
   if (std::ranges::none_of(mixtures, holds_crystal)) return;
@@ -21,16 +20,14 @@ void require_no_crystals(const std::vector<Mixture>& mixtures, const Crystals<di
 
 template <int dim>
 CellKinds<dim>::CellKinds(const Discretisation<dim>& discretisation, Volumetric volumetric,
-                          const IndexRange<dim>& own_cells, const Crystals<dim>& crystals,
+                          const IndexRange<dim>& own_cells, const Crystals& crystals,
                           std::span<const Material> materials, const gaps::GapCells<dim>* gaps)
     : volumetric_(volumetric), own_cells_(own_cells) {
-  for (const auto& [phase, stiffness] : crystals) {
+  for (const auto& [phase, in_space] : crystals) {
+    const auto stiffness = stiffness_in<dim>(in_space);
     crystals_.emplace(phase, Crystal{stiffness, softer_moduli<dim>(stiffness).shear});
   }
-  require_no_crystals<dim>(discretisation.mixtures(), crystals);
-  if (!crystals.empty() && gaps != nullptr) {
-    throw InputError("quasi-static solver: cells with gaps beside crystals; expected isotropic phases");
-  }
+  require_no_crystals(discretisation.mixtures(), crystals);
   const auto rule_of = [&](const Mixture& mixture) {
     return materials.empty() ? MixtureRule(mixture) : MixtureRule(mixture, materials);
   };

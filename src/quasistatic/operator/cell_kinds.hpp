@@ -28,7 +28,7 @@ class CellKinds {
   /// gaps is a kind of its own: a mixed cell with the shares of its phases. Throws InputError when a point has no
   /// phase, for mixed cells with the volumetric strains of points, and for mixed cells with crystals.
   CellKinds(const Discretisation<dim>& discretisation, Volumetric volumetric, const IndexRange<dim>& own_cells,
-            const Crystals<dim>& crystals = {}, std::span<const Material> materials = {},
+            const Crystals& crystals = {}, std::span<const Material> materials = {},
             const gaps::GapCells<dim>* gaps = nullptr);
 
   /// Number of kinds.

@@ -65,7 +65,7 @@ int threads_for(int asked, const Index<dim>& cells) {
 
 template <int dim>
 ElasticOperator<dim>::ElasticOperator(const Discretisation<dim>& discretisation, Volumetric volumetric,
-                                      Boundary boundary, int threads, const Crystals<dim>& crystals,
+                                      Boundary boundary, int threads, const Crystals& crystals,
                                       std::span<const Material> materials)
     : gaps_(gaps_of(discretisation, boundary, materials)),
       nodes_({discretisation.grid().cells, 1.0}, boundary),

@@ -42,7 +42,7 @@ class ElasticOperator {
   /// volumetric strains of points, for mixed cells with crystals, and for gaps that find_gap_cells() refuses or in a
   /// box that is not that of the grid.
   ElasticOperator(const Discretisation<dim>& discretisation, Volumetric volumetric, Boundary boundary, int threads = 1,
-                  const Crystals<dim>& crystals = {}, std::span<const Material> materials = {});
+                  const Crystals& crystals = {}, std::span<const Material> materials = {});
 
   [[nodiscard]] Boundary boundary() const noexcept { return nodes_.boundary(); }
   [[nodiscard]] int threads() const noexcept { return threads_; }

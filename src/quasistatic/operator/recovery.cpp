@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <vector>
+#include <map>
 
 #include "discretisation/gaps/linear_motion.hpp"
 #include "quasistatic/operator/gap_operator.hpp"
@@ -87,16 +87,30 @@ auto stress_of(const typename CellShape<dim>::StrainVector& shear, double pressu
   return stress;
 }
 
+/// Stress of a crystal as in LatticeFields, from its strain with engineering shears.
+template <int dim>
+auto stress_of_crystal(const StiffnessTensor<3>& stiffness, const typename CellShape<dim>::StrainVector& strain) {
+  Eigen::Matrix<double, 6, 1> in_space = Eigen::Matrix<double, 6, 1>::Zero();
+  constexpr int shears = tensor_components<dim> - dim;
+  in_space.template head<dim>() = strain.template head<dim>();
+  in_space.template tail<shears>() = strain.template tail<shears>();
+  const Eigen::Matrix<double, 6, 1> of_space = stiffness * in_space;
+  typename decltype(LatticeFields<dim>::stress)::value_type stress{};
+  for (std::size_t i = 0; i < 3; ++i) stress[i] = of_space[static_cast<Eigen::Index>(i)];
+  for (std::size_t i = 3; i < stress.size(); ++i) stress[i] = of_space[static_cast<Eigen::Index>(i + 3 - shears)];
+  return stress;
+}
+
 /// Stress of each point of a mixed cell: the mean over its phases.
 template <int dim>
 auto mixed_stress(const Index<dim>& cell, const MixedCell<dim>& mixed, std::size_t index,
-                  const std::vector<AppliedToNodes<dim>>& by_material,
+                  const std::map<PhaseIndex, AppliedToNodes<dim>>& by_material,
                   const typename CellShape<dim>::PointDeviators& point_deviators) {
   using Shape = CellShape<dim>;
   typename Shape::ModeValues shear = Shape::ModeValues::Zero();
   double bulk = 0.0;
   for (std::size_t part = 0; part < mixed.mixture().size(); ++part) {
-    const auto& [bulk_of_phase, shear_of_phase] = by_material[mixed.mixture()[part].phase];
+    const auto& [bulk_of_phase, shear_of_phase] = by_material.at(mixed.mixture()[part].phase);
     const auto weight = mixed.weight_of_stress(part);
     shear += weight.cwiseProduct(shear_of_phase.of_part(cell, mixed, index, part));
     bulk += (weight.cwiseProduct(bulk_of_phase.of_part(cell, mixed, index, part)))[Shape::modes - 1];
@@ -128,7 +142,7 @@ void add_to(std::array<double, components>& values, const std::array<double, com
 /// of the slopes have a stress.
 template <int dim>
 void add_gaps(const ElasticOperator<dim>& elastic_operator, const Index<dim>& cell, const gaps::GapCell<dim>& gap_cell,
-              const NodalDisplacement<dim>& moved, const std::vector<AppliedToNodes<dim>>& by_material,
+              const NodalDisplacement<dim>& moved, const std::map<PhaseIndex, AppliedToNodes<dim>>& by_material,
               LatticeFields<dim>& fields) {
   using Shape = CellShape<dim>;
   const GapOperator<dim> gap(gap_cell, elastic_operator.modes());
@@ -136,7 +150,7 @@ void add_gaps(const ElasticOperator<dim>& elastic_operator, const Index<dim>& ce
   const double volume = gap.volume(moved.of_cell_with_gaps(cell, gap)) - of_nodes;
   auto forces = gaps::CellUnknowns<dim>::Zero().eval();
   for (const auto& [phase, factor, form] : gap_cell.terms) {
-    form.add_to(forces, factor * form.of(by_material[phase].shear.of_cell_with_gaps(cell, gap)));
+    form.add_to(forces, factor * form.of(by_material.at(phase).shear.of_cell_with_gaps(cell, gap)));
   }
   typename decltype(LatticeFields<dim>::strain)::value_type strain{};
   typename decltype(LatticeFields<dim>::stress)::value_type stress{};
@@ -167,15 +181,15 @@ void add_gaps(const ElasticOperator<dim>& elastic_operator, const Index<dim>& ce
 template <int dim>
 LatticeFields<dim> recover_fields(const ElasticOperator<dim>& elastic_operator,
                                   const Discretisation<dim>& discretisation, Volumetric volumetric, Load load,
-                                  const Displacement& displacement, const std::vector<AppliedModuli>& applied) {
+                                  const Displacement& displacement, const std::map<PhaseIndex, AppliedModuli>& applied,
+                                  const Crystals& crystals) {
   using Shape = CellShape<dim>;
   const auto& grid = discretisation.grid();
   const NodalDisplacement<dim> moved(elastic_operator, load, displacement);
-  std::vector<AppliedToNodes<dim>> by_material;
-  by_material.reserve(applied.size());
-  for (const auto& [bulk, shear] : applied) {
-    by_material.push_back(
-        {NodalDisplacement<dim>(elastic_operator, load, bulk), NodalDisplacement<dim>(elastic_operator, load, shear)});
+  std::map<PhaseIndex, AppliedToNodes<dim>> by_material;
+  for (const auto& [phase, moduli] : applied) {
+    by_material.emplace(phase, AppliedToNodes<dim>{NodalDisplacement<dim>(elastic_operator, load, moduli.bulk),
+                                                   NodalDisplacement<dim>(elastic_operator, load, moduli.shear)});
   }
   const auto& cells = elastic_operator.nodes().cells();
   auto fields = zero_timed_fields(discretisation, cells);
@@ -200,7 +214,13 @@ LatticeFields<dim> recover_fields(const ElasticOperator<dim>& elastic_operator,
       }
       put_in_timed_fields<dim>(tensor, fields.strain[index]);
       if (elastic_operator.kinds().mixed_cell(cell) != nullptr) return;
-      const auto& [bulk, shear] = by_material[discretisation.cell(cell)[static_cast<std::size_t>(p)]];
+      const auto phase = discretisation.cell(cell)[static_cast<std::size_t>(p)];
+      const auto crystal = crystals.find(phase);
+      if (crystal != crystals.end()) {
+        put_in_timed_fields<dim>(stress_of_crystal<dim>(crystal->second, strain), fields.stress[index]);
+        return;
+      }
+      const auto& [bulk, shear] = by_material.at(phase);
       put_in_timed_fields<dim>(stress_of<dim>(strain_matrix * shear.of_cell(cell), volume.dot(bulk.of_cell(cell))),
                                fields.stress[index]);
     });
@@ -220,8 +240,10 @@ LatticeFields<dim> recover_fields(const ElasticOperator<dim>& elastic_operator,
 }
 
 template LatticeFields<2> recover_fields(const ElasticOperator<2>&, const Discretisation<2>&, Volumetric, Load,
-                                         const Displacement&, const std::vector<AppliedModuli>&);
+                                         const Displacement&, const std::map<PhaseIndex, AppliedModuli>&,
+                                         const Crystals&);
 template LatticeFields<3> recover_fields(const ElasticOperator<3>&, const Discretisation<3>&, Volumetric, Load,
-                                         const Displacement&, const std::vector<AppliedModuli>&);
+                                         const Displacement&, const std::map<PhaseIndex, AppliedModuli>&,
+                                         const Crystals&);
 
 }  // namespace breccia::quasistatic

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vector>
+#include <map>
 
 #include "breccia/discretisation/point_fields.hpp"
 
@@ -16,14 +16,15 @@ struct AppliedModuli {
 };
 
 /// Displacement, strain and stress at the material points of a square (PointFields), or their means over the cells of a
-/// cube (CellFields), from the displacement of the nodes and from the moduli applied to its history, by material
-/// (theory, Eq. 35). In a cell with gaps the volume change is that of its faces, and the stress has the mean that is
-/// conjugate to a uniform strain of nodes and slopes. The fields are those of the cells of this process. Instantiated
-/// for 2 and 3 dimensions.
+/// cube (CellFields), from the displacement of the nodes and from the moduli applied to its history, by isotropic phase
+/// (theory, Eq. 35); the stress of a crystal is its stiffness times the strain. In a cell with gaps the volume change
+/// is that of its faces, and the stress has the mean that is conjugate to a uniform strain of nodes and slopes. The
+/// fields are those of the cells of this process. Instantiated for 2 and 3 dimensions.
 template <int dim>
 [[nodiscard]] LatticeFields<dim> recover_fields(const ElasticOperator<dim>& elastic_operator,
                                                 const Discretisation<dim>& discretisation, Volumetric volumetric,
                                                 Load load, const Displacement& displacement,
-                                                const std::vector<AppliedModuli>& applied);
+                                                const std::map<PhaseIndex, AppliedModuli>& applied,
+                                                const Crystals& crystals = {});
 
 }  // namespace breccia::quasistatic

@@ -1,6 +1,8 @@
 #include "quasistatic/reduced/cell_composite.hpp"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -24,7 +26,7 @@ CellComposite<dim>::CellComposite(const QuasistaticProblem<dim>& problem, std::s
         std::ranges::find(varying, phase, &VaryingPhase::index) != varying.end()) {
       throw InputError(fmt::format("crystals: phase {} has no material, or its moduli vary", phase));
     }
-    stiffness_.constant[phase] = softer_moduli<dim>(stiffness);
+    stiffness_.constant[phase] = softer_moduli<dim>(stiffness_in<dim>(stiffness));
   }
 }
 
@@ -70,21 +72,23 @@ Forces CellComposite<dim>::varying_forces(std::span<const double> parameters, Lo
 template <int dim>
 LatticeFields<dim> fields_of(const CellComposite<dim>& composite, const QuasistaticProblem<dim>& problem, Load load,
                              const CompositeState<Displacement>& state) {
-  if (!problem.crystals.empty()) throw InputError("quasi-static solver: no fields of composites with crystals");
   const auto& stiffness = composite.stiffness();
-  std::vector<AppliedModuli> applied;
-  for (const auto& [bulk, shear] : stiffness.constant) {
-    applied.push_back({state.displacement.copy(), state.displacement.copy()});
-    applied.back().bulk.scale(bulk);
-    applied.back().shear.scale(shear);
+  std::map<PhaseIndex, AppliedModuli> applied;
+  for (std::size_t m = 0; m < stiffness.constant.size(); ++m) {
+    const auto phase = static_cast<PhaseIndex>(m);
+    if (problem.crystals.contains(phase)) continue;
+    AppliedModuli moduli = {state.displacement.copy(), state.displacement.copy()};
+    moduli.bulk.scale(stiffness.constant[m].bulk);
+    moduli.shear.scale(stiffness.constant[m].shear);
+    applied.emplace(phase, std::move(moduli));
   }
   for (std::size_t i = 0; i < stiffness.parts.size(); ++i) {
     const auto& part = stiffness.parts[i];
-    auto& [bulk, shear] = applied[part.phase];
+    auto& [bulk, shear] = applied.at(part.phase);
     (part.parameter.modulus == ElasticModulus::shear ? shear : bulk) = state.applied[i].copy();
   }
   return recover_fields(composite.elastic_operator(), problem.discretisation, problem.volumetric, load,
-                        state.displacement, applied);
+                        state.displacement, applied, problem.crystals);
 }
 
 template <int dim>
