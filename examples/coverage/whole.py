@@ -5,12 +5,13 @@ against the mean of many packings on a grid that is much finer.
     examples/coverage/whole.py [DIMENSIONS [FIRST LAST]]      the composites from FIRST to LAST, by default 1 to 100 of the plane
 
 A composite is a kind of box, a fraction, a filler and a binder that relaxes by 10 to 1e5; it is computed for 20 packings of
-15 to 40 particles (in space 10 packings of 12 to 24), with 8 to 11 cells across the smallest particle (in space 5 to 7), on
-one grid or, of every second composite and in space, on two. The truth is the mean of the packings times the ratio, in
-one of them, of four times as many cells a side (in space three times) to these; the mean of all shears and the bulk modulus
-are held against it at whole decades. A value is held if it is off the truth by no more than the error that its run prints,
-a run if all its values are. The program is `breccia` of the path, or BRECCIA of the environment; results are in
-`results/whole`, or the directory RESULTS of the environment, and what is there is not run again."""
+15 to 40 particles (in space 5 packings of 14 to 20, twice as many where sizes differ: the scatter of fewer has no rule),
+with 8 to 11 cells across the smallest particle (in space 3.5 to 4.5), on one grid or, of every second composite and in
+space, on two. The truth is the mean of the packings times the ratio, in one of them, of four times as many cells a side
+to these (in space of the limit of these and twice as many to that of these and half as many); the mean of all shears and
+the bulk modulus are held against it at whole decades. A value is held if it is off the truth by no more than the error
+that its run prints, a run if all its values are. The program is `breccia` of the path, or BRECCIA of the environment;
+results are in `results/whole`, or the directory RESULTS of the environment, and what is there is not run again."""
 
 import os
 import random
@@ -24,10 +25,9 @@ from runs import rows_of, run
 
 RESULTS = Path(os.environ.get("RESULTS", "results/whole"))
 KINDS = {2: ["discs", "sizes", "ellipses", "polygons", "grains", "soft", "apart"], 3: ["spheres", "sizes", "soft"]}
-PARTICLES = {2: (15, 40), 3: (12, 24)}
-PACKINGS = {2: 20, 3: 10}
-ACROSS = {2: (8.0, 11.0), 3: (5.0, 7.0)}
-FINER = {2: 4, 3: 3}
+PARTICLES = {2: (15, 40), 3: (14, 20)}
+PACKINGS = {2: 20, 3: 5}
+ACROSS = {2: (8.0, 11.0), 3: (3.5, 4.5)}
 LOADS = ("isotropic", "bulk")
 
 
@@ -35,7 +35,8 @@ def composite_of(dim, kind, seed):
     """The deck of a composite, with the word CELLS in place of its cells, and the cells a side."""
     draw = random.Random(f"whole {seed}")
     low, high = PARTICLES[dim]
-    side, deck = box_of(dim, kind, seed, round(low * (high / low) ** draw.random()))
+    count = low * (high / low) ** draw.random()
+    side, deck = box_of(dim, kind, seed, round(2 * count if dim == 3 and kind == "sizes" else count))
     low, high = ACROSS[dim]
     cells = 2 * round(side * draw.uniform(low, high) / 2.0)
     loads = '["shear", "shear-xx-yy", "bulk"]'
@@ -58,8 +59,8 @@ def runs_of(dim, kind, seed):
     grids = [cells // 2, cells] if dim == 3 or seed % 2 else cells
     packings = run(RESULTS, name, deck.replace("CELLS", str(grids)), "--seeds", str(PACKINGS[dim]))
     packing = (seed - 1) % PACKINGS[dim] + 1
-    fine = run(RESULTS, f"{name}-fine",
-               deck.replace("CELLS", str(FINER[dim] * cells)).replace(f"seed = {seed}", f"seed = {packing}"))
+    finer = [cells, 2 * cells] if dim == 3 else 4 * cells
+    fine = run(RESULTS, f"{name}-fine", deck.replace("CELLS", str(finer)).replace(f"seed = {seed}", f"seed = {packing}"))
     if packings is None or fine is None:
         return []
     found = [moduli_of(path) for path in sorted(packings.glob("seed-*"))]

@@ -92,14 +92,18 @@ const Symmetry* read_symmetry(const Section& section) {
   return nullptr;
 }
 
-/// Reads the columns phi1_deg, phi_deg and phi2_deg of a file.
-std::vector<EulerAngles> read_angles(const std::filesystem::path& file) {
+/// Reads the columns phi1_deg, phi_deg and phi2_deg of a file, of the rows of a filler if it has a column `filler`.
+std::vector<EulerAngles> read_angles(const std::filesystem::path& file, std::size_t filler) {
   const auto table = read_csv(file);
+  const auto is_of_other = [&](std::size_t row) {
+    return table.has("filler") && table.numbers("filler")[row] != static_cast<double>(filler);
+  };
   const auto& phi1 = table.numbers("phi1_deg");
   const auto& phi = table.numbers("phi_deg");
   const auto& phi2 = table.numbers("phi2_deg");
   std::vector<EulerAngles> angles;
   for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (is_of_other(row)) continue;
     if (!std::isfinite(phi1[row] + phi[row] + phi2[row])) {
       throw InputError(fmt::format("{}: row {}: expected finite angles", file.string(), row + 1));
     }
@@ -141,7 +145,7 @@ std::optional<ElasticConstants> read_stiffness(const Section& material) {
   return constants;
 }
 
-Orientations read_orientations(const Section& filler) {
+Orientations read_orientations(const Section& filler, std::size_t number) {
   if (!filler.has("orientations")) return RandomOrientations{};
   if (filler.kind("orientations") == Kind::table) {
     const auto section = filler.section("orientations");
@@ -159,7 +163,7 @@ Orientations read_orientations(const Section& filler) {
   }
   listed.file = filler.file("orientations");
   if (!listed.file.empty()) {
-    filler.report_errors_of("orientations", [&] { listed.angles = read_angles(listed.file); });
+    filler.report_errors_of("orientations", [&] { listed.angles = read_angles(listed.file, number); });
   }
   return listed;
 }

@@ -134,22 +134,23 @@ std::optional<Coating> read_coating(const Section& section, const std::vector<Sh
 }
 
 /// Reads the material of a filler, and the orientations of its particles where the material is a crystal.
-void read_material(const Section& section, const std::vector<ShiftedMaterial>& materials, Filler& filler) {
+void read_material(const Section& section, const std::vector<ShiftedMaterial>& materials, std::size_t number,
+                   Filler& filler) {
   const auto name = section.kind("material") == Kind::text ? section.optional_text("material") : std::nullopt;
   const auto* const named = find_material(materials, name.value_or(""));
   if (named != nullptr && named->constants) {
     filler.material = named->material;
-    filler.crystal = Crystal{*named->constants, read_orientations(section)};
+    filler.crystal = Crystal{*named->constants, read_orientations(section, number)};
     return;
   }
   filler.material = read_material_reference(section, "material", materials);
   section.refuse({"orientations"}, "only crystals have them, whose material has a stiffness");
 }
 
-/// Reads one filler of a stage whose packing has been read.
+/// Reads the next filler of a stage whose packing has been read.
 Filler read_filler(const Section& section, const Stage& stage, const std::vector<ShiftedMaterial>& materials) {
   Filler filler;
-  read_material(section, materials, filler);
+  read_material(section, materials, stage.fillers.size(), filler);
   section.refuse({"image"}, image_elsewhere);
   filler.shape = read_shape(section, stage);
   if (!stage.has_grains()) filler.coating = read_coating(section, materials);

@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -57,11 +56,6 @@ StiffnessTensor<3> rotated(const StiffnessTensor<3>& stiffness, const Eigen::Mat
     }
   }
   return bond * stiffness * bond.transpose();
-}
-
-StiffnessTensor<2> in_plane_strain(const StiffnessTensor<3>& stiffness) {
-  const std::vector<int> components = {0, 1, 5};
-  return stiffness(components, components);
 }
 
 template <int dim>

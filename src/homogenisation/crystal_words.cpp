@@ -25,13 +25,13 @@ struct OrientationsInWords {
   }
 };
 
-std::string words_on_crystal(const Stage& stage, const Crystal& crystal) {
+std::string words_on(const Stage& stage, const Material& material, const Crystal& crystal) {
   const auto means = isotropic_means(stiffness_tensor(crystal.constants));
   const auto pressure = [](double value) { return display(value, "Pa", 3); };
-  return fmt::format("crystals {}; isotropic means by Hill: K {} (Reuss {}, Voigt {}), G {} ({}, {})",
-                     std::visit(OrientationsInWords{stage}, crystal.orientations), pressure(means.bulk()),
-                     pressure(means.bulk_reuss), pressure(means.bulk_voigt), pressure(means.shear()),
-                     pressure(means.shear_reuss), pressure(means.shear_voigt));
+  return fmt::format("crystals of {} {}; isotropic means by Hill: K {} (Reuss {}, Voigt {}), G {} ({}, {})",
+                     material.name, std::visit(OrientationsInWords{stage}, crystal.orientations),
+                     pressure(means.bulk()), pressure(means.bulk_reuss), pressure(means.bulk_voigt),
+                     pressure(means.shear()), pressure(means.shear_reuss), pressure(means.shear_voigt));
 }
 
 }  // namespace
@@ -39,9 +39,7 @@ std::string words_on_crystal(const Stage& stage, const Crystal& crystal) {
 std::vector<std::string> words_on_crystals(const Stage& stage) {
   std::vector<std::string> sentences;
   for (const auto& filler : stage.fillers) {
-    if (!filler.crystal) continue;
-    const auto name = stage.fillers.size() > 1 ? filler.material.name + ": " : "";
-    sentences.push_back(name + words_on_crystal(stage, *filler.crystal));
+    if (filler.crystal) sentences.push_back(words_on(stage, filler.material, *filler.crystal));
   }
   return sentences;
 }

@@ -13,8 +13,8 @@ namespace breccia {
 std::optional<FactorOfSpace> factor_of_space(const Study& study, const Stage& stage, const StageFindings& result) {
   constexpr double largest_exponent = 0.25;
   const auto is_disc = [](const Filler& filler) { return !filler.shape && !filler.coating; };
-  const bool has_random_discs =
-      stage.dimensions() == 2 && stage.has_seed() && !stage.has_grains() && std::ranges::all_of(stage.fillers, is_disc);
+  const bool has_random_discs = stage.dimensions() == 2 && stage.has_seed() && !stage.has_grains() &&
+                                !stage.has_crystals() && std::ranges::all_of(stage.fillers, is_disc);
   if (!has_random_discs || !are_stiffer_than_matrix(materials_of(stage, expected_matrix(study, stage)))) return {};
   const auto shear = main_shear(study.tests.loads);
   const auto* const test = shear ? find_preferred_test(result.tests, *shear, Boundary::periodic) : nullptr;

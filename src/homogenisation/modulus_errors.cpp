@@ -35,8 +35,7 @@ std::optional<double> grid_error(const TestResult& test, const ErrorRules& rules
 /// Whether the fillers have a rule for the scatter: all stiffer than the matrix, or particles that are all softer, and
 /// neither coatings nor crystals. Others may hardly stiffen the matrix, and scatter nevertheless.
 bool has_fillers_with_rule(const Study& study, const Stage& stage) {
-  const auto is_crystal = [](const Filler& filler) { return filler.crystal.has_value(); };
-  if (thinnest_coating(stage) || std::ranges::any_of(stage.fillers, is_crystal)) return false;
+  if (thinnest_coating(stage) || stage.has_crystals()) return false;
   if (are_stiffer_than_matrix(materials_of(stage, expected_matrix(study, stage)))) return true;
   return has_soft_fillers(study, stage) && !stage.has_grains();
 }

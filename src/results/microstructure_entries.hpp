@@ -103,7 +103,8 @@ struct MicrostructureEntry {
   double seconds = 0.0;                              ///< wall time [s]
   std::optional<double> film = {}, film_cells = {};  ///< thickness of the films between grains [m], [-]
   std::optional<DebondingEntry> debonding = {};
-  std::optional<std::string> crystals = {};  ///< the orientations of the crystals and their isotropic means, in words
+  std::optional<std::vector<std::string>> crystals =
+      {};  ///< the orientations of the crystals and their isotropic means, in words
   std::optional<double> smallest_diameter = {}, largest_diameter = {};  ///< [m]
   std::optional<std::vector<int>> pixels = {};  ///< number of pixels of an image along its sides
   std::optional<double> pixel_side = {};        ///< [m]

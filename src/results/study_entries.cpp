@@ -286,9 +286,7 @@ MicrostructureEntry entry_of(const Stage& stage, const StageMicrostructure& pack
                             .seconds = packing.seconds};
   (stage.dimensions() == 3 ? entry.interface_per_volume : entry.interface_per_area) = packing.interface_per_area;
   visit_nested(AddContent{stage, packing, entry}, packing.box);
-  if (const auto crystals = words_on_crystals(stage); !crystals.empty()) {
-    entry.crystals = fmt::format("{}", fmt::join(crystals, "; "));
-  }
+  if (auto crystals = words_on_crystals(stage); !crystals.empty()) entry.crystals = std::move(crystals);
   entry.size_deviation = packing.size_deviation();
   if (!stage.fillers.empty() && stage.is_random()) {
     entry.seed = stage.seed().value();

@@ -79,6 +79,10 @@ bool Stage::has_voids() const {
   return std::ranges::any_of(fillers, [](const Filler& filler) { return is_void(filler.material); });
 }
 
+bool Stage::has_crystals() const {
+  return std::ranges::any_of(fillers, [](const Filler& filler) { return filler.crystal.has_value(); });
+}
+
 bool Stage::has_cut_grains() const {
   return has_grains() && !fillers.empty() && !is_periodic() && !has_films_along_walls();
 }

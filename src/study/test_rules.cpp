@@ -69,15 +69,15 @@ std::vector<std::string> misplaced_crystals(const Study& study) {
     for (const auto& filler : stage.fillers) {
       if (!filler.crystal) continue;
       const auto part = fmt::format("crystals of stage {}, {}: ", stage.name, filler.material.name);
-      const auto refuse = [&](std::string_view expected) {
+      const auto refuse = [&](std::string_view reason) {
         mistakes.push_back(
             fmt::format("{}{}, or a material with their isotropic means, bulk = \"{}\" and shear = \"{}\"", part,
-                        expected, readable(filler.material.bulk.unrelaxed(), Dimension::pressure),
+                        reason, readable(filler.material.bulk.unrelaxed(), Dimension::pressure),
                         readable(filler.material.shear.unrelaxed(), Dimension::pressure)));
       };
-      if (stage.has_image()) refuse("expected particles or grains, which pixels do not distinguish");
+      if (stage.has_image()) refuse("pixels do not distinguish particles: expected particles or grains");
       if (uses(study.tests, Method::dynamic)) {
-        refuse("expected tests.methods = \"quasistatic\"; the dynamic method knows isotropic materials");
+        refuse(R"(the dynamic method knows isotropic materials alone: expected tests.method = "quasistatic")");
       }
       if (std::ranges::find(study.tests.varied, filler.material.name, &VariedMaterial::name) !=
           study.tests.varied.end()) {
@@ -183,6 +183,7 @@ std::vector<std::string> expected_by_flow(const Tests& tests, const Stage& stage
     if (stage.has_grains() || stage.has_image() || may_have_ellipsoids(stage)) {
       expected.emplace_back("in three dimensions: expected spheres");
     }
+    if (stage.has_crystals()) expected.emplace_back("in three dimensions: expected isotropic fillers, not crystals");
     if (!stage.fillers.empty() && !stage.is_periodic()) {
       expected.emplace_back("in three dimensions: expected a periodic box (packing.walls = false)");
     }

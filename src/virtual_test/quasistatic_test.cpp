@@ -37,16 +37,6 @@ QuasistaticProblem<dim> problem_of(const QuasistaticTest& test, const Discretisa
           .crystals = test.crystals};
 }
 
-/// Fields at a time, with the phases of the fillers in place of those of their crystals.
-template <int dim>
-TimedFields<dim> with_fillers(const QuasistaticTest& test, TimedFields<dim> timed) {
-  for (auto& phase : timed.fields.phase) {
-    const auto crystal = test.fillers_of_crystals.find(phase);
-    if (crystal != test.fillers_of_crystals.end()) phase = crystal->second;
-  }
-  return timed;
-}
-
 /// Materials of the phases that vary, in the order of these phases.
 std::vector<Material> varying_materials(const QuasistaticTest& test) {
   std::vector<Material> materials;
@@ -130,9 +120,7 @@ std::vector<ReducedResponse> sample(const Discretisation<dim>& discretisation, c
   const auto problem = problem_of(test, discretisation);
   auto sampled = sample_responses(problem, test.loads, path, test.options.sampling, follow, checkpoint);
   GridFields<dim> fields{discretisation.grid(), {}};
-  for (const double time : test.field_times) {
-    fields.at_times.push_back(with_fillers<dim>(test, {time, sampled.fields(0, materials, time)}));
-  }
+  for (const double time : test.field_times) fields.at_times.push_back({time, sampled.fields(0, materials, time)});
   result.fields = std::move(fields);
   result.effort = sampled.effort;
   return std::move(sampled.responses);
@@ -221,9 +209,7 @@ std::vector<SteppedResponse> step(const Discretisation<dim>& discretisation, con
                                   QuasistaticTestResult& result) {
   auto stepped =
       run_log_time_stepping(problem_of(test, discretisation), test.loads, steps, follow, field_steps, checkpoint);
-  GridFields<dim> fields{discretisation.grid(), {}};
-  for (auto& timed : stepped.fields) fields.at_times.push_back(with_fillers<dim>(test, std::move(timed)));
-  result.fields = std::move(fields);
+  result.fields = GridFields<dim>{discretisation.grid(), std::move(stepped.fields)};
   result.effort = stepped.effort;
   return std::move(stepped.responses);
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -27,10 +26,7 @@ using QuasistaticComposite = std::variant<Discretisation<2>, Discretisation<3>, 
 struct QuasistaticTest {
   QuasistaticComposite composite;
   std::vector<Material> materials;  ///< materials by PhaseIndex
-  /// Phases of cells that are not isotropic, as those of a QuasistaticProblem.
-  Crystals crystals = {};
-  /// The phase that fields show in place of the phase of a crystal.
-  std::map<PhaseIndex, PhaseIndex> fillers_of_crystals = {};
+  Crystals crystals = {};           ///< phases of cells that are not isotropic, as those of a QuasistaticProblem
   /// The phases whose moduli vary in the reduced basis, the matrix first: all phases that relax, and possibly others.
   /// The stepping solver of cells does not use this list; that of films takes the first phase as the binder.
   std::vector<VaryingPhase> varying = {};

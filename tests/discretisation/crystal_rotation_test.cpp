@@ -71,7 +71,7 @@ TEST(CrystalRotation, HasBungesAxes) {
 
 TEST(CrystalRotation, InPlaneStrainKeepsTheStrainsOfThePlane) {
   const auto stiffness = triclinic();
-  const auto plane = in_plane_strain(stiffness);
+  const auto plane = stiffness_in<2>(stiffness);
   EXPECT_EQ(plane(0, 1), stiffness(0, 1));
   EXPECT_EQ(plane(2, 0), stiffness(5, 0));
   EXPECT_EQ(plane(2, 2), stiffness(5, 5));

@@ -24,6 +24,7 @@ class TestRequests : public testing::Test {
   [[nodiscard]] static Discretisation<2> grid_of(int cells) {
     return Discretisation<2>(Grid<2>{{cells, cells}, 1e-3}, matrix_phase);
   }
+  [[nodiscard]] static StageCells cells_of(int cells) { return {grid_of(cells)}; }
 
   static constexpr PhaseIndex matrix_phase = 0, filler_phase = 1;
 
@@ -34,7 +35,7 @@ class TestRequests : public testing::Test {
 
 TEST_F(TestRequests, OfTheQuasistaticMethodHoldAllLoadsOfTheStage) {
   study.tests.quasistatic.steps_per_decade = 33;
-  const auto request = make_quasistatic_test(study, fine, test::binder, grid_of(12), Boundary::traction, 3);
+  const auto request = make_quasistatic_test(study, fine, test::binder, cells_of(12), Boundary::traction, 3);
   ASSERT_EQ(request.materials.size(), 2U);
   EXPECT_EQ(request.materials[matrix_phase], test::binder);
   EXPECT_EQ(request.materials[filler_phase], test::glass);
@@ -45,7 +46,7 @@ TEST_F(TestRequests, OfTheQuasistaticMethodHoldAllLoadsOfTheStage) {
   EXPECT_THAT(request.field_times, ElementsAre(2e-3, 50e-3));
   EXPECT_EQ(request.options.steps_per_decade, 33);
   EXPECT_EQ(request.options.linear.threads, 3);
-  EXPECT_THAT(make_quasistatic_test(study, coarse, test::binder, grid_of(12), Boundary::traction, 3).loads,
+  EXPECT_THAT(make_quasistatic_test(study, coarse, test::binder, cells_of(12), Boundary::traction, 3).loads,
               ElementsAre(Load::diagonal_shear, Load::shear));
 }
 
@@ -53,7 +54,7 @@ TEST_F(TestRequests, LetTheMatrixVaryAndAFillerThatRelaxes) {
   const auto varying_names = [&] {
     std::vector<std::string> names;
     for (const auto& [index, name] :
-         make_quasistatic_test(study, fine, test::binder, grid_of(12), Boundary::traction, 3).varying) {
+         make_quasistatic_test(study, fine, test::binder, cells_of(12), Boundary::traction, 3).varying) {
       names.push_back(name);
       EXPECT_EQ(index, name == "matrix" ? matrix_phase : filler_phase);
     }
@@ -83,13 +84,13 @@ TEST_F(TestRequests, WantFieldsOfTheFirstLoadOnTheFinestGrid) {
   EXPECT_THAT(field_times(12, Load::diagonal_shear), ElementsAre(2e-3, 50e-3));
   EXPECT_THAT(field_times(12, Load::shear), IsEmpty());
   EXPECT_THAT(field_times(6, Load::diagonal_shear), IsEmpty());
-  EXPECT_THAT(make_quasistatic_test(study, fine, test::binder, grid_of(6), Boundary::displacement, 0).field_times,
+  EXPECT_THAT(make_quasistatic_test(study, fine, test::binder, cells_of(6), Boundary::displacement, 0).field_times,
               IsEmpty());
 }
 
 TEST_F(TestRequests, OfABoxWithoutParticlesHaveOneMaterial) {
   study.stages[0].fillers.clear();
-  EXPECT_THAT(make_quasistatic_test(study, fine, test::binder, grid_of(12), Boundary::traction, 0).materials,
+  EXPECT_THAT(make_quasistatic_test(study, fine, test::binder, cells_of(12), Boundary::traction, 0).materials,
               ElementsAre(test::binder));
 }
 

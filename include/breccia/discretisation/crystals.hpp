@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <map>
 
 #include <Eigen/Core>
@@ -16,9 +17,16 @@ namespace breccia {
 template <int dim>
 using StiffnessTensor = Eigen::Matrix<double, tensor_components<dim>, tensor_components<dim>>;
 
-/// The stiffness of each phase that is not isotropic, in the axes of the box [Pa]. In plane strain its part for the
-/// strains in the plane acts, and the stress out of the plane follows.
-using Crystals = std::map<PhaseIndex, StiffnessTensor<3>>;
+/// A phase that is not isotropic.
+struct CrystalPhase {
+  /// In the axes of the box [Pa]. In plane strain its part for the strains in the plane acts, and the stress out of the
+  /// plane follows.
+  StiffnessTensor<3> stiffness = StiffnessTensor<3>::Zero();
+  PhaseIndex shown_as = no_phase;  ///< the phase that fields show in its place; no_phase: itself
+};
+
+/// The phases that are not isotropic, by their numbers.
+using Crystals = std::map<PhaseIndex, CrystalPhase>;
 
 /// The stiffness of an isotropic solid, in plane strain without strain out of the plane.
 template <int dim>
@@ -34,18 +42,22 @@ template <int dim>
 /// The stiffness, in the axes of the box, of a crystal whose axes are the columns of a rotation.
 [[nodiscard]] StiffnessTensor<3> rotated(const StiffnessTensor<3>& stiffness, const Eigen::Matrix3d& axes);
 
-/// The stiffness in plane strain: that for the strains xx, yy and xy without any other.
-[[nodiscard]] StiffnessTensor<2> in_plane_strain(const StiffnessTensor<3>& stiffness);
+/// The components, in Voigt's order in space, of the strain that a body of these dimensions may have, and of its
+/// stress: in plane strain xx, yy, xy, and xx, yy, zz, xy.
+template <int dim>
+inline constexpr auto strain_components = std::array{0, 1, 2, 3, 4, 5};
+template <>
+inline constexpr auto strain_components<2> = std::array{0, 1, 5};
+template <int dim>
+inline constexpr auto stress_components = std::array{0, 1, 2, 3, 4, 5};
+template <>
+inline constexpr auto stress_components<2> = std::array{0, 1, 2, 5};
 
-/// The stiffness for the strains that a body of these dimensions may have: the whole in space, in_plane_strain() in the
-/// plane.
+/// The stiffness for the strains that a body of these dimensions may have: the whole in space, that for the strains
+/// xx, yy and xy in plane strain.
 template <int dim>
 [[nodiscard]] StiffnessTensor<dim> stiffness_in(const StiffnessTensor<3>& stiffness) {
-  if constexpr (dim == 2) {
-    return in_plane_strain(stiffness);
-  } else {
-    return stiffness;
-  }
+  return stiffness(strain_components<dim>, strain_components<dim>);
 }
 
 /// Moduli of an aggregate of crystals without any texture [Pa]. No such aggregate is stiffer than the mean of the

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "breccia/discretisation/crystals.hpp"
 #include "breccia/discretisation/discretisation.hpp"
 #include "breccia/discretisation/tensor.hpp"
 #include "breccia/parallel/ordered_values.hpp"
@@ -53,10 +54,11 @@ template <int dim>
 template <int dim>
 [[nodiscard]] CellFields<dim> zero_cell_fields(const Discretisation<dim>& discretisation);
 
-/// Fields of zeros as in TimedFields::fields, for some cells: at their points in 2D, one value a cell in 3D.
+/// Fields of zeros as in TimedFields::fields, for some cells: at their points in 2D, one value a cell in 3D. Crystals
+/// have the phases as which they are shown.
 template <int dim>
 [[nodiscard]] LatticeFields<dim> zero_timed_fields(const Discretisation<dim>& discretisation,
-                                                   const IndexRange<dim>& cells);
+                                                   const IndexRange<dim>& cells, const Crystals& crystals = {});
 
 /// Index of the values of a point of a cell in the TimedFields::fields of a range of cells.
 template <int dim>

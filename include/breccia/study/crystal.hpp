@@ -26,7 +26,7 @@ struct RandomOrientations {
 /// The axes of all crystals are those of the box.
 struct AlignedOrientations {};
 
-/// The orientation of each crystal, in the order of the grains.
+/// The orientation of each crystal of the filler, in the order of the box.
 struct ListedOrientations {
   std::filesystem::path file;
   std::vector<EulerAngles> angles;

@@ -85,7 +85,7 @@ struct Filler {
   GapSource gap_source = GapSource::length;
   std::optional<Coating> coating = {};
   std::optional<FillerShape> shape = {};  ///< shape of the particles; discs or spheres if absent
-  /// Grains that are crystals, with the model of grains and films; the material has Hill's means of their constants.
+  /// Particles or grains that are crystals, one each; the material has Hill's means of their constants.
   std::optional<Crystal> crystal = {};
 
   /// Thickness of the coating [m]; 0 where there is none.

@@ -62,6 +62,8 @@ struct Stage {
   [[nodiscard]] bool has_image() const { return packing_name() == PackingName::image; }
   /// Whether a filler is void.
   [[nodiscard]] bool has_voids() const;
+  /// Whether the particles of a filler are crystals.
+  [[nodiscard]] bool has_crystals() const;
   /// Whether hard walls cut the grains that fill the box.
   [[nodiscard]] bool has_cut_grains() const;
   /// Whether grains fill the box and half a film runs along its hard walls.

@@ -44,7 +44,7 @@ using StrainRows = Eigen::Matrix<double, 3, Eigen::Dynamic>;  ///< matrix that g
 
 /// The elasticity of a grain in plane strain [Pa].
 [[nodiscard]] inline Eigen::Matrix3d elasticity_of_grain(const FilmProblem<2>& problem, std::size_t grain) {
-  return problem.crystals.empty() ? plane_strain_stiffness(problem.grain) : in_plane_strain(problem.crystals[grain]);
+  return problem.crystals.empty() ? plane_strain_stiffness(problem.grain) : stiffness_in<2>(problem.crystals[grain]);
 }
 
 }  // namespace breccia::films

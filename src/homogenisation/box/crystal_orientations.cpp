@@ -40,9 +40,9 @@ struct DrawOrientations {
   }
   std::vector<EulerAngles> operator()(const ListedOrientations& listed) const {
     if (listed.angles.size() == count) return listed.angles;
-    throw InputError(fmt::format("stage {}: {}: expected the orientations of {} {}, got {}", stage.name,
-                                 listed.file.string(), count, stage.has_grains() ? "grains" : "particles",
-                                 listed.angles.size()));
+    throw InputError(fmt::format("stage {}: filler of {}: orientations: {}: expected those of {} {}, got {}",
+                                 stage.name, stage.fillers[filler].material.name, listed.file.string(), count,
+                                 stage.has_grains() ? "grains" : "particles", listed.angles.size()));
   }
 };
 

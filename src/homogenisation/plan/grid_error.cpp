@@ -132,8 +132,7 @@ ResolvedLength resolved_length(const Stage& stage, const StageMicrostructure& pa
 std::string_view materials_without_rule(const Study& study, const Stage& stage, Mixing mixing) {
   constexpr double least_cells = 2.0, rounding = 1e-9;
   if (!has_mixed_cells(mixing)) return {};
-  if (std::ranges::any_of(stage.fillers, [](const Filler& filler) { return filler.crystal.has_value(); }))
-    return "crystals, whose surfaces have their isotropic means";
+  if (stage.has_crystals()) return "crystals, whose surfaces have their isotropic means";
   const auto coating = thinnest_coating(stage);
   if (coating && *coating < least_cells * stage.cell_size() * (1.0 - rounding))
     return "coatings of less than two cells";

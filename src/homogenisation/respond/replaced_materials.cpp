@@ -44,6 +44,12 @@ std::string advice_on(const Material& material) {
 }
 
 std::string mistake_of_unknown(const std::string& name, const MaterialsByName& known, const ShiftedMaterial* elastic) {
+  if (elastic != nullptr && elastic->constants) {
+    return fmt::format(
+        "{} does not vary: it is a crystal, whose constants are those of the run; change them in the deck "
+        "and run it",
+        name);
+  }
   if (elastic != nullptr) return fmt::format("{} does not vary: {}", name, advice_on(elastic->material));
   if (name == name_of_filler_phase) {
     return "the fillers do not vary: they are elastic, and the run has sampled no other moduli of them; write the name "

@@ -22,6 +22,7 @@
 #include "homogenisation/run/stage_tests.hpp"
 #include "homogenisation/stage_materials.hpp"
 #include "homogenisation/varying_moduli.hpp"
+#include "parallel/common_failure.hpp"
 #include "study/chain.hpp"
 #include "study/test_rules.hpp"
 
@@ -65,8 +66,10 @@ class StageSolution {
  private:
   void run_on_grids(int threads) {
     for (const int cells : stage_.grids()) {
-      const StageGrid grid{&study_, &stage_, &done_.microstructure,
-                           discretise_together(stage_, done_.microstructure, cells, study_.tests.mixing), threads};
+      const auto& packed = done_.microstructure;
+      const auto discretisation = discretise_together(stage_, packed, cells, study_.tests.mixing);
+      const StageGrid grid{&study_, &stage_,
+                           parallel::made_by_all([&] { return cells_of(stage_, packed, discretisation); }), threads};
       for (const auto boundary : study_.tests.boundaries) {
         for (const auto method : study_.tests.methods) run(grid, boundary, method);
       }

@@ -11,7 +11,6 @@
 
 #include "checkpoint/checkpoint.hpp"
 #include "homogenisation/dynamic_warnings.hpp"
-#include "homogenisation/run/crystal_cells.hpp"
 #include "homogenisation/run/field_times_state.hpp"
 #include "homogenisation/run/named_errors.hpp"
 #include "homogenisation/run/test_requests.hpp"
@@ -23,7 +22,7 @@ namespace breccia {
 namespace {
 
 TestGrid grid_of(const StageGrid& grid) {
-  return TestGrid(cells_along(grid.discretisation));
+  return TestGrid(cells_along(grid.cells.discretisation));
 }
 
 /// Ends a test: its fields, which are large, go to the sink, and its state to the checkpoint. For a test that an
@@ -94,8 +93,7 @@ PronySeries fitted(const Curve& curve) {
 std::vector<TestResult> run_quasistatic(const StageGrid& grid, const Material& matrix,
                                         std::vector<std::vector<Moduli>> relaxation, Boundary boundary,
                                         StudySink& sink) {
-  auto test = make_quasistatic_test(*grid.study, *grid.stage, matrix, grid.discretisation, boundary, grid.threads);
-  add_crystals(*grid.stage, *grid.packed, test);
+  auto test = make_quasistatic_test(*grid.study, *grid.stage, matrix, grid.cells, boundary, grid.threads);
   test.relaxation = std::move(relaxation);
   return run_all_loads(*grid.stage, test, grid_of(grid), sink);
 }
@@ -122,7 +120,7 @@ TestResult run_dynamic(const StageGrid& grid, const Material& matrix, Boundary b
         return name_errors(name,
                            [&] { return run_dynamic_test(test, progress_to(sink, name), finished, checkpoint.get()); });
       },
-      grid.discretisation);
+      grid.cells.discretisation);
   result.fields = std::exchange(found.fields, {});
   finish(stage, found, result, checkpoint.get(), sink);
   result.modulus = std::exchange(found.curve, {});

@@ -10,6 +10,7 @@
 #include "breccia/study/study.hpp"
 
 #include "discretisation/cell_shape.hpp"
+#include "homogenisation/box/stage_cells.hpp"
 
 namespace breccia {
 
@@ -17,8 +18,7 @@ namespace breccia {
 struct StageGrid {
   const Study* study = nullptr;
   const Stage* stage = nullptr;
-  const StageMicrostructure* packed = nullptr;
-  StageDiscretisation discretisation;
+  StageCells cells;
   int threads = 0;  ///< 0: all cores
 };
 

@@ -119,11 +119,13 @@ template DynamicTest<3> make_dynamic_test(const Study&, const Stage&, const Mate
                                           Boundary, Load, int);
 
 QuasistaticTest make_quasistatic_test(const Study& study, const Stage& stage, const Material& matrix,
-                                      const StageDiscretisation& discretisation, Boundary boundary, int threads) {
+                                      const StageCells& cells, Boundary boundary, int threads) {
   auto test = std::visit(
       [&](const auto& points) { return test_without_fields(study, stage, matrix, points, boundary, threads); },
-      discretisation);
-  test.field_times = field_times_of(study, stage, cells_along(discretisation), test.loads.front());
+      cells.discretisation);
+  test.crystals = cells.crystals;
+  for (const auto& [phase, crystal] : cells.crystals) test.materials.push_back(test.materials[crystal.shown_as]);
+  test.field_times = field_times_of(study, stage, cells_along(cells.discretisation), test.loads.front());
   return test;
 }
 

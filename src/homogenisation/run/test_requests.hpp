@@ -5,6 +5,7 @@
 #include "breccia/homogenisation/stage_microstructure.hpp"
 #include "breccia/study/study.hpp"
 
+#include "homogenisation/box/stage_cells.hpp"
 #include "virtual_test/dynamic_test.hpp"
 #include "virtual_test/quasistatic_test.hpp"
 
@@ -18,7 +19,7 @@ DynamicTest<dim> make_dynamic_test(const Study& study, const Stage& stage, const
                                    int threads);
 /// The quasi-static test of a stage on a grid, under one boundary and all loads of the stage.
 QuasistaticTest make_quasistatic_test(const Study& study, const Stage& stage, const Material& matrix,
-                                      const StageDiscretisation& discretisation, Boundary boundary, int threads);
+                                      const StageCells& cells, Boundary boundary, int threads);
 /// The quasi-static test of the grains of a stage and the films between them, under one boundary and all loads of the
 /// stage.
 QuasistaticTest make_film_test(const Study& study, const Stage& stage, const Material& matrix,

@@ -19,9 +19,9 @@ function textOnParticles({fillers = [], microstructure: made}) {
   return shapes.length > 0 ? listed(shapes) : "particles";
 }
 
-/// A sentence on fillers of crystals.
+/// A sentence on each filler of crystals.
 function onCrystals({microstructure: {crystals} = {}}) {
-  return crystals === undefined ? "" : `The filler: ${crystals}.`;
+  return (crystals ?? []).map((words) => `${words[0].toUpperCase()}${words.slice(1)}.`).join(" ");
 }
 
 /// A sentence on films that are debonded.

@@ -23,8 +23,8 @@ CellKinds<dim>::CellKinds(const Discretisation<dim>& discretisation, Volumetric 
                           const IndexRange<dim>& own_cells, const Crystals& crystals,
                           std::span<const Material> materials, const gaps::GapCells<dim>* gaps)
     : volumetric_(volumetric), own_cells_(own_cells) {
-  for (const auto& [phase, in_space] : crystals) {
-    const auto stiffness = stiffness_in<dim>(in_space);
+  for (const auto& [phase, crystal] : crystals) {
+    const auto stiffness = stiffness_in<dim>(crystal.stiffness);
     crystals_.emplace(phase, Crystal{stiffness, softer_moduli<dim>(stiffness).shear});
   }
   require_no_crystals(discretisation.mixtures(), crystals);
@@ -111,8 +111,9 @@ std::vector<typename CellShape<dim>::Stiffness> CellKinds<dim>::stiffnesses(std:
 template <int dim>
 std::optional<Moduli> CellKinds<dim>::uniform_moduli(std::size_t kind, std::span<const Moduli> moduli) const {
   if (mixed_[kind]) return mixed_[kind]->moduli(moduli);
-  if (has_crystals(kind)) return std::nullopt;
   const auto& phases = phases_[kind];
+  if (is_empty(kind, moduli)) return moduli[phases.front()];
+  if (has_crystals(kind)) return std::nullopt;
   const bool is_uniform = std::ranges::count(phases, phases.front()) == Shape::points;
   if (!is_uniform || volumetric_ == Volumetric::standard) return std::nullopt;
   return moduli[phases.front()];

@@ -90,14 +90,9 @@ auto stress_of(const typename CellShape<dim>::StrainVector& shear, double pressu
 /// Stress of a crystal as in LatticeFields, from its strain with engineering shears.
 template <int dim>
 auto stress_of_crystal(const StiffnessTensor<3>& stiffness, const typename CellShape<dim>::StrainVector& strain) {
-  Eigen::Matrix<double, 6, 1> in_space = Eigen::Matrix<double, 6, 1>::Zero();
-  constexpr int shears = tensor_components<dim> - dim;
-  in_space.template head<dim>() = strain.template head<dim>();
-  in_space.template tail<shears>() = strain.template tail<shears>();
-  const Eigen::Matrix<double, 6, 1> of_space = stiffness * in_space;
   typename decltype(LatticeFields<dim>::stress)::value_type stress{};
-  for (std::size_t i = 0; i < 3; ++i) stress[i] = of_space[static_cast<Eigen::Index>(i)];
-  for (std::size_t i = 3; i < stress.size(); ++i) stress[i] = of_space[static_cast<Eigen::Index>(i + 3 - shears)];
+  Eigen::Map<Eigen::VectorXd>(stress.data(), static_cast<Eigen::Index>(stress.size())) =
+      stiffness(stress_components<dim>, strain_components<dim>) * strain;
   return stress;
 }
 
@@ -192,7 +187,7 @@ LatticeFields<dim> recover_fields(const ElasticOperator<dim>& elastic_operator,
                                                    NodalDisplacement<dim>(elastic_operator, load, moduli.shear)});
   }
   const auto& cells = elastic_operator.nodes().cells();
-  auto fields = zero_timed_fields(discretisation, cells);
+  auto fields = zero_timed_fields(discretisation, cells, crystals);
   for (int p = 0; p < Shape::points; ++p) {
     const auto weights = Shape::weights(p);
     const auto strain_matrix = Shape::strain_matrix(p, volumetric);
@@ -217,7 +212,7 @@ LatticeFields<dim> recover_fields(const ElasticOperator<dim>& elastic_operator,
       const auto phase = discretisation.cell(cell)[static_cast<std::size_t>(p)];
       const auto crystal = crystals.find(phase);
       if (crystal != crystals.end()) {
-        put_in_timed_fields<dim>(stress_of_crystal<dim>(crystal->second, strain), fields.stress[index]);
+        put_in_timed_fields<dim>(stress_of_crystal<dim>(crystal->second.stiffness, strain), fields.stress[index]);
         return;
       }
       const auto& [bulk, shear] = by_material.at(phase);

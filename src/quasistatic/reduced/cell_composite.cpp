@@ -21,12 +21,12 @@ CellComposite<dim>::CellComposite(const QuasistaticProblem<dim>& problem, std::s
     : stiffness_(affine_stiffness(problem.materials, varying)),
       elastic_operator_(problem.discretisation, problem.volumetric, problem.boundary, problem.linear.threads,
                         problem.crystals, problem.materials) {
-  for (const auto& [phase, stiffness] : problem.crystals) {
+  for (const auto& [phase, crystal] : problem.crystals) {
     if (phase >= stiffness_.constant.size() ||
         std::ranges::find(varying, phase, &VaryingPhase::index) != varying.end()) {
       throw InputError(fmt::format("crystals: phase {} has no material, or its moduli vary", phase));
     }
-    stiffness_.constant[phase] = softer_moduli<dim>(stiffness_in<dim>(stiffness));
+    stiffness_.constant[phase] = softer_moduli<dim>(stiffness_in<dim>(crystal.stiffness));
   }
 }
 
