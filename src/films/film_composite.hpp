@@ -3,8 +3,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
+#include <utility>
 
 #include "films/assembly/film_operator.hpp"
 #include "films/solver/full_factors_limit.hpp"
@@ -67,6 +69,9 @@ class FilmSolver {
   [[nodiscard]] FilmVector solve_forces(Load load, const FilmVector& forces, const FilmVector& guess);
   /// Modulus [Pa] from the energy of a solution for the present binder.
   [[nodiscard]] double modulus(Load load, const FilmVector& solution) const;
+
+  /// Calls a function in every iteration of the solutions that follow, as SymmetricSolver does.
+  void watch(std::function<void()> in_iteration) { solver_->watch(std::move(in_iteration)); }
 
   [[nodiscard]] const LinearEffort& effort() const noexcept { return effort_; }
   void count_from(const LinearEffort& earlier) { effort_ = earlier; }

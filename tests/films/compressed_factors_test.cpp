@@ -97,6 +97,25 @@ TEST(CompressedFactors, SolveForOneMatrixAfterTheOther) {
   }
 }
 
+TEST(CompressedFactors, AreLeftWhenTheirObserverThrows) {
+  CompressedFactors factors(std::numeric_limits<double>::infinity());
+  const auto matrix = test::grid_matrix(1e3);
+  const auto load = test::right_side(matrix);
+  factors.factorise([&] { return matrix; });
+  const auto undisturbed = factors.solve(load);
+  const int all = factors.effort().iterations;
+  int iterations = 0;
+  factors.watch([&] {
+    ++iterations;
+    throw Interrupted("enough");
+  });
+  EXPECT_THROW(static_cast<void>(factors.solve(load)), Interrupted);
+  EXPECT_EQ(iterations, 1);
+  ASSERT_GT(all, iterations) << "there would have been more";
+  factors.watch([] {});
+  EXPECT_EQ(factors.solve(load), undisturbed);
+}
+
 /// The forces of the uniform strain of a load, with zeros for the pressures.
 Eigen::VectorXd forces_of(const FilmComposite<3>& composite, const std::array<double, 2>& parameters, Load load) {
   const auto& of_films = composite.film_operator();

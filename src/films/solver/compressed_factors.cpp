@@ -82,9 +82,10 @@ KrylovSolution CompressedFactors::iterate(const Eigen::VectorXd& right_side) {
   if (parallel::rank() != 0) {
     for (copy_from_first(state); state == goes_on; copy_from_first(state)) {
       try {
+        in_iteration_();
         static_cast<void>(solve_once(right_side));
       } catch (...) {
-        // MUMPS fails on the first process, too, which then ends the iteration.
+        // The same fails on the first process, which then ends the iteration.
         failure = std::current_exception();
       }
     }
@@ -96,6 +97,7 @@ KrylovSolution CompressedFactors::iterate(const Eigen::VectorXd& right_side) {
   };
   const auto precondition = [&](const Eigen::VectorXd& vector) {
     copy_from_first(state);
+    in_iteration_();
     return solve_once(vector);
   };
   try {

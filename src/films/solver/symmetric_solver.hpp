@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <utility>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -35,8 +36,13 @@ class SymmetricSolver {
   [[nodiscard]] virtual Eigen::VectorXd solve(const Eigen::VectorXd& right_side) = 0;
   [[nodiscard]] const Effort& effort() const noexcept { return effort_; }
 
+  /// Calls a function on all processes in every iteration of the solutions that follow; an exception that it throws, on
+  /// all of them, ends the solution. Factors alone solve without iterations.
+  void watch(std::function<void()> in_iteration) { in_iteration_ = std::move(in_iteration); }
+
  protected:
   Effort effort_;
+  std::function<void()> in_iteration_ = [] {};
 };
 
 }  // namespace breccia::films

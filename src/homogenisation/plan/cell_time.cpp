@@ -94,7 +94,10 @@ double quasistatic_time(const Study& study, const Stage& stage, Boundary boundar
   const double unknowns = quasistatic_unknowns(study, stage, cells);
   const bool is_direct =
       study.tests.quasistatic.linear.is_direct(static_cast<std::int64_t>(unknowns), stage.dimensions());
-  if (stage.dimensions() == 3 && !is_direct) return time_of_cube(study, stage, boundary, cells, unknowns);
+  if (stage.dimensions() == 3 && !is_direct) {
+    const double crystals = stage.has_crystals() ? measured_costs::crystals_in_space : 1.0;
+    return crystals * time_of_cube(study, stage, boundary, cells, unknowns);
+  }
   const double flow = is_expected_to_have_flow(study, stage) ? measured_costs::flow_in_plane : 1.0;
   return flow * time_with_factors(study, stage, cells, unknowns, is_direct);
 }

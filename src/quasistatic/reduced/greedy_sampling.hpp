@@ -261,7 +261,6 @@ void sample(GreedySampling<Composite>& sampling, Solver& solver, const TrainingP
   const auto report = [&] {
     if (observer) observer(progress.after(sampling.snapshots(), sampling.error()));
   };
-  // Factors take too few iterations to look between them.
   if constexpr (requires { solver.watch(std::function<void()>()); }) {
     solver.watch([&] {
       if (checkpoint != nullptr && checkpoint->is_to_end()) save();
