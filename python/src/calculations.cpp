@@ -123,7 +123,7 @@ std::optional<TimeWindow> window_of_frequencies(const std::pair<double, double>&
 std::vector<NewMaterial> new_materials(const std::vector<std::pair<std::string, ShiftedMaterial>>& replaced) {
   std::vector<NewMaterial> materials;
   materials.reserve(replaced.size());
-  for (const auto& [name, one] : replaced) materials.push_back({name, one.material, one.shift});
+  for (const auto& [name, one] : replaced) materials.push_back(new_material(name, one));
   return materials;
 }
 

@@ -158,11 +158,8 @@ std::vector<NewMaterial> read_materials(const std::vector<AskedMaterial>& asked,
   std::vector<NewMaterial> materials;
   for (const auto& [name, file] : asked) {
     auto& material = materials.emplace_back(NewMaterial{name, {}});
-    collect(mistakes, "", command, [&, &path = file] {
-      auto read = read_shifted_material_file(path);
-      material.material = std::move(read.material);
-      material.shift = std::move(read.shift);
-    });
+    collect(mistakes, "", command,
+            [&, &path = file] { material = new_material(material.name, read_shifted_material_file(path)); });
   }
   return materials;
 }

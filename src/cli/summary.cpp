@@ -10,6 +10,7 @@
 #include "breccia/homogenisation/stage_discretisation.hpp"
 
 #include "cli/quantities.hpp"
+#include "homogenisation/crystal_words.hpp"
 #include "homogenisation/debonding_words.hpp"
 #include "io/display.hpp"
 #include "io/units.hpp"
@@ -156,6 +157,7 @@ std::string describe_fillers(const Stage& stage) {
   }
   if (const auto sides = words_on_sides(stage); !sides.empty()) text += fmt::format("    sides    {}\n", sides);
   if (const auto bonds = words_on_bonds(stage); !bonds.empty()) text += fmt::format("    bonds    {}\n", bonds);
+  for (const auto& line : words_on_crystals(stage)) text += fmt::format("    {}\n", line);
   if (!stage.is_random()) return text;
   for (const auto& filler : stage.fillers) text += describe_gap(stage, filler);
   return text;

@@ -79,11 +79,16 @@ std::string name_of_constant(const Number& number) {
 }
 
 const Symmetry* read_symmetry(const Section& section) {
+  std::vector<std::string> names;
+  for (const auto& one : symmetries()) names.emplace_back(one.name);
+  if (!section.has("symmetry")) {
+    section.report("symmetry", fmt::format(R"(missing; expected one of "{}")", fmt::join(names, R"(", ")")));
+    section.accept_all_keys();
+    return nullptr;
+  }
   const auto name = section.text("symmetry");
   const auto known = std::ranges::find(symmetries(), name, &Symmetry::name);
   if (known != symmetries().end()) return &*known;
-  std::vector<std::string> names;
-  for (const auto& one : symmetries()) names.emplace_back(one.name);
   if (!name.empty()) {
     section.report("symmetry", fmt::format(R"(expected one of "{}", got "{}"{})", fmt::join(names, R"(", ")"), name,
                                            suggestion(name, names)));
@@ -102,14 +107,23 @@ std::vector<EulerAngles> read_angles(const std::filesystem::path& file, std::siz
   const auto& phi = table.numbers("phi_deg");
   const auto& phi2 = table.numbers("phi2_deg");
   std::vector<EulerAngles> angles;
+  double last = -1.0;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (is_of_other(row)) continue;
+    if (table.has("particle")) {
+      if (!(table.numbers("particle")[row] > last)) {
+        throw InputError(
+            fmt::format("{}: expected particles in rising order, as they are in the box", table.location(row)));
+      }
+      last = table.numbers("particle")[row];
+    }
     if (!std::isfinite(phi1[row] + phi[row] + phi2[row])) {
       throw InputError(fmt::format("{}: row {}: expected finite angles", file.string(), row + 1));
     }
     constexpr double degree = std::numbers::pi / 180.0;
     angles.push_back({phi1[row] * degree, phi[row] * degree, phi2[row] * degree});
   }
+  if (angles.empty()) throw InputError(fmt::format("{}: no row of filler {}", file.string(), filler));
   return angles;
 }
 

@@ -13,6 +13,7 @@
 #include "deck/temperature_shift.hpp"
 #include "io/nearest_name.hpp"
 #include "io/printable.hpp"
+#include "io/units.hpp"
 
 namespace breccia {
 
@@ -22,7 +23,8 @@ ShiftedMaterial read_shifted_material(const Section& section, const std::string&
     section.refuse({"bulk", "shear", "young", "poisson", "temperature_shift"},
                    "the stiffness of a crystal gives all of its moduli");
     const auto constants = read_stiffness(section);
-    if (!constants) return {reference};  // its moduli are unknown, and it is no void
+    // After a mistake its moduli are unknown; it is a crystal all the same.
+    if (!constants) return {.material = reference, .constants = ElasticConstants{}};
     const auto means = isotropic_means(stiffness_tensor(*constants));
     reference.bulk = PronySeries(means.bulk());
     reference.shear = PronySeries(means.shear());
@@ -50,8 +52,12 @@ std::vector<ShiftedMaterial> read_materials(const Section& deck) {
   return materials;
 }
 
-void refuse_crystal(const Section& section, const std::string& key) {
-  section.report(key, "a crystal, which has a stiffness, is expected as a filler alone");
+void refuse_crystal(const Section& section, const std::string& key, const Material& means) {
+  section.report(
+      key, fmt::format("a crystal, which has a stiffness, is expected as a filler alone; elsewhere a material with "
+                       "its isotropic means, bulk = \"{}\" and shear = \"{}\"",
+                       readable(means.bulk.unrelaxed(), Dimension::pressure),
+                       readable(means.shear.unrelaxed(), Dimension::pressure)));
 }
 
 Material read_material_reference(const Section& section, const std::string& key,
@@ -60,7 +66,7 @@ Material read_material_reference(const Section& section, const std::string& key,
   if (name.empty()) return {};
   if (name == name_of_void) return void_material();
   if (const auto* const found = find_material(materials, name)) {
-    if (found->constants) refuse_crystal(section, key);
+    if (found->constants) refuse_crystal(section, key, found->material);
     return found->material;
   }
   std::vector<std::string> names;

@@ -48,7 +48,7 @@ StageMatrix read_matrix(const Section& section, const std::vector<Stage>& earlie
   std::vector<std::string> known;
   for (const auto& one : materials) {
     if (one.material.name == name) {
-      if (one.constants) refuse_crystal(section, "matrix");
+      if (one.constants) refuse_crystal(section, "matrix", one.material);
       return one.material;
     }
     known.push_back(one.material.name);

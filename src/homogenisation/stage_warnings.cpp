@@ -11,6 +11,7 @@
 
 #include "discretisation/contrast.hpp"
 #include "homogenisation/box/filler_on_sides.hpp"
+#include "homogenisation/crystal_words.hpp"
 #include "homogenisation/dynamic_warnings.hpp"
 #include "homogenisation/grain_warnings.hpp"
 #include "homogenisation/image_warnings.hpp"
@@ -329,6 +330,7 @@ std::vector<std::string> warnings_on(const Study& study, const Stage& stage,
   const auto of_deck = study.provenance.warnings.find(stage.name);
   if (of_deck != study.provenance.warnings.end()) std::ranges::copy(of_deck->second, std::back_inserter(of_stage));
   std::ranges::move(warnings_of_soft_fillers(study, stage), std::back_inserter(of_stage));
+  std::ranges::move(warnings_of_crystals(study, stage, microstructure), std::back_inserter(of_stage));
   const auto warning_of_gaps = model_of(study.tests, stage) == Model::films
                                    ? warning_of_films(microstructure, study.tests.films)
                                    : warning_of_narrow_gaps(stage, microstructure, study);

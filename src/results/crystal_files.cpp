@@ -41,7 +41,8 @@ void write_crystals(const std::filesystem::path& directory, const Stage& stage,
   if (stage.fillers.size() > 1) columns.push_back({"filler", of_fillers});
   for (auto& column : columns_of_angles(angles)) columns.push_back(std::move(column));
   write_csv(directory / "crystals.csv", columns,
-            fmt::format("Orientations of the crystals of stage {}, particles numbered from 0", stage.name));
+            fmt::format("Orientations of the crystals of stage {} by Bunge's Euler angles, particles numbered from 0",
+                        stage.name));
 }
 
 }  // namespace breccia

@@ -1,5 +1,7 @@
 #include "results/stored_document.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace breccia {
@@ -27,7 +29,10 @@ std::optional<std::string> note_on_completeness(const std::filesystem::path& dir
 std::vector<ShiftedMaterial> materials_of(const StudyDocument& document) {
   std::vector<ShiftedMaterial> materials;
   for (const auto& [name, density, bulk, shear, shift, constants] : document.materials) {
-    materials.push_back({{name, density, bulk, shear}, shift});
+    auto& material = materials.emplace_back(ShiftedMaterial{{name, density, bulk, shear}, shift});
+    if (constants && constants->size() == ElasticConstants().size()) {
+      std::ranges::copy(*constants, material.constants.emplace().begin());
+    }
   }
   return materials;
 }

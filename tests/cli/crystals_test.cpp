@@ -22,6 +22,7 @@ namespace {
 
 using test::StudyDirectory;
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr const char* crystals = R"(
 [materials.binder]
@@ -213,6 +214,28 @@ TEST(Crystals, AlignedInALatticeActByTheirShears) {
   EXPECT_NEAR(crystal[0] / as_c44[0], 1.0, 3e-3);
   EXPECT_NEAR(crystal[1] / as_prime[1], 1.0, 3e-3);
   EXPECT_GT(as_c44[0] / as_prime[0], 1.1);
+}
+
+TEST(Crystals, OfFewCellsAreSaidToBeMostlyIsotropic) {
+  const StudyDirectory study(spheres_of(R"(stiffness = { symmetry = "cubic", C11 = "20 GPa", C12 = "14 GPa", )"
+                                        R"(C44 = "12 GPa" })"));
+  const auto check = study.breccia("check");
+  EXPECT_THAT(check.output + check.errors,
+              HasSubstr("% of the crystals' volume lies in cells that their surfaces cross"));
+  EXPECT_THAT(check.output, HasSubstr("crystals of crystal at random orientations (seed 2)"));
+  const auto finer = study.breccia("check", {"--set", "stages.0.cells=40"});
+  EXPECT_THAT(finer.output + finer.errors, Not(HasSubstr("of the crystals' volume lies in cells")));
+}
+
+TEST(Crystals, DoNotReplaceAMaterialOfAResponse) {
+  const StudyDirectory study(spheres_of("bulk = \"14 GPa\"\nshear = \"6 GPa\""));
+  ASSERT_EQ(study.breccia("run", {"--set", "stages.0.cells=6"}).exit_code, 0);
+  study.write("new.toml",
+              "density = \"1 g/cm^3\"\nstiffness = { symmetry = \"cubic\", C11 = \"4 GPa\", C12 = \"3 GPa\", "
+              "C44 = \"1 GPa\" }\n");
+  const auto respond = test::run_breccia(study.path(), {"respond", "out", "--material", "new.toml"});
+  EXPECT_EQ(respond.exit_code, 2);
+  EXPECT_THAT(respond.errors, HasSubstr("is a crystal; expected an isotropic material"));
 }
 
 TEST(Crystals, WhereTheyCannotBeAreRefusedWithTheirMeans) {

@@ -81,6 +81,14 @@ TEST_F(CrystalsOfADeck, MistakesAreNamed) {
   EXPECT_THAT(mistakes(deck(R"(symmetry = "cubic", C11 = "10 GPa", C12 = "14 GPa", C44 = "12 GPa")")),
               HasSubstr("stiffness: expected a positive definite stiffness"));
   EXPECT_THAT(mistakes(deck(cubic, R"(, orientations = "none.csv")")), HasSubstr("none.csv"));
+  directory.write("backwards.csv", "particle,phi1_deg,phi_deg,phi2_deg\n1,0,0,0\n0,0,0,0\n");
+  EXPECT_THAT(mistakes(deck(cubic, R"(, orientations = "backwards.csv")")),
+              HasSubstr("expected particles in rising order"));
+  directory.write("other.csv", "filler,phi1_deg,phi_deg,phi2_deg\n1,0,0,0\n");
+  EXPECT_THAT(mistakes(deck(cubic, R"(, orientations = "other.csv")")), HasSubstr("no row of filler 0"));
+  EXPECT_THAT(mistakes(deck(R"(C11 = "1 GPa")")), HasSubstr("symmetry: missing; expected one of \"cubic\", "));
+  EXPECT_THAT(mistakes(deck(R"(C11 = "1 GPa")", R"(, orientations = "random")")),
+              Not(HasSubstr("only crystals have them")));
   EXPECT_THAT(mistakes(deck(cubic, R"(, orientations = "alinged")")), HasSubstr("did you mean \"aligned\"?"));
   EXPECT_THAT(mistakes(deck(R"(symmetry = "cubik", C11 = "1 GPa")")), Not(HasSubstr("voids")));
   EXPECT_THAT(mistakes(deck(test::join(cubic, " }\nbulk = \"1 GPa\"\nextra = { x = 1"))),

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <set>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -107,6 +109,19 @@ TEST_F(CellsOfAStage, HaveFieldsWhoseMeanStressIsTheModulus) {
       EXPECT_LT(*std::ranges::max_element(fields.phase), phases_of(stage).size());
     }
   }
+}
+
+// Orientations are drawn from the seed of the packing and the number of the filler.
+TEST_F(CellsOfAStage, HaveOtherOrientationsForEachSeedAndFiller) {
+  stage.fillers[1].crystal = stage.fillers[0].crystal;
+  std::set<double> first_angles;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    for (std::size_t filler = 0; filler < 2; ++filler) {
+      stage.fillers[filler].crystal->orientations = RandomOrientations{seed};
+      first_angles.insert(crystal_orientations(stage, filler, 1).front().phi1);
+    }
+  }
+  EXPECT_EQ(first_angles.size(), 40u);
 }
 
 TEST_F(CellsOfAStage, ExpectAnOrientationForEachCrystal) {

@@ -5,6 +5,7 @@
 
 #include "breccia/error.hpp"
 #include "breccia/viscoelasticity/material.hpp"
+#include "breccia/viscoelasticity/shifted_material.hpp"
 #include "breccia/viscoelasticity/temperature_shift.hpp"
 
 namespace breccia {
@@ -22,5 +23,9 @@ struct NewMaterial {
   Material material;
   std::optional<TemperatureShift> shift = {};  ///< law of its temperature shift, if one is known
 };
+
+/// A new material in place of that of a name. Throws InputError for a crystal: stored responses are those of isotropic
+/// phases.
+[[nodiscard]] NewMaterial new_material(std::string name, ShiftedMaterial given);
 
 }  // namespace breccia

@@ -28,9 +28,10 @@ struct DrawOrientations {
   std::size_t count;
 
   std::vector<EulerAngles> operator()(const RandomOrientations& random) const {
-    // The packing draws from the same seed: other numbers follow for the orientations of each filler.
+    // The packing draws from the same seed: other numbers follow for the orientations of each filler. Odd multiples of
+    // a number of many digits keep the fillers of one seed apart from those of others.
     constexpr std::uint64_t of_orientations = 0x9e3779b97f4a7c15;
-    std::mt19937_64 engine(random.seed.value_or(stage.seed().value_or(1)) ^ (of_orientations + filler));
+    std::mt19937_64 engine(random.seed.value_or(stage.seed().value_or(1)) ^ (of_orientations * (2 * filler + 1)));
     std::vector<EulerAngles> angles;
     for (std::size_t crystal = 0; crystal < count; ++crystal) angles.push_back(random_angles(engine));
     return angles;

@@ -8,6 +8,8 @@
 #include "breccia/homogenisation/stage_discretisation.hpp"
 
 #include "discretisation/joined_discretisation.hpp"
+#include "homogenisation/box/crystal_orientations.hpp"
+#include "homogenisation/box/fillers_of_particles.hpp"
 #include "homogenisation/stage_warnings.hpp"
 #include "parallel/common_failure.hpp"
 #include "parallel/reduction.hpp"
@@ -39,6 +41,8 @@ StageResult result_without_points(const Study& study, const Stage& stage, StageM
   result.cells = stage.cells;
   result.dimensions = stage.dimensions();
   result.microstructure = std::move(microstructure);
+  // A list must have the orientations of all crystals.
+  static_cast<void>(orientations_of_particles(stage, fillers_of_particles(result.microstructure)));
   result.warnings = warnings_on(study, stage, result.microstructure);
   result.point_fraction = result.microstructure.fraction;
   return result;
