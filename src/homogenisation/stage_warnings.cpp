@@ -11,7 +11,7 @@
 
 #include "discretisation/contrast.hpp"
 #include "homogenisation/box/filler_on_sides.hpp"
-#include "homogenisation/crystal_words.hpp"
+#include "homogenisation/crystal_warnings.hpp"
 #include "homogenisation/dynamic_warnings.hpp"
 #include "homogenisation/grain_warnings.hpp"
 #include "homogenisation/image_warnings.hpp"
