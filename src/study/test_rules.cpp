@@ -71,8 +71,8 @@ std::vector<std::string> misplaced_crystals(const Study& study) {
       const auto part = fmt::format("crystals of stage {}, {}: ", stage.name, filler.material.name);
       const auto refuse = [&](std::string_view reason) {
         mistakes.push_back(
-            fmt::format("{}{}, or a material with their isotropic means, bulk = \"{}\" and shear = \"{}\"", part,
-                        reason, readable(filler.material.bulk.unrelaxed(), Dimension::pressure),
+            fmt::format(R"({}{}, or a material with their isotropic means, bulk = "{}" and shear = "{}")", part, reason,
+                        readable(filler.material.bulk.unrelaxed(), Dimension::pressure),
                         readable(filler.material.shear.unrelaxed(), Dimension::pressure)));
       };
       if (stage.has_image()) refuse("pixels do not distinguish particles: expected particles or grains");
