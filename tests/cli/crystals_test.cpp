@@ -24,12 +24,14 @@ using test::StudyDirectory;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr const char* crystals = R"(
-[materials.binder]
+constexpr const char* binder_around_crystals = R"([materials.binder]
 density = "1.2 g/cm^3"
 bulk    = "3 GPa"
 shear   = { equilibrium = "1 MPa", terms = [{ time = "1 ms", modulus = "0.5 GPa" }] }
+)";
 
+/// Grains between films.
+constexpr const char* crystals_as_grains = R"(
 [materials.crystal]
 density   = "1.9 g/cm^3"
 stiffness = { symmetry = "cubic", C11 = "20 GPa", C12 = "14 GPa", C44 = "12 GPa" }
@@ -46,8 +48,12 @@ model  = "films"
 times  = ["1 us", "0.1 s"]
 )";
 
+std::string deck_of_grains() {
+  return std::string(binder_around_crystals) + crystals_as_grains;
+}
+
 TEST(Crystals, AreListedWithTheirOrientations) {
-  const StudyDirectory study(crystals);
+  const StudyDirectory study(deck_of_grains());
   const auto run = study.breccia("run");
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   const auto words =
@@ -72,7 +78,7 @@ TEST(Crystals, AreListedWithTheirOrientations) {
 }
 
 TEST(Crystals, OfOtherOrientationsHaveOtherModuli) {
-  const StudyDirectory study(crystals);
+  const StudyDirectory study(deck_of_grains());
   ASSERT_EQ(study.breccia("run").exit_code, 0);
   const auto curve = test::read_curve(study.result("curves.csv"), "grains", "isotropic");
   ASSERT_EQ(study.breccia("run", {"--set", "stages.0.filler.orientations={seed=9}", "--overwrite"}).exit_code, 0);
@@ -81,7 +87,7 @@ TEST(Crystals, OfOtherOrientationsHaveOtherModuli) {
 }
 
 TEST(Crystals, TooFewOrientationsAreRefused) {
-  const StudyDirectory study(crystals);
+  const StudyDirectory study(deck_of_grains());
   study.write("angles.csv", "phi1_deg,phi_deg,phi2_deg\n0,0,0\n");
   const auto run = study.breccia("run", {"--set", R"(stages.0.filler.orientations="angles.csv")"});
   EXPECT_EQ(run.exit_code, 2);
@@ -89,12 +95,7 @@ TEST(Crystals, TooFewOrientationsAreRefused) {
 }
 
 /// Two fillers of spheres in space, one of them crystals; CRYSTAL is its material's stiffness or moduli.
-constexpr const char* spheres = R"(
-dimensions = 3
-[materials.binder]
-density = "1.2 g/cm^3"
-bulk    = "3 GPa"
-shear   = { equilibrium = "1 MPa", terms = [{ time = "1 ms", modulus = "0.5 GPa" }] }
+constexpr const char* crystals_as_spheres = R"(
 [materials.crystal]
 density   = "1.9 g/cm^3"
 CRYSTAL
@@ -118,7 +119,7 @@ fields = ["1 us"]
 )";
 
 std::string spheres_of(const std::string& crystal) {
-  std::string deck = spheres;
+  auto deck = std::string("dimensions = 3\n") + binder_around_crystals + crystals_as_spheres;
   return deck.replace(deck.find("CRYSTAL"), 7, crystal);
 }
 
@@ -239,7 +240,7 @@ TEST(Crystals, DoNotReplaceAMaterialOfAResponse) {
 }
 
 TEST(Crystals, WhereTheyCannotBeAreRefusedWithTheirMeans) {
-  const StudyDirectory study(crystals);
+  const StudyDirectory study(deck_of_grains());
   const auto check = study.breccia("check", {"--set", "tests.model=cells", "--set", "stages.0.cells=64", "--set",
                                              "tests.method=dynamic", "--set", "tests.mixing=points"});
   EXPECT_EQ(check.exit_code, 2);

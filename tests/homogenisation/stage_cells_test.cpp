@@ -82,12 +82,11 @@ TEST_F(CellsOfAStage, HaveTheStiffnessOfTheirParticle) {
 }
 
 TEST_F(CellsOfAStage, KeepTheFractionsOfTheirFillers) {
-  const auto all = [&](const StageDiscretisation& cells, std::size_t phases) { return fractions(cells, phases); };
   const auto before = discretise(stage, packed, 20, Mixing::series);
   const auto cells = cells_of(stage, packed, before);
   const auto phases = phases_of(stage).size();
-  auto found = all(cells.discretisation, phases + 2);
-  const auto expected = all(before, phases);
+  auto found = fractions(cells.discretisation, phases + 2);
+  const auto expected = fractions(before, phases);
   const auto filler = phases_of(stage).index_of("hmx");
   EXPECT_LT(found[filler], 0.1) << "mixed cells alone have the isotropic means";
   for (const auto& [phase, crystal] : cells.crystals) found[crystal.shown_as] += found[phase];

@@ -130,7 +130,7 @@ void expect_the_stress_of_a_uniform_strain() {
                                        applied, problem.crystals);
     Eigen::Matrix<double, 6, 1> strain = Eigen::Matrix<double, 6, 1>::Zero();
     for (int i = 0; i < tensor_components<dim>; ++i) {
-      strain[i < dim ? i : i + 6 - tensor_components<dim>] =
+      strain[strain_components<dim>[static_cast<std::size_t>(i)]] =
           (i < dim ? 1.0 : 2.0) * component(unit_strain<dim>(load), i);
     }
     const Eigen::Matrix<double, 6, 1> expected = triclinic() * strain;
