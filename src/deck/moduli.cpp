@@ -13,8 +13,8 @@
 
 #include "deck/fitted_modulus.hpp"
 #include "deck/prony_file.hpp"
-#include "deck/two_moduli.hpp"
 #include "study/limits.hpp"
+#include "viscoelasticity/two_moduli.hpp"
 
 namespace breccia {
 namespace {

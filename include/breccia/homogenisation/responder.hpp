@@ -1,5 +1,6 @@
 #pragma once
 
+#include <complex>
 #include <map>
 #include <set>
 #include <string>
@@ -8,15 +9,16 @@
 #include "breccia/homogenisation/new_materials.hpp"
 #include "breccia/homogenisation/stage_responses.hpp"
 #include "breccia/homogenisation/study_result.hpp"
+#include "breccia/viscoelasticity/carson_moduli.hpp"
 #include "breccia/viscoelasticity/shifted_material.hpp"
 
 namespace breccia {
 
 /// A modulus of a stage at one Laplace variable [Pa], and its derivatives [-] with respect to the Carson moduli of the
-/// materials that vary, by the names of these materials.
+/// materials that vary, by the names of these materials. They are real where the variable and the moduli are.
 struct ModulusAndGradient {
-  double modulus = 0.0;
-  std::map<std::string, Moduli> gradient = {};
+  std::complex<double> modulus = 0.0;
+  std::map<std::string, ComplexModuli> gradient = {};
 };
 
 /// Computes the stages of a solved study with other materials, at another temperature or at other times, in
@@ -55,15 +57,15 @@ class Responder {
   /// lacks its matrix.
   [[nodiscard]] std::vector<StageResult> respond() const;
 
-  /// The modulus of a stage at a real Laplace variable s [1/s], by the correspondence principle, on the finest grid.
-  /// Under the load `isotropic` it is the mean of all shears, under `bulk` K, in plane strain K + G/3. Throws
-  /// InputError if there is no such test.
+  /// The Carson modulus of a stage at a Laplace variable s [1/s] away from the negative real axis, by the
+  /// correspondence principle, on the finest grid; at s = i omega it is the complex modulus. Under the load `isotropic`
+  /// it is the mean of all shears, under `bulk` K, in plane strain K + G/3. Throws InputError if there is no such test.
   [[nodiscard]] ModulusAndGradient modulus_and_gradient(const std::string& stage, TestLoad load, Boundary boundary,
-                                                        double laplace_variable) const;
+                                                        std::complex<double> laplace_variable) const;
   /// The modulus of a stage whose varying materials have these moduli [Pa], which are given by the names of the
   /// materials.
   [[nodiscard]] ModulusAndGradient modulus_and_gradient(const std::string& stage, TestLoad load, Boundary boundary,
-                                                        const std::map<std::string, Moduli>& moduli) const;
+                                                        const std::map<std::string, ComplexModuli>& moduli) const;
 
   /// The stages with their present materials and times. Materials have the names that they have in the study.
   [[nodiscard]] const std::vector<StageResponses>& stages() const noexcept { return stages_; }

@@ -1,6 +1,7 @@
 #include "homogenisation/respond/elastic_chain.hpp"
 
 #include <algorithm>
+#include <complex>
 #include <cstddef>
 #include <utility>
 #include <variant>
@@ -28,7 +29,8 @@ const ReducedResponse& finest_response(const StageResponses& stage, Load load, B
 }
 
 /// Adds the derivatives of one modulus, times a factor, to those of another (the chain rule).
-void add(std::map<std::string, Moduli>& sum, double factor, const std::map<std::string, Moduli>& gradient) {
+void add(std::map<std::string, ComplexModuli>& sum, std::complex<double> factor,
+         const std::map<std::string, ComplexModuli>& gradient) {
   for (const auto& [material, by] : gradient) {
     auto& to = sum[material];
     to.bulk += factor * by.bulk;
@@ -40,10 +42,10 @@ void add(std::map<std::string, Moduli>& sum, double factor, const std::map<std::
 struct GradedModuli {
   ModulusAndGradient shear, bulk;
 
-  [[nodiscard]] Moduli moduli() const { return {.bulk = bulk.modulus, .shear = shear.modulus}; }
+  [[nodiscard]] ComplexModuli moduli() const { return {.bulk = bulk.modulus, .shear = shear.modulus}; }
 };
 
-GradedModuli moduli_of_material(const std::string& name, const Moduli& moduli) {
+GradedModuli moduli_of_material(const std::string& name, const ComplexModuli& moduli) {
   return {{moduli.shear, {{name, {.bulk = 0.0, .shear = 1.0}}}}, {moduli.bulk, {{name, {.bulk = 1.0, .shear = 0.0}}}}};
 }
 
@@ -72,8 +74,8 @@ ModulusAndGradient ElasticChain::modulus(const std::string& name, TestLoad load)
     return mean;
   }
   // The mean of the compliances 1/m is 1/M, so that dM = M^2 mean(dm / m^2) (theory, Eq. 13b).
-  double compliance = 0.0;
-  std::map<std::string, Moduli> gradient;
+  std::complex<double> compliance = 0.0;
+  std::map<std::string, ComplexModuli> gradient;
   for (const auto shear : shears) {
     const auto [modulus, of_shear] = modulus_under(stage, shear);
     compliance += share / modulus;
@@ -87,7 +89,7 @@ ModulusAndGradient ElasticChain::modulus(const std::string& name, TestLoad load)
 ModulusAndGradient ElasticChain::modulus_under(const StageResponses& stage, Load load) const {
   const auto& response = finest_response(stage, load, boundary_);
   std::vector<GradedModuli> phases;
-  std::vector<Moduli> moduli;
+  std::vector<ComplexModuli> moduli;
   for (const auto& phase : response.phases()) {
     if (phase != name_of_matrix_phase) {
       const auto& material = stage.other_phases.at(phase).name;
@@ -116,7 +118,7 @@ const StageResponses& ElasticChain::stage_named(const std::string& stage) const 
   throw InputError(fmt::format("there is no reduced response of a stage {}", stage));
 }
 
-const Moduli& ElasticChain::moduli_of(const std::string& material) const {
+const ComplexModuli& ElasticChain::moduli_of(const std::string& material) const {
   const auto found = moduli_.find(material);
   if (found != moduli_.end()) return found->second;
   throw InputError(fmt::format("no moduli of {}, which varies", material));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <optional>
 #include <type_traits>
@@ -21,7 +22,6 @@
 #include "homogenisation/respond/replaced_materials.hpp"
 #include "homogenisation/respond/responded_stages.hpp"
 #include "io/nearest_name.hpp"
-#include "quasistatic/reduced/carson_path.hpp"
 
 namespace breccia {
 namespace {
@@ -234,15 +234,15 @@ std::vector<StageResult> Responder::respond() const {
 }
 
 ModulusAndGradient Responder::modulus_and_gradient(const std::string& stage, TestLoad load, Boundary boundary,
-                                                   double laplace_variable) const {
-  std::map<std::string, Moduli> moduli;
+                                                   std::complex<double> laplace_variable) const {
+  std::map<std::string, ComplexModuli> moduli;
   for (const auto& [material, shift, constants] : materials_)
     moduli[material.name] = carson_moduli(material, laplace_variable);
   return modulus_and_gradient(stage, load, boundary, moduli);
 }
 
 ModulusAndGradient Responder::modulus_and_gradient(const std::string& stage, TestLoad load, Boundary boundary,
-                                                   const std::map<std::string, Moduli>& moduli) const {
+                                                   const std::map<std::string, ComplexModuli>& moduli) const {
   return ElasticChain(stages_, moduli, boundary).modulus(stage, load);
 }
 

@@ -1,4 +1,4 @@
-#include "deck/two_moduli.hpp"
+#include "viscoelasticity/two_moduli.hpp"
 
 #include <utility>
 #include <vector>
