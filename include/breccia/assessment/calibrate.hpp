@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "breccia/assessment/observation.hpp"
+#include "breccia/assessment/unknown.hpp"
+#include "breccia/viscoelasticity/shifted_material.hpp"
+
+namespace breccia {
+
+/// Whether the standard deviations of measurements are known, or only their ratios to each other.
+enum class Noise { known, relative };
+
+/// The ends of an interval.
+struct Interval {
+  double lower = 0.0;
+  double upper = 0.0;
+};
+
+/// What a calibration has found of an unknown number, in SI units.
+struct Estimate {
+  std::string name = {};  ///< "hmx.shear", "binder.spectrum at 1e-06 s", "model of pbx"
+  Distribution prior = {};
+  double value = 0.0;      ///< the median
+  Interval interval = {};  ///< 95 % of the posterior lie in it
+  double score = 0.0;      ///< the score of the median in the prior
+  double deviation = 1.0;  ///< standard deviation of the score a posteriori; 1 a priori, less within a spectrum
+  /// The share of the variance of the score that the data have removed: 0 where only the prior is known, 1 where only
+  /// the data matter.
+  double learned = 0.0;
+};
+
+/// A measurement beside its prediction.
+struct PredictedObservation {
+  double value = 0.0;      ///< predicted, in the unit of the observation
+  Interval interval = {};  ///< 95 % of the predictions of the unknowns, without the noise of the measurement
+  double deviation = 0.0;  ///< measured minus predicted, in standard deviations of the noise
+};
+
+/// The result of a calibration.
+struct Calibration {
+  std::vector<Estimate> estimates = {};                ///< of the unknowns, then of the factors of the composites
+  Eigen::MatrixXd correlation = {};                    ///< of the scores of the estimates
+  std::vector<PredictedObservation> predictions = {};  ///< by observation
+  std::vector<ShiftedMaterial> materials = {};         ///< the materials that were changed, at the values found
+  double noise = 1.0;       ///< factor of the stated standard deviations that the data show; 1 where these are known
+  double misfit = 0.0;      ///< sum of the squared deviations, in units of the noise
+  double determined = 0.0;  ///< number of unknowns that the data determine
+  bool has_converged = false;
+};
+
+/// Finds unknown numbers of the materials of composites from measurements, by Bayes' rule: the most likely scores of
+/// the unknowns, and the normal distribution about them (theory, section 13). Throws InputError, with a line for each
+/// mistake in the unknowns, the composites or the observations.
+Calibration calibrate(const std::vector<ObservedComposite>& composites, const std::vector<Unknown>& unknowns,
+                      const std::vector<Observation>& observations, Noise noise);
+
+}  // namespace breccia

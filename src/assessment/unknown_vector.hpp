@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "breccia/assessment/unknown.hpp"
+#include "breccia/viscoelasticity/shifted_material.hpp"
+
+namespace breccia {
+
+/// A component of the vector of unknowns: a number of a material, a term of a spectrum, or the factor by which a
+/// composite differs from its model.
+struct UnknownComponent {
+  std::string name;      ///< "hmx.shear", "binder.spectrum at 1e-06 s", "model of pbx"
+  std::size_t unknown;   ///< index of the unknown
+  std::size_t term = 0;  ///< index of the term of a spectrum
+  Distribution prior = {};
+};
+
+/// All unknowns of a calibration as one vector of scores (Distribution), so that a priori the vector is standard
+/// normal, but for the curvature of spectra.
+class UnknownVector {
+ public:
+  /// Throws InputError, with a line for each mistake: an unknown that is named twice, one of a material that is not
+  /// known, or a change that the material does not have (changed).
+  UnknownVector(std::vector<Unknown> unknowns, std::vector<ShiftedMaterial> materials);
+
+  [[nodiscard]] const std::vector<UnknownComponent>& components() const noexcept { return components_; }
+  [[nodiscard]] Eigen::Index size() const noexcept { return static_cast<Eigen::Index>(components_.size()); }
+  /// The materials with their unknowns at these scores, in the order of the known ones.
+  [[nodiscard]] std::vector<ShiftedMaterial> materials_at(const Eigen::VectorXd& scores) const;
+  /// One of the materials with its unknowns at these scores.
+  [[nodiscard]] ShiftedMaterial material_at(std::size_t material, const Eigen::VectorXd& scores) const;
+  /// The index of the material that a component changes.
+  [[nodiscard]] std::size_t index_of_material(std::size_t component) const {
+    return material_of_unknown_[components_[component].unknown];
+  }
+  /// The second differences of the logarithms of the moduli of all spectra, as a matrix by which the scores are
+  /// multiplied; without rows where no spectrum has three terms.
+  [[nodiscard]] Eigen::MatrixXd curvature() const;
+
+ private:
+  std::vector<Unknown> unknowns_;
+  std::vector<ShiftedMaterial> materials_;
+  std::vector<std::size_t> material_of_unknown_;
+  std::vector<UnknownComponent> components_;
+};
+
+}  // namespace breccia
