@@ -16,6 +16,7 @@ Estimate estimate_of(const UnknownComponent& component, double score, double var
   const double deviation = std::sqrt(variance);
   const auto value_at = [&](double at) { return value_at_score(component.prior, at); };
   return {.name = component.name,
+          .unit = component.unit,
           .prior = component.prior,
           .value = value_at(score),
           .interval = {value_at(score - half_width * deviation), value_at(score + half_width * deviation)},

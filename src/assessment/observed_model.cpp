@@ -59,6 +59,16 @@ std::vector<std::string> mistakes_in(const std::vector<Observation>& observation
   return mistakes;
 }
 
+/// Throws InputError, with advice, where a material is elastic in a composite and was not sampled.
+void require_variation(const ObservedComposite& composite, const std::vector<ShiftedMaterial>& changed) {
+  std::vector<NewMaterial> materials;
+  for (const auto& material : changed) {
+    if (find_material(composite.responder.materials(), material.material.name) == nullptr) continue;
+    materials.push_back(new_material(material.material.name, material));
+  }
+  static_cast<void>(composite.responder.with(materials));
+}
+
 const StageResponses& stage_of(const ObservedComposite& composite) {
   const auto& stages = composite.responder.stages();
   const auto found = std::ranges::find(stages, composite.stage, &StageResponses::stage);
@@ -88,6 +98,9 @@ ObservedModel::ObservedModel(std::vector<ObservedComposite> composites, const st
     const auto state = state_of(observation);
     const bool has_bulk = observation.modulus != ObservedModulus::shear;
     for (const auto s : observed.variables()) points.push_back(point_at(state, s, has_bulk));
+  }
+  for (const auto& composite : composites_) {
+    require_variation(composite, unknowns_.materials_at(Eigen::VectorXd::Zero(size())));
   }
   // A composite without the tests that a measurement needs is refused at once.
   static_cast<void>(predictions(Eigen::VectorXd::Zero(size())));

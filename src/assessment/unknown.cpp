@@ -17,7 +17,34 @@ struct PriorOf {
   Distribution operator()(const UnknownSpectrum& unknown) const { return unknown.term; }
 };
 
+struct UnitOf {
+  std::string_view operator()(const UnknownNumber& unknown) const { return unit_of(unknown.number); }
+  std::string_view operator()(const UnknownSpectrum& /*unknown*/) const { return "Pa"; }
+};
+
 }  // namespace
+
+std::string_view unit_of(MaterialNumber number) {
+  switch (number) {
+    case MaterialNumber::shear:
+    case MaterialNumber::bulk:
+    case MaterialNumber::young:
+    case MaterialNumber::equilibrium:
+      return "Pa";
+    case MaterialNumber::c2:
+      return "K";
+    case MaterialNumber::poisson:
+    case MaterialNumber::modulus:
+    case MaterialNumber::times:
+    case MaterialNumber::c1:
+      break;
+  }
+  return "";
+}
+
+std::string_view unit_of(const Unknown& unknown) {
+  return std::visit(UnitOf{}, unknown);
+}
 
 const std::string& material_of(const Unknown& unknown) {
   return std::visit([](const auto& one) -> const std::string& { return one.material; }, unknown);

@@ -12,6 +12,7 @@
 
 #include "assessment/changed_material.hpp"
 #include "assessment/mistakes.hpp"
+#include "io/display.hpp"
 #include "io/nearest_name.hpp"
 
 namespace breccia {
@@ -22,14 +23,18 @@ struct ComponentsOf {
   std::size_t index;
 
   std::vector<UnknownComponent> operator()(const UnknownNumber& unknown) const {
-    return {{.name = name_of(Unknown(unknown)), .unknown = index, .prior = unknown.prior}};
+    return {{.name = name_of(Unknown(unknown)),
+             .unknown = index,
+             .unit = std::string(unit_of(unknown.number)),
+             .prior = unknown.prior}};
   }
   std::vector<UnknownComponent> operator()(const UnknownSpectrum& unknown) const {
     std::vector<UnknownComponent> components;
     for (std::size_t k = 0; k < unknown.times.size(); ++k) {
-      components.push_back({.name = fmt::format("{} at {:.3g} s", name_of(Unknown(unknown)), unknown.times[k]),
+      components.push_back({.name = fmt::format("{} at {}", name_of(Unknown(unknown)), display_time(unknown.times[k])),
                             .unknown = index,
                             .term = k,
+                            .unit = "Pa",
                             .prior = unknown.term});
     }
     return components;

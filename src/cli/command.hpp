@@ -60,6 +60,7 @@ double option_quantity(const std::string& option, const std::string& text, Dimen
 
 /// The subcommands: each function adds its subcommand to the application, with a callback that does the work.
 void add_bench(CLI::App& application);
+void add_calibrate(CLI::App& application);
 void add_check(CLI::App& application);
 void add_completion(CLI::App& application);
 void add_examples(CLI::App& application);

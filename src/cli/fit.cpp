@@ -15,6 +15,7 @@
 #include "cli/command.hpp"
 #include "cli/fit_material.hpp"
 #include "cli/fit_results.hpp"
+#include "cli/modulus_kinds.hpp"
 #include "cli/quantities.hpp"
 #include "deck/column_words.hpp"
 #include "deck/fit_data.hpp"
@@ -27,9 +28,6 @@ namespace {
 
 const std::map<std::string, CurveKind> kinds = {
     {"relaxation", CurveKind::relaxation}, {"creep", CurveKind::creep}, {"dynamic", CurveKind::dynamic}};
-
-const std::map<std::string, ModulusKind> modulus_kinds = {
-    {"shear", ModulusKind::shear}, {"young", ModulusKind::young}, {"bulk", ModulusKind::bulk}};
 
 struct FitArguments {
   std::filesystem::path file;

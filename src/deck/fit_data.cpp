@@ -9,6 +9,7 @@
 #include "deck/frequency_sweeps.hpp"
 #include "deck/measured_rows.hpp"
 #include "deck/prony_file.hpp"
+#include "io/file_mistakes.hpp"
 #include "tables/complex_modulus.hpp"
 #include "tables/unknown_columns.hpp"
 
@@ -73,9 +74,25 @@ void refuse_several_tables(const MeasuredTable& table) {
                   table.path().string(), table.reading().tables));
 }
 
+/// Throws InputError where a table has fewer rows than a fit needs.
+void require_rows(const MeasuredTable& table) {
+  constexpr std::size_t fewest = 3;
+  FileMistakes mistakes(table.path());
+  if (table.rows() < fewest) {
+    mistakes.add("", fmt::format("expected at least {} rows", fewest), fmt::format("{}", table.rows()));
+  }
+  mistakes.refuse();
+}
+
 }  // namespace
 
 FitInput fit_data_in(const MeasuredTable& table, ModulusKind given) {
+  auto input = measured_data_in(table, given);
+  if (!std::holds_alternative<PronySeries>(input.data)) require_rows(table);
+  return input;
+}
+
+FitInput measured_data_in(const MeasuredTable& table, ModulusKind given) {
   using enum Quantity;
   const auto kind = kind_of(table, given);
   const auto pair = complex_modulus_columns(table);

@@ -42,6 +42,9 @@ struct FitInput {
 /// The data in a table. The names of its columns determine the type of the data and, if possible, the kind of modulus.
 /// If they give no kind or several, `given` is used. Throws InputError with all mistakes, for example if the table has
 /// another modulus than `given`.
+FitInput measured_data_in(const MeasuredTable& table, ModulusKind given = ModulusKind::unspecified);
+
+/// The same of a table that has enough rows for a fit. Throws InputError for fewer than three.
 FitInput fit_data_in(const MeasuredTable& table, ModulusKind given = ModulusKind::unspecified);
 
 }  // namespace breccia

@@ -23,7 +23,8 @@ struct Interval {
 
 /// What a calibration has found of an unknown number, in SI units.
 struct Estimate {
-  std::string name = {};  ///< "hmx.shear", "binder.spectrum at 1e-06 s", "model of pbx"
+  std::string name = {};  ///< "hmx.shear", "binder.spectrum at 1 us", "model of pbx"
+  std::string unit = {};  ///< SI unit of the value; empty without one
   Distribution prior = {};
   double value = 0.0;      ///< the median
   Interval interval = {};  ///< 95 % of the posterior lie in it

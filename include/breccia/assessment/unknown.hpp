@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -37,6 +38,9 @@ inline constexpr auto words<MaterialNumber> = std::to_array<Word<MaterialNumber>
                                                                                    {"c1", MaterialNumber::c1},
                                                                                    {"c2", MaterialNumber::c2}});
 
+/// The SI unit of a number: "Pa", "K" or, of one without a unit, "".
+std::string_view unit_of(MaterialNumber number);
+
 /// A number of a material that is not known, with what is known of it.
 struct UnknownNumber {
   std::string material;
@@ -62,5 +66,7 @@ std::string name_of(const Unknown& unknown);
 const std::string& material_of(const Unknown& unknown);
 /// What is known of the unknown number, or of each modulus of the unknown spectrum.
 Distribution prior_of(const Unknown& unknown);
+/// The SI unit of the unknown number, or of each modulus of the unknown spectrum.
+std::string_view unit_of(const Unknown& unknown);
 
 }  // namespace breccia

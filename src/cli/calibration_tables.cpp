@@ -1,0 +1,159 @@
+#include "cli/calibration_tables.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/quantities.hpp"
+#include "io/display.hpp"
+
+namespace breccia::cli {
+namespace {
+
+/// A value with three digits and its unit.
+std::string number(double value, const std::string& unit) {
+  if (unit == "Pa") return display(value, unit);
+  return fmt::format("{}{}{}", three_digits(value), unit.empty() ? "" : " ", unit);
+}
+
+struct InWords {
+  const std::string& unit;
+
+  std::string operator()(const Normal& normal) const {
+    return fmt::format("{} +- {}", number(normal.mean, unit), number(normal.deviation, unit));
+  }
+  std::string operator()(const LogNormal& normal) const {
+    return fmt::format("{}, within a factor {}", number(normal.median, unit), three_digits(normal.factor));
+  }
+  std::string operator()(const Uniform& uniform) const { return range(uniform.from, uniform.to); }
+  std::string operator()(const LogUniform& uniform) const { return range(uniform.from, uniform.to); }
+
+  [[nodiscard]] std::string range(double from, double to) const {
+    return fmt::format("{} to {}", number(from, unit), number(to, unit));
+  }
+};
+
+/// Where an observation was made: "at 3 ms", "at 20 rad/s".
+std::string place_of(const Observation& observation) {
+  return is_over_frequency(observation.curve) ? fmt::format("at {:.3g} rad/s", observation.at)
+                                              : fmt::format("at {}", time(observation.at));
+}
+
+/// The relative difference of a measured value from the prediction; of a phase, in radians.
+double difference(const Observation& observation, const PredictedObservation& predicted) {
+  if (observation.curve == ObservedCurve::phase) return observation.value - predicted.value;
+  return observation.value / predicted.value - 1.0;
+}
+
+std::string remark_on_differences(const Calibration& calibration, const std::vector<Observation>& observations) {
+  double squares = 0.0, worst = 0.0;
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < observations.size(); ++i) {
+    const double one = difference(observations[i], calibration.predictions[i]);
+    squares += one * one;
+    if (std::abs(one) < std::abs(worst)) continue;
+    worst = one;
+    at = i;
+  }
+  return fmt::format("measured minus predicted: {:.2g} % root mean square, {:+.2g} % at most, {}",
+                     100.0 * std::sqrt(squares / static_cast<double>(observations.size())), 100.0 * worst,
+                     place_of(observations[at]));
+}
+
+/// A remark where the deviations of neighbouring measurements have the same sign more often than scatter has: the
+/// number of runs of equal signs is more than three standard deviations below that of independent signs (Wald and
+/// Wolfowitz, Ann. Math. Stat. 11, 147, 1940).
+std::string remark_on_runs(const Calibration& calibration, const std::vector<Observation>& observations) {
+  double above = 0.0, below = 0.0, runs = 0.0;
+  for (std::size_t i = 0; i < observations.size(); ++i) {
+    const bool is_above = calibration.predictions[i].deviation > 0.0;
+    (is_above ? above : below) += 1.0;
+    if (i == 0 || is_above != (calibration.predictions[i - 1].deviation > 0.0)) runs += 1.0;
+  }
+  const double count = above + below, product = 2.0 * above * below;
+  constexpr double fewest = 10.0, far = 3.0;
+  if (above * below == 0.0 || count < fewest) return "";
+  const double expected = product / count + 1.0;
+  const double variance = product * (product - count) / (count * count * (count - 1.0));
+  if (runs > expected - far * std::sqrt(variance)) return "";
+  return "the deviations are no scatter: neighbouring ones have the same sign, so that the model does not follow the "
+         "data with these unknowns, and the intervals are too narrow";
+}
+
+std::string remark_on_misfit(const Calibration& calibration, std::size_t observations) {
+  const double free = std::max(1.0, static_cast<double>(observations) - calibration.determined);
+  constexpr double much = 3.0;
+  if (calibration.misfit < free + much * std::sqrt(2.0 * free)) return "";
+  return fmt::format("nothing explains these data within their noise: the deviations are {:.2g} times as large",
+                     std::sqrt(calibration.misfit / free));
+}
+
+std::vector<std::string> remarks_on_pairs(const Calibration& calibration) {
+  constexpr double strong = 0.9;
+  std::vector<std::string> pairs;
+  const auto& estimates = calibration.estimates;
+  for (std::size_t i = 0; i < estimates.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const double one = calibration.correlation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+      const bool are_terms = estimates[i].name.find(".spectrum at ") != std::string::npos &&
+                             estimates[j].name.find(".spectrum at ") != std::string::npos;
+      if (std::abs(one) < strong || are_terms) continue;
+      pairs.push_back(fmt::format("the data hardly tell {} from {}: correlation {:+.2f}", estimates[j].name,
+                                  estimates[i].name, one));
+    }
+  }
+  return pairs;
+}
+
+std::string remark_on_unlearned(const Calibration& calibration) {
+  constexpr double little = 0.1;
+  std::vector<std::string> names;
+  for (const auto& one : calibration.estimates) {
+    if (one.learned < little && !one.name.starts_with("model of ")) names.push_back(one.name);
+  }
+  if (names.empty()) return "";
+  return fmt::format("of {} only what was assumed is known: these data do not tell", fmt::join(names, ", "));
+}
+
+}  // namespace
+
+std::string in_words(const Distribution& distribution, const std::string& unit) {
+  return std::visit(InWords{unit}, distribution);
+}
+
+std::string table_of_estimates(const std::vector<Estimate>& estimates) {
+  std::size_t width = 7;
+  for (const auto& one : estimates) width = std::max(width, one.name.size());
+  auto text =
+      fmt::format("{:<{}}  {:>10}  {:>22}  {:>8}  before\n", "unknown", width, "found", "95 % interval", "learned");
+  for (const auto& one : estimates) {
+    const auto interval =
+        fmt::format("{} to {}", number(one.interval.lower, one.unit), number(one.interval.upper, one.unit));
+    text += fmt::format("{:<{}}  {:>10}  {:>22}  {:>6.0f} %  {}\n", one.name, width, number(one.value, one.unit),
+                        interval, 100.0 * one.learned, in_words(one.prior, one.unit));
+  }
+  return text;
+}
+
+std::vector<std::string> remarks_on(const Calibration& calibration, const std::vector<Observation>& observations,
+                                    Noise noise) {
+  std::vector<std::string> remarks = {remark_on_differences(calibration, observations)};
+  if (noise == Noise::relative) {
+    remarks.push_back(fmt::format("noise of the data: {:.2g} %, as their deviations show",
+                                  100.0 * calibration.noise * observations.front().deviation));
+  } else {
+    remarks.push_back(remark_on_misfit(calibration, observations.size()));
+  }
+  remarks.push_back(remark_on_runs(calibration, observations));
+  std::ranges::copy(remarks_on_pairs(calibration), std::back_inserter(remarks));
+  remarks.push_back(remark_on_unlearned(calibration));
+  if (!calibration.has_converged) remarks.emplace_back("the search has not converged: the values are the best so far");
+  std::erase(remarks, "");
+  return remarks;
+}
+
+}  // namespace breccia::cli
