@@ -136,6 +136,12 @@ class PosteriorSearch {
 
 }  // namespace
 
+double log_density(const InverseProblem& problem, const GaussianPosterior& found, const Eigen::VectorXd& x) {
+  const double misfit = (problem.deviations(x) / found.noise).squaredNorm();
+  const double prior = x.squaredNorm() + found.curvature_weight * (problem.curvature * x).squaredNorm();
+  return -0.5 * (misfit + prior);
+}
+
 GaussianPosterior find_posterior(const InverseProblem& problem, Noise noise) {
   return PosteriorSearch(problem, noise).find();
 }

@@ -29,6 +29,10 @@ struct GaussianPosterior {
   bool has_converged = false;
 };
 
+/// The logarithm of the density of the posterior at x, up to a constant, with the noise and the curvature of a
+/// posterior that was found.
+double log_density(const InverseProblem& problem, const GaussianPosterior& found, const Eigen::VectorXd& x);
+
 /// Finds the posterior. The deviation of C x, and the factor of the noise where it is not known, maximise the evidence
 /// (MacKay, Neural Computation 4, 415, 1992; theory, Eqs. 80 to 82). The mode is sought by the method of Levenberg and
 /// Marquardt from x = 0.

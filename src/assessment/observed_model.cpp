@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string_view>
@@ -13,6 +15,8 @@
 #include "breccia/viscoelasticity/carson_moduli.hpp"
 
 #include "assessment/mistakes.hpp"
+#include "parallel/first_exception.hpp"
+#include "parallel/threads.hpp"
 #include "virtual_test/bulk_test.hpp"
 
 namespace breccia {
@@ -164,9 +168,15 @@ ObservedModel::PointModuli ObservedModel::moduli_at(const Point& point,
 
 std::vector<ObservedModel::PointModuli> ObservedModel::moduli_at_points(const Eigen::VectorXd& scores) const {
   const auto materials = materials_of_states(scores);
-  std::vector<PointModuli> moduli;
-  moduli.reserve(points_.size());
-  for (const auto& point : points_) moduli.push_back(moduli_at(point, materials[point.state]));
+  std::vector<PointModuli> moduli(points_.size());
+  constexpr std::int64_t points_of_a_thread = 50;
+  const int threads = parallel::threads_for(0, std::ssize(points_), points_of_a_thread);
+  parallel::FirstException failure;
+#pragma omp parallel for num_threads(threads) schedule(static)
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    failure.run([&] { moduli[i] = moduli_at(points_[i], materials[points_[i].state]); });
+  }
+  failure.rethrow();
   return moduli;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <Eigen/Core>
@@ -38,6 +39,10 @@ class UnknownVector {
   /// The index of the material that a component changes.
   [[nodiscard]] std::size_t index_of_material(std::size_t component) const {
     return material_of_unknown_[components_[component].unknown];
+  }
+  /// Whether a component is a term of a spectrum.
+  [[nodiscard]] bool is_of_spectrum(std::size_t component) const {
+    return std::holds_alternative<UnknownSpectrum>(unknowns_[components_[component].unknown]);
   }
   /// The second differences of the logarithms of the moduli of all spectra, as a matrix by which the scores are
   /// multiplied; without rows where no spectrum has three terms.

@@ -65,8 +65,8 @@ std::string remark_on_differences(const Calibration& calibration, const std::vec
 }
 
 /// A remark where the deviations of neighbouring measurements have the same sign more often than scatter has: the
-/// number of runs of equal signs is more than three standard deviations below that of independent signs (Wald and
-/// Wolfowitz, Ann. Math. Stat. 11, 147, 1940).
+/// number of runs of equal signs is as small by chance once in a hundred times (Wald and Wolfowitz, Ann. Math. Stat.
+/// 11, 147, 1940).
 std::string remark_on_runs(const Calibration& calibration, const std::vector<Observation>& observations) {
   double above = 0.0, below = 0.0, runs = 0.0;
   for (std::size_t i = 0; i < observations.size(); ++i) {
@@ -75,7 +75,7 @@ std::string remark_on_runs(const Calibration& calibration, const std::vector<Obs
     if (i == 0 || is_above != (calibration.predictions[i - 1].deviation > 0.0)) runs += 1.0;
   }
   const double count = above + below, product = 2.0 * above * below;
-  constexpr double fewest = 10.0, far = 3.0;
+  constexpr double fewest = 10.0, far = 2.33;
   if (above * below == 0.0 || count < fewest) return "";
   const double expected = product / count + 1.0;
   const double variance = product * (product - count) / (count * count * (count - 1.0));
@@ -151,6 +151,11 @@ std::vector<std::string> remarks_on(const Calibration& calibration, const std::v
   remarks.push_back(remark_on_runs(calibration, observations));
   std::ranges::copy(remarks_on_pairs(calibration), std::back_inserter(remarks));
   remarks.push_back(remark_on_unlearned(calibration));
+  if (const auto& samples = calibration.independent_samples) {
+    constexpr double few = 100.0;
+    remarks.push_back(fmt::format("intervals from {:.3g} independent samples{}", *samples,
+                                  *samples < few ? ": too few for the ends of intervals of 95 %" : ""));
+  }
   if (!calibration.has_converged) remarks.emplace_back("the search has not converged: the values are the best so far");
   std::erase(remarks, "");
   return remarks;

@@ -5,6 +5,7 @@
 #include <random>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "assessment/observed_model.hpp"
@@ -39,7 +40,7 @@ UnknownSpectrum spectrum() {
 }
 
 TEST(Calibrate, FindsTheNumbersOfDataWithoutNoise) {
-  const auto found = calibrate({test::filled_binder()}, scalars, measured(1e-5, 1), Noise::known);
+  const auto found = calibrate({test::filled_binder()}, scalars, measured(1e-5, 1), {.noise = Noise::known});
   ASSERT_TRUE(found.has_converged);
   EXPECT_NEAR(found.estimates[0].value / 5e9, 1.0, 0.02) << "the moduli of the glass matter little";
   EXPECT_NEAR(found.estimates[1].value, 1.0, 1e-4);
@@ -48,7 +49,7 @@ TEST(Calibrate, FindsTheNumbersOfDataWithoutNoise) {
 }
 
 TEST(Calibrate, FindsASpectrum) {
-  const auto found = calibrate({test::filled_binder()}, {spectrum()}, measured(1e-4, 1), Noise::known);
+  const auto found = calibrate({test::filled_binder()}, {spectrum()}, measured(1e-4, 1), {.noise = Noise::known});
   ASSERT_TRUE(found.has_converged);
   const std::vector<double> truth = {0.0, 10e6, 4e6, 1e6, 0.3e6, 0.0};
   for (std::size_t k = 1; k <= 4; ++k) EXPECT_NEAR(found.estimates[k].value / truth[k], 1.0, 0.05) << k;
@@ -61,7 +62,7 @@ TEST(Calibrate, HoldsTheTruthInItsIntervals) {
   int held = 0;
   const std::vector<double> truth = {5e9, 1.0, 1.0};
   for (unsigned seed = 1; seed <= 40; ++seed) {
-    const auto found = calibrate({test::filled_binder()}, scalars, measured(0.02, seed), Noise::relative);
+    const auto found = calibrate({test::filled_binder()}, scalars, measured(0.02, seed), {.noise = Noise::relative});
     for (std::size_t i = 0; i < truth.size(); ++i) {
       const auto& [lower, upper] = found.estimates[i].interval;
       held += lower <= truth[i] && truth[i] <= upper ? 1 : 0;
@@ -73,7 +74,7 @@ TEST(Calibrate, HoldsTheTruthInItsIntervals) {
 TEST(Calibrate, SaysWhatOnlyThePriorKnows) {
   auto unknowns = scalars;
   unknowns.emplace_back(UnknownNumber{"binder", MaterialNumber::c1, Normal{6.5, 0.5}});
-  const auto found = calibrate({test::filled_binder()}, unknowns, measured(0.01, 1), Noise::known);
+  const auto found = calibrate({test::filled_binder()}, unknowns, measured(0.01, 1), {.noise = Noise::known});
   const auto& estimate = found.estimates.back();
   EXPECT_EQ(estimate.name, "binder.c1");
   EXPECT_NEAR(estimate.learned, 0.0, 1e-9) << "all data are at one temperature";
@@ -86,17 +87,53 @@ TEST(Calibrate, TakesTheErrorOfTheModelAsAnUnknownFactor) {
   uncertain.model_deviation = 0.1;
   auto of_shear = measured(0.01, 1);
   of_shear.pop_back();  // K
-  const auto exact = calibrate({test::filled_binder()}, scalars, of_shear, Noise::known);
-  const auto found = calibrate({uncertain}, scalars, of_shear, Noise::known);
+  const auto exact = calibrate({test::filled_binder()}, scalars, of_shear, {.noise = Noise::known});
+  const auto found = calibrate({uncertain}, scalars, of_shear, {.noise = Noise::known});
   EXPECT_EQ(found.estimates.back().name, "model of filled binder");
   EXPECT_GT(found.estimates[2].deviation, 2.0 * exact.estimates[2].deviation)
       << "a factor of the binder's moduli looks the same";
   EXPECT_LT(found.estimates[1].deviation, 1.5 * exact.estimates[1].deviation) << "a factor of its times does not";
 }
 
+// Where the data determine the numbers well, the posterior is normal: samples of it say the same, but for the scatter
+// of fifty independent ones.
+TEST(Calibrate, SamplesWhatTheNormalDistributionSays) {
+  const std::vector<Unknown> well_known(scalars.begin() + 1, scalars.end());
+  const auto observations = measured(0.02, 5);
+  const auto normal = calibrate({test::filled_binder()}, well_known, observations, {.noise = Noise::known});
+  const auto sampled =
+      calibrate({test::filled_binder()}, well_known, observations, {.noise = Noise::known, .samples = 1200});
+  EXPECT_FALSE(normal.independent_samples);
+  ASSERT_TRUE(sampled.independent_samples);
+  EXPECT_GT(*sampled.independent_samples, 30.0);
+  for (std::size_t i = 0; i < well_known.size(); ++i) {
+    EXPECT_NEAR(sampled.estimates[i].score, normal.estimates[i].score, 0.6 * normal.estimates[i].deviation) << i;
+    EXPECT_NEAR(sampled.estimates[i].deviation / normal.estimates[i].deviation, 1.0, 0.4) << i;
+  }
+  EXPECT_NEAR(sampled.correlation(0, 1), normal.correlation(0, 1), 0.4);
+  for (std::size_t i = 0; i < observations.size(); i += 5) {
+    const auto width = [i](const Calibration& found) {
+      return found.predictions[i].interval.upper - found.predictions[i].interval.lower;
+    };
+    EXPECT_NEAR(width(sampled) / width(normal), 1.0, 0.5) << i;
+  }
+}
+
+TEST(Calibrate, WarnsOfWhatWasNotSampled) {
+  const std::vector<Unknown> soft = {UnknownNumber{"glass", MaterialNumber::shear, LogNormal{0.2e9, 1.01}}};
+  const auto found = calibrate({test::filled_binder()}, soft, measured(0.02, 1), {.noise = Noise::known});
+  ASSERT_EQ(found.warnings.size(), 1U);
+  EXPECT_THAT(found.warnings[0], testing::HasSubstr("the materials that were found are outside of what its run has"));
+  const std::vector<Unknown> wide = {UnknownNumber{"glass", MaterialNumber::shear, LogNormal{5e9, 5.0}}};
+  const auto vague = calibrate({test::filled_binder()}, wide, {measured(0.5, 1).front()}, {.noise = Noise::known});
+  EXPECT_THAT(vague.warnings,
+              testing::Contains(testing::HasSubstr("the end of its interval, is outside of what its run has sampled")));
+  EXPECT_TRUE(calibrate({test::filled_binder()}, scalars, measured(0.02, 1), {.noise = Noise::known}).warnings.empty());
+}
+
 TEST(Calibrate, PredictsWhatItWasGiven) {
   const auto observations = measured(0.02, 5);
-  const auto found = calibrate({test::filled_binder()}, scalars, observations, Noise::relative);
+  const auto found = calibrate({test::filled_binder()}, scalars, observations, {.noise = Noise::relative});
   ASSERT_EQ(found.predictions.size(), observations.size());
   EXPECT_NEAR(found.noise, 1.0, 0.3);
   for (std::size_t i = 0; i < observations.size(); ++i) {

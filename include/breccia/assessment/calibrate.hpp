@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +14,14 @@ namespace breccia {
 
 /// Whether the standard deviations of measurements are known, or only their ratios to each other.
 enum class Noise { known, relative };
+
+/// How a calibration describes the posterior.
+struct CalibrationOptions {
+  Noise noise = Noise::relative;
+  /// Number of samples that are drawn from the posterior by an ensemble sampler; 0: the normal distribution about its
+  /// mode is taken.
+  int samples = 0;
+};
 
 /// The ends of an interval.
 struct Interval {
@@ -52,12 +60,16 @@ struct Calibration {
   double misfit = 0.0;      ///< sum of the squared deviations, in units of the noise
   double determined = 0.0;  ///< number of unknowns that the data determine
   bool has_converged = false;
+  /// Number of independent samples from which the intervals are; nothing of the normal distribution.
+  std::optional<double> independent_samples = {};
+  /// Materials that were found, or are at the end of an interval, outside of what a run has sampled.
+  std::vector<std::string> warnings = {};
 };
 
 /// Finds unknown numbers of the materials of composites from measurements, by Bayes' rule: the most likely scores of
-/// the unknowns, and the normal distribution about them (theory, section 13). Throws InputError, with a line for each
-/// mistake in the unknowns, the composites or the observations.
+/// the unknowns, and the normal distribution about them or samples (theory, section 14). Throws InputError, with a line
+/// for each mistake in the unknowns, the composites or the observations.
 Calibration calibrate(const std::vector<ObservedComposite>& composites, const std::vector<Unknown>& unknowns,
-                      const std::vector<Observation>& observations, Noise noise);
+                      const std::vector<Observation>& observations, const CalibrationOptions& options);
 
 }  // namespace breccia
