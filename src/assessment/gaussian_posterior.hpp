@@ -34,7 +34,7 @@ struct GaussianPosterior {
 double log_density(const InverseProblem& problem, const GaussianPosterior& found, const Eigen::VectorXd& x);
 
 /// Finds the posterior. The deviation of C x, and the factor of the noise where it is not known, maximise the evidence
-/// (MacKay, Neural Computation 4, 415, 1992; theory, Eqs. 80 to 82). The mode is sought by the method of Levenberg and
+/// (MacKay, Neural Computation 4, 415, 1992; theory, Eqs. 81 and 82). The mode is sought by the method of Levenberg and
 /// Marquardt from x = 0.
 GaussianPosterior find_posterior(const InverseProblem& problem, Noise noise);
 

@@ -27,6 +27,10 @@ struct InWords {
     return fmt::format("{} +- {}", number(normal.mean, unit), number(normal.deviation, unit));
   }
   std::string operator()(const LogNormal& normal) const {
+    constexpr double near_one = 1.2;
+    if (normal.factor < near_one) {
+      return fmt::format("{} +- {:.2g} %", number(normal.median, unit), 100.0 * (normal.factor - 1.0));
+    }
     return fmt::format("{}, within a factor {}", number(normal.median, unit), three_digits(normal.factor));
   }
   std::string operator()(const Uniform& uniform) const { return range(uniform.from, uniform.to); }
@@ -64,24 +68,21 @@ std::string remark_on_differences(const Calibration& calibration, const std::vec
                      place_of(observations[at]));
 }
 
-/// A remark where the deviations of neighbouring measurements have the same sign more often than scatter has: the
-/// number of runs of equal signs is as small by chance once in a hundred times (Wald and Wolfowitz, Ann. Math. Stat.
-/// 11, 147, 1940).
-std::string remark_on_runs(const Calibration& calibration, const std::vector<Observation>& observations) {
-  double above = 0.0, below = 0.0, runs = 0.0;
-  for (std::size_t i = 0; i < observations.size(); ++i) {
-    const bool is_above = calibration.predictions[i].deviation > 0.0;
-    (is_above ? above : below) += 1.0;
-    if (i == 0 || is_above != (calibration.predictions[i - 1].deviation > 0.0)) runs += 1.0;
+/// A remark where the deviations of neighbouring measurements are alike: the ratio of the squares of their differences
+/// to their squares, 2 of independent deviations, is as small by chance once in a hundred times (von Neumann, Ann. Math.
+/// Stat. 12, 367, 1941).
+std::string remark_on_neighbours(const Calibration& calibration) {
+  const auto& predictions = calibration.predictions;
+  double squares = 0.0, differences = 0.0;
+  for (std::size_t i = 0; i < predictions.size(); ++i) {
+    squares += std::pow(predictions[i].deviation, 2);
+    if (i > 0) differences += std::pow(predictions[i].deviation - predictions[i - 1].deviation, 2);
   }
-  const double count = above + below, product = 2.0 * above * below;
-  constexpr double fewest = 10.0, far = 2.33;
-  if (above * below == 0.0 || count < fewest) return "";
-  const double expected = product / count + 1.0;
-  const double variance = product * (product - count) / (count * count * (count - 1.0));
-  if (runs > expected - far * std::sqrt(variance)) return "";
-  return "the deviations are no scatter: neighbouring ones have the same sign, so that the model does not follow the "
-         "data with these unknowns, and the intervals are too narrow";
+  constexpr double far = 2.33;
+  const double smallest = 2.0 - 2.0 * far / std::sqrt(static_cast<double>(predictions.size()));
+  if (differences >= smallest * squares) return "";
+  return "the deviations are no scatter: neighbouring ones are alike, so that the model does not follow the data with "
+         "these unknowns, and the intervals are too narrow";
 }
 
 std::string remark_on_misfit(const Calibration& calibration, std::size_t observations) {
@@ -148,7 +149,7 @@ std::vector<std::string> remarks_on(const Calibration& calibration, const std::v
   } else {
     remarks.push_back(remark_on_misfit(calibration, observations.size()));
   }
-  remarks.push_back(remark_on_runs(calibration, observations));
+  remarks.push_back(remark_on_neighbours(calibration));
   std::ranges::copy(remarks_on_pairs(calibration), std::back_inserter(remarks));
   remarks.push_back(remark_on_unlearned(calibration));
   if (const auto& samples = calibration.independent_samples) {

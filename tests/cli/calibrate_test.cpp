@@ -190,6 +190,13 @@ TEST_F(Calibrate, SaysThatNothingExplainsTheData) {
   EXPECT_THAT(run.output, HasSubstr("nothing explains these data within their noise"));
 }
 
+// The data are those of a binder with longer times, which are not among the unknowns.
+TEST_F(Calibrate, SaysThatTheModelDoesNotFollowTheData) {
+  const auto run = calibrate({"--measured", "g.csv", "--unknown", "interphase.shear", "--out", "wrong"});
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_THAT(run.output, HasSubstr("the deviations are no scatter: neighbouring ones are alike"));
+}
+
 TEST_F(Calibrate, TakesAnErrorOfTheModel) {
   const auto run = calibrate({"--measured", "g.csv", "--unknown", "interphase.shear", "--unknown", "binder.times",
                               "--noise", "1 %", "--model-error", "10 %", "--out", "uncertain"});

@@ -85,6 +85,10 @@ TEST(Documentation, TheTutorialOnCoatingsQuotesWhatIsPrinted) {
   follow(root / "docs" / "tutorial-coatings.md");
 }
 
+TEST(Documentation, ThePageOnCalibrationQuotesWhatIsPrinted) {
+  follow(root / "docs" / "calibration.md");
+}
+
 TEST(Documentation, TheReadmeQuotesWhatIsPrinted) {
   follow(root / "README.md");
 }

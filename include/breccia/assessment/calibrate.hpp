@@ -67,7 +67,7 @@ struct Calibration {
 };
 
 /// Finds unknown numbers of the materials of composites from measurements, by Bayes' rule: the most likely scores of
-/// the unknowns, and the normal distribution about them or samples (theory, section 14). Throws InputError, with a line
+/// the unknowns, and the normal distribution about them or samples (theory, section 19). Throws InputError, with a line
 /// for each mistake in the unknowns, the composites or the observations.
 Calibration calibrate(const std::vector<ObservedComposite>& composites, const std::vector<Unknown>& unknowns,
                       const std::vector<Observation>& observations, const CalibrationOptions& options);
