@@ -69,8 +69,8 @@ std::string remark_on_differences(const Calibration& calibration, const std::vec
 }
 
 /// A remark where the deviations of neighbouring measurements are alike: the ratio of the squares of their differences
-/// to their squares, 2 of independent deviations, is as small by chance once in a hundred times (von Neumann, Ann. Math.
-/// Stat. 12, 367, 1941).
+/// to their squares, 2 of independent deviations, is as small by chance once in a hundred times (von Neumann, Ann.
+/// Math. Stat. 12, 367, 1941).
 std::string remark_on_neighbours(const Calibration& calibration) {
   const auto& predictions = calibration.predictions;
   double squares = 0.0, differences = 0.0;

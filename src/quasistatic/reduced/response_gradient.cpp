@@ -1,14 +1,31 @@
 #include "quasistatic/reduced/response_gradient.hpp"
 
 #include <algorithm>
+#include <complex>
 #include <cstddef>
+#include <utility>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <fmt/format.h>
+#include <lapacke.h>
 
 #include "breccia/error.hpp"
 
 namespace breccia {
+namespace {
+
+/// The solution of a system whose matrix is symmetric but not Hermitian, by its lower triangle.
+Eigen::VectorXcd symmetric_solution(Eigen::MatrixXcd matrix, Eigen::VectorXcd right_side) {
+  const auto size = static_cast<lapack_int>(matrix.rows());
+  std::vector<lapack_int> pivots(static_cast<std::size_t>(size));
+  const auto failed =
+      LAPACKE_zsysv(LAPACK_COL_MAJOR, 'L', size, 1, reinterpret_cast<lapack_complex_double*>(matrix.data()), size,
+                    pivots.data(), reinterpret_cast<lapack_complex_double*>(right_side.data()), size);
+  if (failed != 0) throw NumericalError("reduced response: the stiffness at a Laplace variable is singular");
+  return right_side;
+}
+
+}  // namespace
 
 ValueAndGradient compliance_and_gradient(const ReducedResponse& response, std::span<const ComplexModuli> of_phases) {
   const auto phases = response.phases();
@@ -24,8 +41,8 @@ ValueAndGradient compliance_and_gradient(const ReducedResponse& response, std::s
     const auto& moduli = of_phases[phase_of(part)];
     stiffness += (part.parameter.modulus == ElasticModulus::shear ? moduli.shear : moduli.bulk) * part.stiffness;
   }
-  // The matrix is symmetric but not Hermitian: products are those of the transpose.
-  const Eigen::VectorXcd solution = stiffness.partialPivLu().solve(response.load_forces.cast<std::complex<double>>());
+  const auto solution = symmetric_solution(std::move(stiffness), response.load_forces.cast<std::complex<double>>());
+  // Products are those of the transpose, not of the adjoint.
   ValueAndGradient found{response.load_forces.transpose() * solution, std::vector<ComplexModuli>(phases.size())};
   for (const auto& part : response.parts) {
     auto& by_moduli = found.gradient[phase_of(part)];

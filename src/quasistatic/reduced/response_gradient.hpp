@@ -20,7 +20,7 @@ struct ValueAndGradient {
 
 /// The compliance C = e' K^-1 e [1/Pa] of a reduced response at moduli [Pa] of its phases, and its gradient [1/Pa^2].
 /// With c = K^-1 e the derivatives are dC/dp_i = -c' K_i c: they need no further solution (theory, Eq. 18b). Throws
-/// InputError when the numbers of moduli and of varying phases differ.
+/// InputError when the numbers of moduli and of varying phases differ, NumericalError where K is singular.
 ValueAndGradient compliance_and_gradient(const ReducedResponse& response, std::span<const ComplexModuli> of_phases);
 
 /// The modulus M = 1/C [Pa] in place of the compliance, with the derivatives dM/dp_i = M^2 c' K_i c [-].
