@@ -23,6 +23,7 @@ if _says_nothing:
     del _os.environ["GOMP_SPINCOUNT"]
 
 from ._calculations import pack, plan, respond, run, solve
+from ._calibration import Calibration, Estimate, calibrate
 from ._errors import Error, FileError, InputError, Interrupted, NumericalError
 from ._exports import Isochrone, export, isochrone
 from ._fits import master_curve, read_measured, read_sweeps
@@ -56,12 +57,12 @@ from ._stored import read_results, read_sweep_results
 from ._study import Measurement, Study, Tests, read_study, read_sweep
 
 __all__ = [
-    "Coating", "ComplexEngineeringModuli", "ComplexModuli", "CreepCompliance", "CreepFit", "EngineeringModuli",
-    "Error", "FileError", "Filler", "Image",
+    "Calibration", "Coating", "ComplexEngineeringModuli", "ComplexModuli", "CreepCompliance", "CreepFit", "EngineeringModuli",
+    "Error", "Estimate", "FileError", "Filler", "Image",
     "InputError", "Interrupted", "Isochrone", "MasterCurve", "Material", "Measurement", "Microstructure",
     "NumericalError", "Packing", "Plan", "PronySeries", "RelaxationFit", "Result", "Solid", "Stage", "StagePlan",
     "StageResult", "Study", "TestPlan", "TestResult", "Tests", "WilliamsLandelFerry",
-    "export", "fit", "fit_creep", "fit_dynamic", "isochrone", "master_curve", "pack", "plan", "quantity",
+    "calibrate", "export", "fit", "fit_creep", "fit_dynamic", "isochrone", "master_curve", "pack", "plan", "quantity",
     "read_measured", "read_results", "read_study", "read_sweep", "read_sweep_results", "read_sweeps", "respond", "run",
     "solve",
 ]

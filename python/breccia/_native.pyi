@@ -449,6 +449,16 @@ def run(
     ignore_memory: bool,
     show: _Show,
 ) -> Result: ...
+def calibrate(
+    composites: Sequence[tuple[str, Result]],
+    data: Sequence[tuple[int, _Path]],
+    unknowns: Sequence[str],
+    modulus: str | None,
+    stage: str | None,
+    noise: float | None,
+    model_error: float | None,
+    samples: int,
+) -> dict[str, Any]: ...
 def respond(
     result: Result,
     materials: Sequence[tuple[str, ShiftedSolid]],

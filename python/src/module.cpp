@@ -1,6 +1,7 @@
 #include <pybind11/pybind11.h>
 
 #include "calculations.hpp"
+#include "calibrations.hpp"
 #include "complex_moduli.hpp"
 #include "engineering.hpp"
 #include "errors.hpp"
@@ -30,6 +31,7 @@ PYBIND11_MODULE(_native, module) {
   python::bind_engineering(module);
   python::bind_results(module);
   python::bind_calculations(module);
+  python::bind_calibrations(module);
   python::bind_plans(module);
   python::bind_exports(module);
   python::bind_stored_results(module);

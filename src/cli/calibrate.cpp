@@ -1,4 +1,3 @@
-#include "breccia/assessment/calibrate.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,13 +14,11 @@
 
 #include "breccia/error.hpp"
 #include "breccia/results/stored_responder.hpp"
-#include "breccia/tables/measured_table_reader.hpp"
 
 #include "cli/calibration_tables.hpp"
 #include "cli/command.hpp"
 #include "cli/modulus_kinds.hpp"
-#include "deck/observations.hpp"
-#include "deck/unknowns.hpp"
+#include "deck/asked_calibration.hpp"
 #include "io/percentage.hpp"
 #include "results/calibration_files.hpp"
 
@@ -52,136 +49,61 @@ std::optional<double> share_of(const std::string& option, const std::string& tex
       fmt::format("{}: expected a percentage between 0 and 100, such as \"2 %\", got \"{}\"", option, text));
 }
 
-/// Runs actions, and throws all their mistakes at once.
-class Mistakes {
- public:
-  template <class Action>
-  void collect(const Action& action) {
-    try {
-      action();
-    } catch (const InputError& error) {
-      mistakes_.emplace_back(error.what());
-    }
-  }
-  void refuse() const {
-    if (!mistakes_.empty()) throw InputError(fmt::format("{}", fmt::join(mistakes_, "\n")));
-  }
-
- private:
-  std::vector<std::string> mistakes_;
-};
-
 /// The name of a composite: that of the directory of its results.
 std::string name_of_results(const fs::path& results) {
   const auto path = fs::absolute(results).lexically_normal();
   return path.filename().empty() ? path.parent_path().filename().string() : path.filename().string();
 }
 
-/// The boundary under which a stage was tested: periodic, or else the first.
-Boundary boundary_of(const StageResponses& stage) {
-  const auto is_periodic = [](const StageResponses::Entry& one) { return one.response.boundary == Boundary::periodic; };
-  const auto periodic = std::ranges::find_if(stage.entries, is_periodic);
-  return periodic == stage.entries.end() ? stage.entries.front().response.boundary : Boundary::periodic;
-}
-
-/// The largest known error of the shear modulus of a stage over the times of its curves [-]; nothing where none is
-/// known.
-std::optional<double> error_of(const Responder& responder, const ObservedComposite& composite) {
-  const auto results = responder.respond();
-  const auto result = std::ranges::find(results, composite.stage, &StageResult::name);
-  const auto stage = std::ranges::find(responder.stages(), composite.stage, &StageResponses::stage);
-  const auto* const test = find_preferred_test(result->tests, stage->shear, composite.boundary);
-  return test == nullptr ? std::nullopt : largest_whole(test->errors);
-}
-
-ObservedComposite read_composite(const fs::path& results, const CalibrateArguments& arguments) {
-  const auto responder = read_responder(results);
-  const auto stage = arguments.stage.empty() ? responder.stages().back().stage : arguments.stage;
-  const auto chain = responder.chain_of(stage);
-  const auto found = std::ranges::find(chain.stages(), stage, &StageResponses::stage);
-  ObservedComposite composite = {
-      .name = name_of_results(results), .responder = chain, .stage = stage, .boundary = boundary_of(*found)};
-  // The error that a result states is taken as twice the standard deviation.
-  const auto given = share_of("--model-error", arguments.model_error);
-  composite.model_deviation = 0.5 * (given ? *given : error_of(chain, composite).value_or(0.0));
-  return composite;
-}
-
-/// Data from the command line: FILE, which belong to the first composite, or NAME=FILE.
-std::pair<std::size_t, fs::path> read_asked(const std::string& text, const std::vector<ObservedComposite>& composites) {
+/// Data from the command line: FILE, which belong to the only composite, or NAME=FILE.
+AskedData read_asked_data(const std::string& text, const std::vector<std::string>& composites) {
   const auto sign = text.find('=');
+  const auto names = fmt::format("{}", fmt::join(composites, ", "));
   if (sign == std::string::npos || fs::exists(text)) {
     if (composites.size() == 1) return {0, text};
-    throw InputError(fmt::format("--measured: expected NAME=FILE, where NAME is {} or {}, got \"{}\"",
-                                 composites[0].name, composites[1].name, text));
+    throw InputError(fmt::format("--measured: expected NAME=FILE, with one of the names {}, got \"{}\"", names, text));
   }
-  const auto name = text.substr(0, sign);
-  const auto found = std::ranges::find(composites, name, &ObservedComposite::name);
-  if (found != composites.end()) {
-    return {static_cast<std::size_t>(found - composites.begin()), text.substr(sign + 1)};
+  const auto found = std::ranges::find(composites, text.substr(0, sign));
+  if (found == composites.end()) {
+    throw InputError(
+        fmt::format("--measured: no results are called \"{}\"; there are {}", text.substr(0, sign), names));
   }
+  return {static_cast<std::size_t>(found - composites.begin()), text.substr(sign + 1)};
+}
+
+/// The names of the directories of results. Throws InputError where two are the same.
+std::vector<std::string> names_of(const std::vector<fs::path>& directories) {
   std::vector<std::string> names;
-  for (const auto& composite : composites) names.push_back(composite.name);
-  throw InputError(fmt::format("--measured: no results are called \"{}\"; there are {}", name, fmt::join(names, ", ")));
-}
-
-/// What is calibrated, as it was read.
-struct Asked {
-  std::vector<ObservedComposite> composites = {};
-  std::vector<Observation> observations = {};
-  std::vector<Unknown> unknowns = {};
-  std::vector<fs::path> inputs = {};
-};
-
-/// Times of observations, 1/omega of those over frequency, from the first to the last.
-TimeWindow times_of(const std::vector<Observation>& observations) {
-  TimeWindow window = {};
-  for (const auto& one : observations) {
-    const double time = is_over_frequency(one.curve) ? 1.0 / one.at : one.at;
-    window.begin = window.begin > 0.0 ? std::min(window.begin, time) : time;
-    window.end = std::max(window.end, time);
-  }
-  return window;
-}
-
-Asked read(const CalibrateArguments& arguments, double deviation) {
-  Asked asked;
-  Mistakes mistakes;
-  for (const auto& results : arguments.results) {
-    mistakes.collect([&] { asked.composites.push_back(read_composite(results, arguments)); });
-  }
-  mistakes.refuse();
-  const auto kind = arguments.modulus.empty() ? ModulusKind::unspecified : modulus_kinds.at(arguments.modulus);
-  for (const auto& text : arguments.measured) {
-    mistakes.collect([&] {
-      const auto [composite, file] = read_asked(text, asked.composites);
-      for (auto& observation : observations_in(read_measured_table(file), kind)) {
-        observation.composite = composite;
-        observation.deviation = deviation;
-        asked.observations.push_back(observation);
-      }
-      asked.inputs.push_back(file);
-    });
-  }
-  mistakes.refuse();
-  std::vector<ShiftedMaterial> materials;
-  for (const auto& composite : asked.composites) {
-    for (const auto& one : composite.responder.materials()) {
-      if (find_material(materials, one.material.name) == nullptr) materials.push_back(one);
+  for (const auto& directory : directories) {
+    const auto name = name_of_results(directory);
+    if (std::ranges::find(names, name) != names.end()) {
+      throw InputError(fmt::format("two directories of results are called \"{}\": rename one", name));
     }
+    names.push_back(name);
   }
-  const auto window = times_of(asked.observations);
-  for (const auto& text : arguments.unknowns) {
-    mistakes.collect([&] { asked.unknowns.push_back(read_unknown(text, materials, window, "--unknown")); });
+  return names;
+}
+
+AskedCalibration asked_by(const CalibrateArguments& arguments) {
+  AskedCalibration asked;
+  asked.noise = share_of("--noise", arguments.noise);
+  asked.model_error = share_of("--model-error", arguments.model_error);
+  const auto names = names_of(arguments.results);
+  for (const auto& text : arguments.measured) asked.data.push_back(read_asked_data(text, names));
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    asked.composites.emplace_back(names[i], read_responder(arguments.results[i]));
   }
-  mistakes.refuse();
+  asked.unknowns = arguments.unknowns;
+  if (!arguments.modulus.empty()) asked.modulus = modulus_kinds.at(arguments.modulus);
+  asked.stage = arguments.stage;
+  asked.samples = arguments.samples;
   return asked;
 }
 
 /// The warnings of a calibration, and about composites whose error is not known.
-std::vector<std::string> warnings_on(const Asked& asked, const Calibration& calibration) {
-  auto warnings = calibration.warnings;
-  for (const auto& composite : asked.composites) {
+std::vector<std::string> warnings_on(const FoundCalibration& found) {
+  auto warnings = found.result.warnings;
+  for (const auto& composite : found.composites) {
     if (composite.model_deviation > 0.0) continue;
     warnings.push_back(
         fmt::format("{}: the error of its model is not known and not in the intervals; --model-error \"5 %\" gives one",
@@ -205,32 +127,29 @@ std::string source_of(const CalibrateArguments& arguments) {
 }
 
 void run_calibrate(const CalibrateArguments& arguments) {
-  const auto noise = share_of("--noise", arguments.noise);
-  constexpr double any = 0.01;  // only ratios matter
-  const auto asked = read(arguments, noise.value_or(any));
-  const auto kind = noise ? Noise::known : Noise::relative;
-  const auto calibration = calibrate(asked.composites, asked.unknowns, asked.observations, {kind, arguments.samples});
-
-  std::vector<std::string> names, studies;
-  for (const auto& composite : asked.composites) {
+  const auto asked = asked_by(arguments);
+  const auto found = calibrate(asked);
+  CalibrationDestination destination = {
+      .directory = arguments.out.empty() ? arguments.results.front() / "calibrate" : arguments.out,
+      .source = source_of(arguments),
+      .inputs = {},
+      .studies = {},
+      .overwrite = arguments.overwrite};
+  for (const auto& [composite, file] : asked.data) destination.inputs.push_back(file);
+  std::vector<std::string> names;
+  for (const auto& composite : found.composites) {
     names.push_back(composite.name);
-    studies.push_back(composite.responder.stages().front().deck_hash);
+    destination.studies.push_back(composite.responder.stages().front().deck_hash);
   }
-  const auto out = arguments.out.empty() ? arguments.results.front() / "calibrate" : arguments.out;
-  const auto files = write_calibration({.directory = out,
-                                        .source = source_of(arguments),
-                                        .inputs = asked.inputs,
-                                        .studies = studies,
-                                        .overwrite = arguments.overwrite},
-                                       {asked.observations, names}, calibration);
-  for (const auto& warning : warnings_on(asked, calibration)) {
+  const auto files = write_calibration(destination, {found.observations, names}, found.result);
+  for (const auto& warning : warnings_on(found)) {
     fmt::print(arguments.quiet ? stderr : stdout, "warning: {}\n", warning);
   }
   if (arguments.quiet) return;
-  fmt::print("{} measured values of {}\n\n{}\n", asked.observations.size(), fmt::join(names, ", "),
-             table_of_estimates(calibration.estimates));
-  for (const auto& remark : remarks_on(calibration, asked.observations, kind)) fmt::print("{}\n", remark);
-  fmt::print("Results are in {}: {}\n", out.string(), fmt::join(files, ", "));
+  fmt::print("{} measured values of {}\n\n{}\n", found.observations.size(), fmt::join(names, ", "),
+             table_of_estimates(found.result.estimates));
+  for (const auto& remark : remarks_on(found.result, found.observations, found.noise)) fmt::print("{}\n", remark);
+  fmt::print("Results are in {}: {}\n", destination.directory.string(), fmt::join(files, ", "));
 }
 
 }  // namespace

@@ -218,9 +218,9 @@ TEST_F(Calibrate, RefusesAllMistakesAtOnce) {
                               "--unknown",  "binder.c2={ value = \"100 K\", factor = 1 }"});
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_THAT(run.errors,
-              AllOf(HasSubstr("--unknown: no material \"interfase\", did you mean \"interphase\"?"),
-                    HasSubstr("--unknown: expected MATERIAL.NUMBER, such as binder.times, got \"binder\""),
-                    HasSubstr("--unknown: binder has no \"tims\" that could be unknown, did you mean \"times\"?"),
+              AllOf(HasSubstr("unknown: no material \"interfase\", did you mean \"interphase\"?"),
+                    HasSubstr("unknown: expected MATERIAL.NUMBER, such as binder.times, got \"binder\""),
+                    HasSubstr("unknown: binder has no \"tims\" that could be unknown, did you mean \"times\"?"),
                     HasSubstr("binder.times: prior: expected exactly one of sd, factor, to"),
                     HasSubstr("binder.times: prior: expected what is known, as in { value ="),
                     HasSubstr("binder.modulus: prior.sd: expected less than a quarter of the distance"),

@@ -1,0 +1,117 @@
+#include "deck/asked_calibration.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "breccia/error.hpp"
+#include "breccia/tables/measured_table_reader.hpp"
+
+#include "deck/observations.hpp"
+#include "deck/unknowns.hpp"
+
+namespace breccia {
+namespace {
+
+/// Runs actions, and keeps the mistakes that they throw.
+class CollectedMistakes {
+ public:
+  template <class Action>
+  void collect(const Action& action) {
+    try {
+      action();
+    } catch (const InputError& error) {
+      mistakes_.emplace_back(error.what());
+    }
+  }
+  void refuse() const {
+    if (!mistakes_.empty()) throw InputError(fmt::format("{}", fmt::join(mistakes_, "\n")));
+  }
+
+ private:
+  std::vector<std::string> mistakes_;
+};
+
+/// The boundary under which a stage was tested: periodic, or else the first.
+Boundary boundary_of(const StageResponses& stage) {
+  const auto is_periodic = [](const StageResponses::Entry& one) { return one.response.boundary == Boundary::periodic; };
+  const auto periodic = std::ranges::find_if(stage.entries, is_periodic);
+  return periodic == stage.entries.end() ? stage.entries.front().response.boundary : Boundary::periodic;
+}
+
+/// The largest known error of the shear modulus of a stage over the times of its curves [-]; nothing where none is
+/// known.
+std::optional<double> error_of(const ObservedComposite& composite, const StageResponses& stage) {
+  const auto results = composite.responder.respond();
+  const auto result = std::ranges::find(results, composite.stage, &StageResult::name);
+  const auto* const test = find_preferred_test(result->tests, stage.shear, composite.boundary);
+  return test == nullptr ? std::nullopt : largest_whole(test->errors);
+}
+
+ObservedComposite composite_of(const std::string& name, const Responder& responder, const AskedCalibration& asked) {
+  const auto stage = asked.stage.empty() ? responder.stages().back().stage : asked.stage;
+  const auto chain = responder.chain_of(stage);
+  const auto& responses = *std::ranges::find(chain.stages(), stage, &StageResponses::stage);
+  ObservedComposite composite = {.name = name, .responder = chain, .stage = stage, .boundary = boundary_of(responses)};
+  const auto error = asked.model_error ? asked.model_error : error_of(composite, responses);
+  composite.model_deviation = 0.5 * error.value_or(0.0);
+  return composite;
+}
+
+/// Times of observations, 1/omega of those over frequency, from the first to the last.
+TimeWindow times_of(const std::vector<Observation>& observations) {
+  TimeWindow window = {};
+  for (const auto& one : observations) {
+    const double time = is_over_frequency(one.curve) ? 1.0 / one.at : one.at;
+    window.begin = window.begin > 0.0 ? std::min(window.begin, time) : time;
+    window.end = std::max(window.end, time);
+  }
+  return window;
+}
+
+/// The materials of all composites, each once.
+std::vector<ShiftedMaterial> materials_of(const std::vector<ObservedComposite>& composites) {
+  std::vector<ShiftedMaterial> materials;
+  for (const auto& composite : composites) {
+    for (const auto& one : composite.responder.materials()) {
+      if (find_material(materials, one.material.name) == nullptr) materials.push_back(one);
+    }
+  }
+  return materials;
+}
+
+}  // namespace
+
+FoundCalibration calibrate(const AskedCalibration& asked) {
+  constexpr double any = 0.01;  // where the noise is not known only the ratios of deviations matter
+  FoundCalibration found = {
+      .composites = {}, .observations = {}, .noise = asked.noise ? Noise::known : Noise::relative, .result = {}};
+  CollectedMistakes mistakes;
+  for (const auto& [name, responder] : asked.composites) {
+    mistakes.collect([&, &name_ = name, &responder_ = responder] {
+      found.composites.push_back(composite_of(name_, responder_, asked));
+    });
+  }
+  for (const auto& [composite, file] : asked.data) {
+    mistakes.collect([&, composite_ = composite, &file_ = file] {
+      for (auto& observation : observations_in(read_measured_table(file_), asked.modulus)) {
+        observation.composite = composite_;
+        observation.deviation = asked.noise.value_or(any);
+        found.observations.push_back(observation);
+      }
+    });
+  }
+  const auto window = found.observations.empty() ? TimeWindow{1.0, 1.0} : times_of(found.observations);
+  std::vector<Unknown> unknowns;
+  for (const auto& text : asked.unknowns) {
+    mistakes.collect(
+        [&] { unknowns.push_back(read_unknown(text, materials_of(found.composites), window, "unknown")); });
+  }
+  mistakes.refuse();
+  found.result = calibrate(found.composites, unknowns, found.observations, {found.noise, asked.samples});
+  return found;
+}
+
+}  // namespace breccia

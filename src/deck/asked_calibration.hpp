@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "breccia/assessment/calibrate.hpp"
+#include "breccia/homogenisation/responder.hpp"
+#include "breccia/tables/modulus_kind.hpp"
+
+namespace breccia {
+
+/// Measured values of a composite.
+struct AskedData {
+  std::size_t composite = 0;  ///< index of the composite
+  std::filesystem::path file;
+};
+
+/// A calibration as a user asks for it.
+struct AskedCalibration {
+  /// The composites by their names, as far as they are known: no more than their reduced responses.
+  std::vector<std::pair<std::string, Responder>> composites = {};
+  std::vector<AskedData> data = {};
+  std::vector<std::string> unknowns = {};          ///< as read_unknown() takes them
+  ModulusKind modulus = ModulusKind::unspecified;  ///< kind of modulus, where a file does not say it
+  std::string stage = {};                          ///< the stage that was measured; empty: the last one
+  std::optional<double> noise = {};                ///< standard deviation of the data [-]; nothing: as they scatter
+  std::optional<double> model_error = {};          ///< error of the moduli of the run [-]; nothing: as it states
+  int samples = 0;                                 ///< CalibrationOptions::samples
+};
+
+/// A calibration, and what it was made from.
+struct FoundCalibration {
+  std::vector<ObservedComposite> composites;
+  std::vector<Observation> observations;
+  Noise noise;
+  Calibration result;
+};
+
+/// Reads the data and the unknowns, and finds the unknowns. An error of the model, stated or given, is taken as twice
+/// its standard deviation. Throws InputError, with a line for each mistake in all files and unknowns, and as
+/// calibrate().
+FoundCalibration calibrate(const AskedCalibration& asked);
+
+}  // namespace breccia
