@@ -102,6 +102,7 @@ py::dict dict_of(const FoundCalibration& found) {
     warnings.push_back(fmt::format(
         "{}: the error of its model is not known and not in the intervals; model_error gives one", composite.name));
   }
+  warnings.insert(warnings.end(), found.notes.begin(), found.notes.end());
   if (!result.has_converged) warnings.emplace_back("the search has not converged: the values are the best so far");
   entries["warnings"] = warnings;
   return entries;

@@ -82,12 +82,13 @@ def test_takes_priors_and_several_results(result, measured):
     assert found.noise == pytest.approx(0.02)
     assert {"model of one", "model of two"} < set(found.estimates)
     assert set(found.predictions["composite"]) == {"one", "two"}
-    assert not found.warnings
+    assert not any("model_error" in warning for warning in found.warnings)
+    assert any("tested under displacement alone" in warning for warning in found.warnings)
 
 
 def test_draws_samples(result, measured):
     found = breccia.calibrate(result, measured, "binder.times", noise=0.02, samples=400)
-    assert found.independent_samples > 10
+    assert np.isnan(found.independent_samples)  # twenty steps of each walker do not tell
     assert found["binder.times"].interval[0] < 3.0 < found["binder.times"].interval[1]
 
 

@@ -5,6 +5,10 @@
 #include <cstddef>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+
 #include "assessment/coverage.hpp"
 #include "assessment/ensemble_sampler.hpp"
 #include "assessment/gaussian_posterior.hpp"
@@ -13,8 +17,23 @@
 namespace breccia {
 namespace {
 
-/// Half of the width of an interval that holds 95 % of a normal variable, in standard deviations.
-const double half_width = normal_score(0.975);
+/// Half of the width of an interval that holds 95 %, in standard deviations: of a normal variable or, where the noise
+/// was found from the data as well, of Student's t with the number of data that determine no unknown.
+double half_width(const ObservedModel& model, const GaussianPosterior& posterior, Noise noise) {
+  constexpr double upper = 0.975;
+  if (noise == Noise::known) return normal_score(upper);
+  return student_score(upper, static_cast<double>(model.observations().size()) - posterior.determined);
+}
+
+/// Throws InputError where too few data are left to tell their noise.
+void require_enough_data(const ObservedModel& model, const GaussianPosterior& posterior) {
+  constexpr double fewest = 3.0;
+  const auto count = model.observations().size();
+  if (static_cast<double>(count) - posterior.determined >= fewest) return;
+  throw InputError(fmt::format(
+      "{} measured values determine {:.1f} unknowns: too few are left to tell the noise of the data; state the noise",
+      count, posterior.determined));
+}
 
 /// An estimate of a component from its score and the scores at the ends of its interval.
 Estimate estimate_of(const UnknownComponent& component, double score, const Interval& scores, double deviation,
@@ -31,7 +50,8 @@ Estimate estimate_of(const UnknownComponent& component, double score, const Inte
 }
 
 /// The estimates by the normal distribution about the mode.
-std::vector<Estimate> normal_estimates(const ObservedModel& model, const GaussianPosterior& posterior) {
+std::vector<Estimate> normal_estimates(const ObservedModel& model, const GaussianPosterior& posterior,
+                                       double half_width) {
   std::vector<Estimate> estimates;
   for (std::size_t c = 0; c < model.components().size(); ++c) {
     const auto index = static_cast<Eigen::Index>(c);
@@ -43,7 +63,8 @@ std::vector<Estimate> normal_estimates(const ObservedModel& model, const Gaussia
 }
 
 /// The predictions with the uncertainty of the unknowns, to first order.
-std::vector<PredictedObservation> normal_predictions(const ObservedModel& model, const GaussianPosterior& posterior) {
+std::vector<PredictedObservation> normal_predictions(const ObservedModel& model, const GaussianPosterior& posterior,
+                                                     double half_width) {
   const auto values = model.predictions(posterior.mode);
   const auto deviations = model.deviations(posterior.mode);
   const auto jacobian = model.jacobian(posterior.mode);
@@ -87,9 +108,9 @@ Eigen::MatrixXd correlation_of(const Eigen::MatrixXd& covariance) {
   return inverse_deviations.asDiagonal() * covariance * inverse_deviations.asDiagonal();
 }
 
-/// Replaces what the normal distribution says of the posterior by samples of it.
-void take_samples(const ObservedModel& model, const InverseProblem& problem, const GaussianPosterior& posterior,
-                  int samples, Calibration& found) {
+/// Replaces what the normal distribution says of the posterior by samples of it. Returns the medians of the scores.
+Eigen::VectorXd take_samples(const ObservedModel& model, const InverseProblem& problem,
+                             const GaussianPosterior& posterior, int samples, Calibration& found) {
   const auto size = static_cast<int>(model.size());
   EnsembleOptions options;
   options.walkers = std::max(4 * size, 20);
@@ -98,14 +119,16 @@ void take_samples(const ObservedModel& model, const InverseProblem& problem, con
   const auto ensemble =
       sample_density([&](const Eigen::VectorXd& scores) { return log_density(problem, posterior, scores); },
                      posterior.mode, posterior.covariance, options);
-  found.independent_samples = static_cast<double>(ensemble.samples.cols()) / ensemble.autocorrelation_time;
+  found.independent_samples = ensemble.independent_samples;
 
+  Eigen::VectorXd medians(model.size());
   for (Eigen::Index c = 0; c < model.size(); ++c) {
     const Eigen::VectorXd scores = ensemble.samples.row(c);
-    const auto [median, interval] = spread_of(scores);
+    const auto [middle, interval] = spread_of(scores);
+    medians[c] = middle;
     const double deviation =
         std::sqrt((scores.array() - scores.mean()).square().sum() / static_cast<double>(scores.size() - 1));
-    found.estimates[static_cast<std::size_t>(c)] = estimate_of(model.components()[static_cast<std::size_t>(c)], median,
+    found.estimates[static_cast<std::size_t>(c)] = estimate_of(model.components()[static_cast<std::size_t>(c)], middle,
                                                                interval, deviation, posterior.prior_variances[c]);
   }
   const Eigen::MatrixXd centred = ensemble.samples.colwise() - ensemble.samples.rowwise().mean();
@@ -118,9 +141,14 @@ void take_samples(const ObservedModel& model, const InverseProblem& problem, con
   for (Eigen::Index i = 0; i < predictions.cols(); ++i) {
     predictions.col(i) = model.predictions(ensemble.samples.col(i * stride));
   }
+  const auto values = model.predictions(medians), deviations = model.deviations(medians);
   for (std::size_t i = 0; i < found.predictions.size(); ++i) {
-    found.predictions[i].interval = spread_of(predictions.row(static_cast<Eigen::Index>(i))).interval;
+    const auto row = static_cast<Eigen::Index>(i);
+    found.predictions[i] = {.value = values[row],
+                            .interval = spread_of(predictions.row(row)).interval,
+                            .deviation = -deviations[row] / posterior.noise};
   }
+  return medians;
 }
 
 }  // namespace
@@ -130,23 +158,32 @@ Calibration calibrate(const std::vector<ObservedComposite>& composites, const st
   const ObservedModel model(composites, unknowns, observations);
   Eigen::MatrixXd curvature = Eigen::MatrixXd::Zero(model.unknowns().curvature().rows(), model.size());
   curvature.leftCols(model.unknowns().size()) = model.unknowns().curvature();
+  Eigen::VectorXd prior_deviations = Eigen::VectorXd::Ones(model.size());
+  prior_deviations.head(model.unknowns().size()) = model.unknowns().prior_deviations();
   const InverseProblem problem = {
       .observations = static_cast<Eigen::Index>(observations.size()),
       .deviations = [&model](const Eigen::VectorXd& scores) { return model.deviations(scores); },
       .jacobian = [&model](const Eigen::VectorXd& scores) { return model.jacobian(scores); },
+      .prior_deviations = std::move(prior_deviations),
       .curvature = std::move(curvature)};
   const auto posterior = find_posterior(problem, options.noise);
+  if (!posterior.mode.allFinite() || !posterior.covariance.allFinite()) {
+    throw NumericalError("the search for the unknowns has left the numbers that a computer has: state more of them");
+  }
+  if (options.noise == Noise::relative) require_enough_data(model, posterior);
+  const double half = half_width(model, posterior, options.noise);
 
-  Calibration found = {.estimates = normal_estimates(model, posterior),
+  Calibration found = {.estimates = normal_estimates(model, posterior, half),
                        .correlation = correlation_of(posterior.covariance),
-                       .predictions = normal_predictions(model, posterior),
-                       .materials = model.unknowns().materials_at(posterior.mode),
+                       .predictions = normal_predictions(model, posterior, half),
                        .noise = posterior.noise,
                        .misfit = posterior.misfit,
                        .determined = posterior.determined,
                        .has_converged = posterior.has_converged};
-  if (options.samples > 0) take_samples(model, problem, posterior, options.samples, found);
-  found.warnings = warnings_on_coverage(model, posterior.mode, found.estimates);
+  auto middle = posterior.mode;
+  if (options.samples > 0) middle = take_samples(model, problem, posterior, options.samples, found);
+  found.materials = model.unknowns().materials_at(middle);
+  found.warnings = warnings_on_coverage(model, middle, found.estimates);
   return found;
 }
 

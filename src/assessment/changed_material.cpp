@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -65,13 +66,29 @@ Material with_constants(Material material, std::map<Number, double> constants) {
   return material;
 }
 
-/// The material that relaxes with a new shear modulus.
-Material with_shear(Material material, PronySeries series) {
+/// Gives a material that relaxes a new shear modulus.
+void set_shear(Material& material, const PronySeries& series) {
   if (has_constant_poisson_ratio(material)) {
     material.bulk = series.scaled(material.bulk.unrelaxed() / material.shear.unrelaxed());
   }
-  material.shear = std::move(series);
-  return material;
+  material.shear = series;
+}
+
+/// Throws InputError where a number is given beside another that would change it, or that changes the same.
+void refuse_pairs(const Material& material, const MaterialChange& change) {
+  const auto refuse_beside = [&](Number number, std::string_view other) {
+    if (change.has(number))
+      refuse(material, number, fmt::format("cannot be unknown beside the {} of the material", other));
+  };
+  if (change.shear_terms) {
+    refuse_beside(Number::modulus, "spectrum");
+    refuse_beside(Number::times, "spectrum");
+  }
+  if (change.has(Number::equilibrium)) refuse_beside(Number::modulus, "equilibrium");
+  if (change.has(Number::young)) {
+    refuse_beside(Number::shear, "Young's modulus");
+    refuse_beside(Number::bulk, "Young's modulus");
+  }
 }
 
 void change_law(ShiftedMaterial& material, const MaterialChange& change) {
@@ -106,6 +123,7 @@ bool has_constant_poisson_ratio(const Material& material) {
 ShiftedMaterial changed(const ShiftedMaterial& given, const MaterialChange& change) {
   auto result = given;
   auto& material = result.material;
+  refuse_pairs(material, change);
   std::map<Number, double> constants;
   for (const auto constant : elastic_constants) {
     if (!change.has(constant)) continue;
@@ -115,18 +133,18 @@ ShiftedMaterial changed(const ShiftedMaterial& given, const MaterialChange& chan
     constants[constant] = change.numbers.at(constant);
   }
   if (!constants.empty()) material = with_constants(std::move(material), std::move(constants));
+  const auto does_not_relax = std::string("the material does not relax; expected an elastic constant of it");
   for (const auto number : {Number::equilibrium, Number::modulus, Number::times}) {
-    if (change.has(number) && is_elastic(material) && !change.shear_terms) {
-      refuse(material, number, "the material does not relax; expected an elastic constant of it");
-    }
+    if (change.has(number) && is_elastic(given.material)) refuse(material, number, does_not_relax);
   }
-  if (change.shear_terms)
-    material = with_shear(std::move(material), {material.shear.equilibrium(), *change.shear_terms});
+  if (change.shear_terms) {
+    if (is_elastic(given.material)) throw InputError(fmt::format("{}.spectrum: {}", material.name, does_not_relax));
+    set_shear(material, {material.shear.equilibrium(), *change.shear_terms});
+  }
   if (change.has(Number::equilibrium)) {
-    material = with_shear(std::move(material), {change.numbers.at(Number::equilibrium), material.shear.terms()});
+    set_shear(material, {change.numbers.at(Number::equilibrium), material.shear.terms()});
   }
-  if (change.has(Number::modulus))
-    material = with_shear(std::move(material), material.shear.scaled(change.numbers.at(Number::modulus)));
+  if (change.has(Number::modulus)) set_shear(material, material.shear.scaled(change.numbers.at(Number::modulus)));
   if (change.has(Number::times)) material = shifted(material, change.numbers.at(Number::times));
   change_law(result, change);
   return result;

@@ -88,6 +88,14 @@ double normal_score(double share) {
   return score;
 }
 
+double student_score(double share, double degrees) {
+  const double z = normal_score(share), z2 = z * z;
+  const double first = z * (z2 + 1.0) / 4.0;
+  const double second = z * ((5.0 * z2 + 16.0) * z2 + 3.0) / 96.0;
+  const double third = z * (((3.0 * z2 + 19.0) * z2 + 17.0) * z2 - 15.0) / 384.0;
+  return z + (first + (second + third / degrees) / degrees) / degrees;
+}
+
 double value_at_score(const Distribution& distribution, double score) {
   return std::visit(ValueAtScore{score}, distribution);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -80,7 +81,7 @@ double autocorrelation_time(const Eigen::VectorXd& series) {
   const Eigen::VectorXd centred = series.array() - series.mean();
   const auto count = centred.size();
   const double variance = centred.squaredNorm();
-  if (variance == 0.0) return 1.0;
+  if (variance == 0.0) return static_cast<double>(count);
   double time = 1.0;
   for (Eigen::Index lag = 1; lag < count; ++lag) {
     time += 2.0 * centred.head(count - lag).dot(centred.tail(count - lag)) / variance;
@@ -105,9 +106,12 @@ Ensemble sample_density(const std::function<double(const Eigen::VectorXd& x)>& l
     means.col(i) = walkers.positions().rowwise().mean();
   }
   ensemble.accepted = static_cast<double>(moved) / (static_cast<double>(options.walkers) * options.steps);
-  for (const auto& row : means.rowwise()) {
-    ensemble.autocorrelation_time = std::max(ensemble.autocorrelation_time, autocorrelation_time(row));
-  }
+  double time = 1.0;
+  for (const auto& row : means.rowwise()) time = std::max(time, autocorrelation_time(row));
+  constexpr double steps_of_a_time = 50.0;
+  ensemble.independent_samples = options.steps < steps_of_a_time * time
+                                     ? std::numeric_limits<double>::quiet_NaN()
+                                     : static_cast<double>(ensemble.samples.cols()) / time;
   return ensemble;
 }
 

@@ -19,9 +19,10 @@ struct EnsembleOptions {
 struct Ensemble {
   Eigen::MatrixXd samples;  ///< unknowns x (walkers * steps), all walkers of one step after the other
   double accepted = 0.0;    ///< share of the moves that were accepted [-]
-  /// The largest autocorrelation time of an unknown, in steps: so many steps count as one independent sample of each
-  /// walker (Sokal's estimate with a window of five times itself).
-  double autocorrelation_time = 0.0;
+  /// Number of independent samples: that of all over the largest autocorrelation time of an unknown, in steps (Sokal's
+  /// estimate with a window of five times itself). NaN where there are less than fifty times as many steps, which are
+  /// too few to estimate it.
+  double independent_samples = 0.0;
 };
 
 /// Draws samples of a density from the logarithm of it, by an ensemble of walkers that stretch towards each other

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <Eigen/Cholesky>
@@ -37,7 +38,7 @@ class PosteriorSearch {
   /// The square root of the precision of the prior, by rows: x, then the weighted curvature.
   [[nodiscard]] Eigen::MatrixXd prior_rows() const {
     Eigen::MatrixXd rows(unknowns_ + rows_, unknowns_);
-    rows.topRows(unknowns_).setIdentity();
+    rows.topRows(unknowns_) = problem_.prior_deviations.cwiseInverse().asDiagonal();
     rows.bottomRows(rows_) = std::sqrt(found_.curvature_weight) * problem_.curvature;
     return rows;
   }
@@ -102,25 +103,33 @@ class PosteriorSearch {
     const double of_weight = change(found_.curvature_weight, weight);
     if (of_weight * last_change_ < 0.0) share_ *= 0.5;
     last_change_ = of_weight;
-    const double step_of_noise = share_ * change(found_.noise, noise), step_of_weight = share_ * of_weight;
+    const double of_noise = change(found_.noise, noise);
+    const double step_of_noise = share_ * of_noise, step_of_weight = share_ * of_weight;
     found_.noise = noise * std::exp(step_of_noise);
     if (rows_ > 0) found_.curvature_weight = weight * std::exp(step_of_weight);
     solve_linear();
-    return std::abs(step_of_noise) < hardly && std::abs(step_of_weight) < 4.0 * hardly;
+    // Of a search that goes back and forth, what it wants to change is larger than what it changes.
+    constexpr double wanted = 10.0;
+    return std::abs(step_of_noise) < hardly && std::abs(step_of_weight) < 4.0 * hardly &&
+           std::abs(of_noise) < wanted * hardly && std::abs(of_weight) < 4.0 * wanted * hardly;
   }
 
   void update() {
     if (noise_ == Noise::relative) {
       constexpr double least = 1e-9;  // of data without noise
       const double free = std::max(static_cast<double>(problem_.observations) - found_.determined, 1.0);
-      found_.noise *= std::sqrt(std::max(found_.misfit / free, least * least));
+      found_.noise = std::max(found_.noise * std::sqrt(found_.misfit / free), least);
     }
     if (rows_ > 0) {
       constexpr double softest = 1e-4, stiffest = 1e8;
       const auto& c = problem_.curvature;
       const double learned = (c * (prior_covariance_ - found_.covariance) * c.transpose()).trace();
-      found_.curvature_weight =
-          std::clamp(found_.curvature_weight * learned / (c * linear_mode_).squaredNorm(), softest, stiffest);
+      const double bent = (c * linear_mode_).squaredNorm();
+      // Where no data reach a spectrum, they say nothing of its curvature.
+      constexpr double rounding = 1e-12;
+      if (learned > rounding && bent > rounding * rounding) {
+        found_.curvature_weight = std::clamp(found_.curvature_weight * learned / bent, softest, stiffest);
+      }
     }
   }
 
@@ -138,8 +147,10 @@ class PosteriorSearch {
 
 double log_density(const InverseProblem& problem, const GaussianPosterior& found, const Eigen::VectorXd& x) {
   const double misfit = (problem.deviations(x) / found.noise).squaredNorm();
-  const double prior = x.squaredNorm() + found.curvature_weight * (problem.curvature * x).squaredNorm();
-  return -0.5 * (misfit + prior);
+  const double prior = x.cwiseQuotient(problem.prior_deviations).squaredNorm() +
+                       found.curvature_weight * (problem.curvature * x).squaredNorm();
+  const double logarithm = -0.5 * (misfit + prior);
+  return std::isfinite(logarithm) ? logarithm : -std::numeric_limits<double>::infinity();
 }
 
 GaussianPosterior find_posterior(const InverseProblem& problem, Noise noise) {

@@ -8,12 +8,13 @@
 
 namespace breccia {
 
-/// Deviations r(x) of predictions from data in standard deviations, for unknowns x that are standard normal a priori;
+/// Deviations r(x) of predictions from data in standard deviations, for unknowns x that are normal about zero a priori;
 /// in addition, the components of C x are normal with a deviation that is not known.
 struct InverseProblem {
   Eigen::Index observations = 0;
   std::function<Eigen::VectorXd(const Eigen::VectorXd& x)> deviations;
   std::function<Eigen::MatrixXd(const Eigen::VectorXd& x)> jacobian;  ///< observations x unknowns
+  Eigen::VectorXd prior_deviations;                                   ///< standard deviation of each unknown a priori
   Eigen::MatrixXd curvature;  ///< C, with a column for each unknown and any number of rows
 };
 

@@ -24,6 +24,20 @@ namespace {
 
 using Complex = std::complex<double>;
 
+/// Whether two materials have the same shift law, at the same temperature.
+bool have_same_shift(const ShiftedMaterial& one, const ShiftedMaterial& other) {
+  if (!one.shift || !other.shift) return one.shift.has_value() == other.shift.has_value();
+  if (one.shift->temperature != other.shift->temperature || one.shift->law.index() != other.shift->law.index()) {
+    return false;
+  }
+  if (const auto* const law = std::get_if<WilliamsLandelFerry>(&one.shift->law)) {
+    const auto& same = std::get<WilliamsLandelFerry>(other.shift->law);
+    return law->c1 == same.c1 && law->c2 == same.c2 && law->reference_temperature == same.reference_temperature;
+  }
+  const auto &table = std::get<ShiftTable>(one.shift->law), &same = std::get<ShiftTable>(other.shift->law);
+  return table.temperatures() == same.temperatures() && table.log10_factors() == same.log10_factors();
+}
+
 /// The materials of the composites that the unknowns change, each once.
 std::vector<ShiftedMaterial> changed_materials(const std::vector<ObservedComposite>& composites,
                                                const std::vector<Unknown>& unknowns) {
@@ -38,7 +52,7 @@ std::vector<ShiftedMaterial> changed_materials(const std::vector<ObservedComposi
       const auto* const known = find_material(materials, name);
       if (known == nullptr) {
         materials.push_back(material);
-      } else if (known->material != material.material) {
+      } else if (known->material != material.material || !have_same_shift(*known, material)) {
         mistakes.push_back(
             fmt::format("{} of {} is another material than that of an earlier composite", name, composite.name));
       }
@@ -48,14 +62,19 @@ std::vector<ShiftedMaterial> changed_materials(const std::vector<ObservedComposi
   return materials;
 }
 
-std::vector<std::string> mistakes_in(const std::vector<Observation>& observations, std::size_t composites) {
+std::vector<std::string> mistakes_in(const std::vector<Observation>& observations,
+                                     const std::vector<ObservedComposite>& composites) {
   std::vector<std::string> mistakes;
+  for (std::size_t i = 0; i < composites.size(); ++i) {
+    if (std::ranges::find(observations, i, &Observation::composite) != observations.end()) continue;
+    mistakes.push_back(fmt::format("nothing was measured of {}", composites[i].name));
+  }
   for (std::size_t i = 0; i < observations.size(); ++i) {
     const auto& [composite, modulus, curve, at, temperature, value, deviation] = observations[i];
     const auto expect = [&](bool is_met, std::string_view what) {
       if (!is_met) mistakes.push_back(fmt::format("measurement {}: expected {}", i + 1, what));
     };
-    expect(composite < composites, "a composite that is known");
+    expect(composite < composites.size(), "a composite that is known");
     expect(at > 0.0 && std::isfinite(at), "a positive time or frequency");
     expect(value > 0.0 && std::isfinite(value), "a positive value");
     expect(deviation > 0.0 && std::isfinite(deviation), "a positive standard deviation");
@@ -88,7 +107,7 @@ ObservedModel::ObservedModel(std::vector<ObservedComposite> composites, const st
       observations_(std::move(observations)),
       unknowns_(unknowns, changed_materials(composites_, unknowns)),
       components_(unknowns_.components()) {
-  refuse_unless_empty(mistakes_in(observations_, composites_.size()));
+  refuse_unless_empty(mistakes_in(observations_, composites_));
   for (const auto& composite : composites_) {
     auto& factor = factors_.emplace_back();
     if (!(composite.model_deviation > 0.0)) continue;
@@ -99,9 +118,7 @@ ObservedModel::ObservedModel(std::vector<ObservedComposite> composites, const st
   }
   for (const auto& observation : observations_) {
     auto& [observed, points] = plans_.emplace_back(Plan{ObservedValue(observation), {}});
-    const auto state = state_of(observation);
-    const bool has_bulk = observation.modulus != ObservedModulus::shear;
-    for (const auto s : observed.variables()) points.push_back(point_at(state, s, has_bulk));
+    for (const auto s : observed.variables()) points.push_back(point_of(observation, s));
   }
   for (const auto& composite : composites_) {
     require_variation(composite, unknowns_.materials_at(Eigen::VectorXd::Zero(size())));
@@ -119,8 +136,10 @@ std::size_t ObservedModel::state_of(const Observation& observation) {
   return index;
 }
 
-/// The index of a point, which several observations may share.
-std::size_t ObservedModel::point_at(std::size_t state, Complex variable, bool has_bulk) {
+/// The index of the point of an observation at a Laplace variable, which several observations may share.
+std::size_t ObservedModel::point_of(const Observation& observation, Complex variable) {
+  const auto state = state_of(observation);
+  const bool has_bulk = observation.modulus != ObservedModulus::shear;
   const auto found =
       std::ranges::find_if(points_, [&](const Point& one) { return one.state == state && one.variable == variable; });
   const auto index = static_cast<std::size_t>(found - points_.begin());
@@ -213,19 +232,26 @@ Eigen::VectorXd ObservedModel::deviations(const Eigen::VectorXd& scores) const {
   for (std::size_t i = 0; i < observations_.size(); ++i) {
     const auto& [composite, modulus, curve, at, temperature, value, deviation] = observations_[i];
     auto& one = deviations[static_cast<Eigen::Index>(i)];
-    one = (curve == ObservedCurve::phase ? one - value : std::log(one / value)) / deviation;
+    // The trial of a search may have all but relaxed, where the error of the contour may make it negative.
+    constexpr double least = 1e-30;
+    one = (curve == ObservedCurve::phase ? one - value : std::log(std::max(one / value, least))) / deviation;
   }
   return deviations;
 }
 
-/// The moduli of a material at all points.
+/// The moduli of a material at all points; zero at those of composites without it.
 std::vector<ComplexModuli> ObservedModel::moduli_of(const ShiftedMaterial& material) const {
-  std::vector<Material> in_states;
+  std::vector<std::optional<Material>> in_states;
   for (const auto& [composite, temperature] : states_) {
-    in_states.push_back(temperature ? at_temperature(material, *temperature).material : material.material);
+    auto& in_state = in_states.emplace_back();
+    if (find_material(composites_[composite].responder.materials(), material.material.name) == nullptr) continue;
+    in_state = temperature ? at_temperature(material, *temperature).material : material.material;
   }
   std::vector<ComplexModuli> moduli;
-  for (const auto& point : points_) moduli.push_back(carson_moduli(in_states[point.state], point.variable));
+  for (const auto& point : points_) {
+    const auto& in_state = in_states[point.state];
+    moduli.push_back(in_state ? carson_moduli(*in_state, point.variable) : ComplexModuli{});
+  }
   return moduli;
 }
 

@@ -21,8 +21,8 @@ namespace breccia {
 /// series is fitted.
 class ObservedModel {
  public:
-  /// Throws InputError, with a line for each mistake: as UnknownVector; a composite without the tests that a
-  /// measurement needs, or of another definition of a shared material; a value that is not positive.
+  /// Throws InputError: as UnknownVector; for a composite without a measurement or the tests that one needs, or of
+  /// another definition of a shared material; for a value that is not positive.
   ObservedModel(std::vector<ObservedComposite> composites, const std::vector<Unknown>& unknowns,
                 std::vector<Observation> observations);
 
@@ -64,7 +64,7 @@ class ObservedModel {
   using MaterialsOfStates = std::vector<std::vector<ShiftedMaterial>>;
 
   [[nodiscard]] std::size_t state_of(const Observation& observation);
-  [[nodiscard]] std::size_t point_at(std::size_t state, std::complex<double> variable, bool has_bulk);
+  [[nodiscard]] std::size_t point_of(const Observation& observation, std::complex<double> variable);
   [[nodiscard]] MaterialsOfStates materials_of_states(const Eigen::VectorXd& scores) const;
   [[nodiscard]] std::vector<PointModuli> moduli_at_points(const Eigen::VectorXd& scores) const;
   [[nodiscard]] PointModuli moduli_at(const Point& point, const std::vector<ShiftedMaterial>& materials) const;

@@ -37,7 +37,7 @@ Complex change_of_transform(ObservedCurve curve, double time, Complex s, Complex
 }  // namespace
 
 ObservedValue::ObservedValue(const Observation& observation) : curve_(observation.curve), at_(observation.at) {
-  constexpr int nodes = 10;
+  constexpr int nodes = 16;
   if (is_over_frequency(curve_)) {
     variables_ = {{0.0, at_}};
   } else {

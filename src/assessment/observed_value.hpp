@@ -12,7 +12,8 @@
 namespace breccia {
 
 /// The value that an observation would have, as a function of the Carson moduli of the composite at some Laplace
-/// variables: at i omega for a frequency, along Talbot's contour for a time, where it has a relative error of 1e-6.
+/// variables: at i omega for a frequency, along Talbot's contour for a time, where it errs by 1e-9 of the
+/// unrelaxed modulus.
 class ObservedValue {
  public:
   explicit ObservedValue(const Observation& observation);

@@ -109,12 +109,24 @@ std::vector<ShiftedMaterial> UnknownVector::materials_at(const Eigen::VectorXd& 
   return materials;
 }
 
+Eigen::VectorXd UnknownVector::prior_deviations() const {
+  Eigen::VectorXd deviations(size());
+  for (std::size_t c = 0; c < components_.size(); ++c) {
+    const auto* const spectrum = std::get_if<UnknownSpectrum>(&unknowns_[components_[c].unknown]);
+    deviations[static_cast<Eigen::Index>(c)] =
+        spectrum == nullptr ? 1.0 : std::sqrt(static_cast<double>(spectrum->times.size()));
+  }
+  return deviations;
+}
+
 Eigen::MatrixXd UnknownVector::curvature() const {
   std::vector<Eigen::RowVectorXd> rows;
   for (std::size_t c = 2; c < components_.size(); ++c) {
     const auto* const spectrum = std::get_if<UnknownSpectrum>(&unknowns_[components_[c].unknown]);
     if (spectrum == nullptr || components_[c].term < 2) continue;
-    const double logarithm = std::log(spectrum->term.factor);
+    const auto k = components_[c].term;
+    const double spacing = std::log(spectrum->times[k] / spectrum->times[k - 1]);
+    const double logarithm = std::log(spectrum->term.factor) * std::pow(std::abs(spacing), -1.5);
     auto& row = rows.emplace_back(Eigen::RowVectorXd::Zero(size()));
     const auto last = static_cast<Eigen::Index>(c);
     row[last - 2] = logarithm;

@@ -22,8 +22,8 @@ struct UnknownComponent {
   Distribution prior = {};
 };
 
-/// All unknowns of a calibration as one vector of scores (Distribution), so that a priori the vector is standard
-/// normal, but for the curvature of spectra.
+/// All unknowns of a calibration as one vector of scores (Distribution), which a priori are standard normal, but for
+/// those of spectra.
 class UnknownVector {
  public:
   /// Throws InputError, with a line for each mistake: an unknown that is named twice, one of a material that is not
@@ -44,8 +44,12 @@ class UnknownVector {
   [[nodiscard]] bool is_of_spectrum(std::size_t component) const {
     return std::holds_alternative<UnknownSpectrum>(unknowns_[components_[component].unknown]);
   }
-  /// The second differences of the logarithms of the moduli of all spectra, as a matrix by which the scores are
-  /// multiplied; without rows where no spectrum has three terms.
+  /// The standard deviations of the scores a priori: 1, and for the n terms of a spectrum the root of n, so that their
+  /// mean has 1 however many they are.
+  [[nodiscard]] Eigen::VectorXd prior_deviations() const;
+  /// The curvature of the logarithms of the moduli of all spectra over the logarithm of the time, as a matrix by which
+  /// the scores are multiplied: its square is the integral of the squared curvature. Without rows where no spectrum has
+  /// three terms.
   [[nodiscard]] Eigen::MatrixXd curvature() const;
 
  private:

@@ -142,6 +142,9 @@ void run_calibrate(const CalibrateArguments& arguments) {
     destination.studies.push_back(composite.responder.stages().front().deck_hash);
   }
   const auto files = write_calibration(destination, {found.observations, names}, found.result);
+  if (!arguments.quiet) {
+    for (const auto& note : found.notes) fmt::print("note: {}\n", note);
+  }
   for (const auto& warning : warnings_on(found)) {
     fmt::print(arguments.quiet ? stderr : stdout, "warning: {}\n", warning);
   }

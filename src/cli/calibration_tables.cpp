@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
+#include <iterator>
+#include <map>
+#include <tuple>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -68,19 +70,37 @@ std::string remark_on_differences(const Calibration& calibration, const std::vec
                      place_of(observations[at]));
 }
 
+/// The deviations of each measured curve, of a composite at a temperature, by rising time or frequency.
+std::vector<std::vector<double>> deviations_of_curves(const Calibration& calibration,
+                                                      const std::vector<Observation>& observations) {
+  std::map<std::tuple<std::size_t, ObservedModulus, ObservedCurve, double>, std::map<double, double>> curves;
+  for (std::size_t i = 0; i < observations.size(); ++i) {
+    const auto& one = observations[i];
+    curves[{one.composite, one.modulus, one.curve, one.temperature.value_or(0.0)}][one.at] =
+        calibration.predictions[i].deviation;
+  }
+  std::vector<std::vector<double>> deviations;
+  for (const auto& [key, curve] : curves) {
+    auto& of_curve = deviations.emplace_back();
+    for (const auto& [at, deviation] : curve) of_curve.push_back(deviation);
+  }
+  return deviations;
+}
+
 /// A remark where the deviations of neighbouring measurements are alike: the ratio of the squares of their differences
 /// to their squares, 2 of independent deviations, is as small by chance once in a hundred times (von Neumann, Ann.
 /// Math. Stat. 12, 367, 1941).
-std::string remark_on_neighbours(const Calibration& calibration) {
-  const auto& predictions = calibration.predictions;
-  double squares = 0.0, differences = 0.0;
-  for (std::size_t i = 0; i < predictions.size(); ++i) {
-    squares += std::pow(predictions[i].deviation, 2);
-    if (i > 0) differences += std::pow(predictions[i].deviation - predictions[i - 1].deviation, 2);
+std::string remark_on_neighbours(const Calibration& calibration, const std::vector<Observation>& observations) {
+  double squares = 0.0, differences = 0.0, pairs = 0.0;
+  for (const auto& curve : deviations_of_curves(calibration, observations)) {
+    for (std::size_t i = 1; i < curve.size(); ++i) {
+      squares += 0.5 * (std::pow(curve[i], 2) + std::pow(curve[i - 1], 2));
+      differences += std::pow(curve[i] - curve[i - 1], 2);
+      pairs += 1.0;
+    }
   }
   constexpr double far = 2.33;
-  const double smallest = 2.0 - 2.0 * far / std::sqrt(static_cast<double>(predictions.size()));
-  if (differences >= smallest * squares) return "";
+  if (pairs == 0.0 || differences >= (2.0 - 2.0 * far / std::sqrt(pairs)) * squares) return "";
   return "the deviations are no scatter: neighbouring ones are alike, so that the model does not follow the data with "
          "these unknowns, and the intervals are too narrow";
 }
@@ -89,8 +109,9 @@ std::string remark_on_misfit(const Calibration& calibration, std::size_t observa
   const double free = std::max(1.0, static_cast<double>(observations) - calibration.determined);
   constexpr double much = 3.0;
   if (calibration.misfit < free + much * std::sqrt(2.0 * free)) return "";
-  return fmt::format("nothing explains these data within their noise: the deviations are {:.2g} times as large",
-                     std::sqrt(calibration.misfit / free));
+  return fmt::format(
+      "no values of these unknowns explain the data within their noise: the deviations are {:.2g} times as large",
+      std::sqrt(calibration.misfit / free));
 }
 
 std::vector<std::string> remarks_on_pairs(const Calibration& calibration) {
@@ -110,6 +131,19 @@ std::vector<std::string> remarks_on_pairs(const Calibration& calibration) {
   return pairs;
 }
 
+/// A remark where the factor of a model is further from 1 than its error allows.
+std::vector<std::string> remarks_on_models(const Calibration& calibration) {
+  constexpr double far = 2.5;
+  std::vector<std::string> remarks;
+  for (const auto& one : calibration.estimates) {
+    if (!one.name.starts_with("model of ") || std::abs(one.score) < far) continue;
+    remarks.push_back(fmt::format(
+        "the {} is off by more than its error allows: an unknown may be missing, or the error of the model is larger",
+        one.name));
+  }
+  return remarks;
+}
+
 std::string remark_on_unlearned(const Calibration& calibration) {
   constexpr double little = 0.1;
   std::vector<std::string> names;
@@ -117,7 +151,7 @@ std::string remark_on_unlearned(const Calibration& calibration) {
     if (one.learned < little && !one.name.starts_with("model of ")) names.push_back(one.name);
   }
   if (names.empty()) return "";
-  return fmt::format("of {} only what was assumed is known: these data do not tell", fmt::join(names, ", "));
+  return fmt::format("the data say nothing of {}: only what was assumed is known", fmt::join(names, ", "));
 }
 
 }  // namespace
@@ -149,13 +183,20 @@ std::vector<std::string> remarks_on(const Calibration& calibration, const std::v
   } else {
     remarks.push_back(remark_on_misfit(calibration, observations.size()));
   }
-  remarks.push_back(remark_on_neighbours(calibration));
+  remarks.push_back(remark_on_neighbours(calibration, observations));
   std::ranges::copy(remarks_on_pairs(calibration), std::back_inserter(remarks));
+  std::ranges::move(remarks_on_models(calibration), std::back_inserter(remarks));
   remarks.push_back(remark_on_unlearned(calibration));
   if (const auto& samples = calibration.independent_samples) {
     constexpr double few = 100.0;
-    remarks.push_back(fmt::format("intervals from {:.3g} independent samples{}", *samples,
-                                  *samples < few ? ": too few for the ends of intervals of 95 %" : ""));
+    if (std::isnan(*samples)) {
+      remarks.emplace_back(
+          "the samples are too few to tell how many of them are independent: the intervals may be those of the normal "
+          "distribution, from which they start; draw more of them");
+    } else {
+      remarks.push_back(fmt::format("intervals from {:.3g} independent samples{}", *samples,
+                                    *samples < few ? ": too few for the ends of intervals of 95 %" : ""));
+    }
   }
   if (!calibration.has_converged) remarks.emplace_back("the search has not converged: the values are the best so far");
   std::erase(remarks, "");

@@ -1,6 +1,8 @@
 #include "deck/asked_calibration.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <utility>
 
 #include <fmt/format.h>
@@ -41,13 +43,23 @@ Boundary boundary_of(const StageResponses& stage) {
   return periodic == stage.entries.end() ? stage.entries.front().response.boundary : Boundary::periodic;
 }
 
-/// The largest known error of the shear modulus of a stage over the times of its curves [-]; nothing where none is
-/// known.
+/// The largest known error of the shear modulus of a stage over the times of its curves [-], with the distance of its
+/// finest grid, on which predictions are made, from the limit of several grids; nothing where no error is known.
 std::optional<double> error_of(const ObservedComposite& composite, const StageResponses& stage) {
   const auto results = composite.responder.respond();
   const auto result = std::ranges::find(results, composite.stage, &StageResult::name);
-  const auto* const test = find_preferred_test(result->tests, stage.shear, composite.boundary);
-  return test == nullptr ? std::nullopt : largest_whole(test->errors);
+  const auto* const best = find_preferred_test(result->tests, stage.shear, composite.boundary);
+  const auto error = best == nullptr ? std::nullopt : largest_whole(best->errors);
+  if (!error) return error;
+  double distance = 0.0;
+  for (const auto& test : result->tests) {
+    if (test.id.load != best->id.load || test.id.boundary != best->id.boundary) continue;
+    if (test.id.grid.cells() != result->cells) continue;
+    for (std::size_t i = 0; i < std::min(test.modulus.size(), best->modulus.size()); ++i) {
+      distance = std::max(distance, std::abs(test.modulus[i].modulus / best->modulus[i].modulus - 1.0));
+    }
+  }
+  return *error + distance;
 }
 
 ObservedComposite composite_of(const std::string& name, const Responder& responder, const AskedCalibration& asked) {
@@ -58,17 +70,6 @@ ObservedComposite composite_of(const std::string& name, const Responder& respond
   const auto error = asked.model_error ? asked.model_error : error_of(composite, responses);
   composite.model_deviation = 0.5 * error.value_or(0.0);
   return composite;
-}
-
-/// Times of observations, 1/omega of those over frequency, from the first to the last.
-TimeWindow times_of(const std::vector<Observation>& observations) {
-  TimeWindow window = {};
-  for (const auto& one : observations) {
-    const double time = is_over_frequency(one.curve) ? 1.0 / one.at : one.at;
-    window.begin = window.begin > 0.0 ? std::min(window.begin, time) : time;
-    window.end = std::max(window.end, time);
-  }
-  return window;
 }
 
 /// The materials of all composites, each once.
@@ -86,8 +87,11 @@ std::vector<ShiftedMaterial> materials_of(const std::vector<ObservedComposite>& 
 
 FoundCalibration calibrate(const AskedCalibration& asked) {
   constexpr double any = 0.01;  // where the noise is not known only the ratios of deviations matter
-  FoundCalibration found = {
-      .composites = {}, .observations = {}, .noise = asked.noise ? Noise::known : Noise::relative, .result = {}};
+  FoundCalibration found = {.composites = {},
+                            .observations = {},
+                            .noise = asked.noise ? Noise::known : Noise::relative,
+                            .result = {},
+                            .notes = {}};
   CollectedMistakes mistakes;
   for (const auto& [name, responder] : asked.composites) {
     mistakes.collect([&, &name_ = name, &responder_ = responder] {
@@ -96,20 +100,28 @@ FoundCalibration calibrate(const AskedCalibration& asked) {
   }
   for (const auto& [composite, file] : asked.data) {
     mistakes.collect([&, composite_ = composite, &file_ = file] {
-      for (auto& observation : observations_in(read_measured_table(file_), asked.modulus)) {
+      auto [observations, kind] = observations_in(read_measured_table(file_), asked.modulus);
+      if (kind == ModulusKind::unspecified) {
+        found.notes.push_back(fmt::format("{} does not say which modulus it has: it is taken for G", file_.string()));
+      }
+      for (auto& observation : observations) {
         observation.composite = composite_;
         observation.deviation = asked.noise.value_or(any);
         found.observations.push_back(observation);
       }
     });
   }
-  const auto window = found.observations.empty() ? TimeWindow{1.0, 1.0} : times_of(found.observations);
   std::vector<Unknown> unknowns;
   for (const auto& text : asked.unknowns) {
     mistakes.collect(
-        [&] { unknowns.push_back(read_unknown(text, materials_of(found.composites), window, "unknown")); });
+        [&] { unknowns.push_back(read_unknown(text, materials_of(found.composites), found.observations, "unknown")); });
   }
   mistakes.refuse();
+  for (const auto& composite : found.composites) {
+    if (composite.boundary == Boundary::periodic) continue;
+    found.notes.push_back(fmt::format("{}: its box was tested under {} alone, and its apparent moduli are taken",
+                                      composite.name, name_of(composite.boundary)));
+  }
   found.result = calibrate(found.composites, unknowns, found.observations, {found.noise, asked.samples});
   return found;
 }

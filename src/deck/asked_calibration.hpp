@@ -38,6 +38,7 @@ struct FoundCalibration {
   std::vector<Observation> observations;
   Noise noise;
   Calibration result;
+  std::vector<std::string> notes;  ///< how data and runs were understood, where that is not plain
 };
 
 /// Reads the data and the unknowns, and finds the unknowns. An error of the model, stated or given, is taken as twice

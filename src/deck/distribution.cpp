@@ -17,12 +17,17 @@ class DistributionReader {
     const auto form = table_.exactly_one({"sd", "factor", "to"});
     std::optional<Distribution> found;
     if (form == "sd") {
-      found = Normal{number("value", range_), difference("sd")};
+      found = Normal{number("value", range_), number("sd", Range::positive())};
       refuse_far_tails(std::get<Normal>(*found));
     } else if (form == "factor") {
+      if (std::isfinite(range_.upper)) {
+        table_.report("factor", "expected sd, or from and to, of a number that has a largest value");
+      }
       found = LogNormal{number("value", range_), table_.number("factor", Range::positive())};
     } else if (form == "to") {
-      const double from = number("from", range_), to = number("to", range_);
+      // No value between the ends is one of them.
+      const Range ends = {.lower = range_.lower, .upper = range_.upper};
+      const double from = number("from", ends), to = number("to", ends);
       found = is_logarithmic() ? Distribution(LogUniform{from, to}) : Distribution(Uniform{from, to});
     } else {
       table_.accept_all_keys();
@@ -37,12 +42,6 @@ class DistributionReader {
  private:
   [[nodiscard]] double number(const std::string& key, const Range& range) const {
     return dimension_ ? table_.quantity(key, *dimension_, range) : table_.number(key, range);
-  }
-  /// A standard deviation, which is a difference of temperatures where these are uncertain.
-  [[nodiscard]] double difference(const std::string& key) const {
-    if (!dimension_) return table_.number(key, Range::positive());
-    const auto dimension = *dimension_ == Dimension::temperature ? Dimension::temperature_difference : *dimension_;
-    return table_.quantity(key, dimension, Range::positive());
   }
   [[nodiscard]] bool is_logarithmic() const {
     enum class Scale { linear, logarithmic };

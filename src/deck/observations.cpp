@@ -30,6 +30,12 @@ struct ObservationsOf {
     return over_time(ObservedCurve::creep, data.times, data.compliances);
   }
   std::vector<Observation> operator()(const DynamicData& data) const {
+    if (data.is_of_ramp) {
+      throw InputError(fmt::format(
+          "{}: the temperature changes through the measurement, so that moduli at one temperature are interpolated and "
+          "depend on each other; expected sweeps over frequency at steady temperatures",
+          table.path().string()));
+    }
     const bool has_temperatures = table.has({Quantity::temperature});
     std::vector<Observation> observations;
     for (const auto& sweep : data.sweeps) {
@@ -56,6 +62,12 @@ struct ObservationsOf {
  private:
   [[nodiscard]] std::vector<Observation> over_time(ObservedCurve curve, const std::vector<double>& times,
                                                    const std::vector<double>& values) const {
+    if (table.has({Quantity::temperature})) {
+      throw InputError(fmt::format(
+          "{}: a column of temperatures beside a curve over time is not used: the curve is taken at the temperature of "
+          "the run; leave out the column, or shift the times",
+          table.path().string()));
+    }
     std::vector<Observation> observations;
     for (std::size_t i = 0; i < times.size(); ++i) {
       observations.push_back({.modulus = modulus, .curve = curve, .at = times[i], .value = values[i]});
@@ -66,9 +78,9 @@ struct ObservationsOf {
 
 }  // namespace
 
-std::vector<Observation> observations_in(const MeasuredTable& table, ModulusKind given) {
+ReadObservations observations_in(const MeasuredTable& table, ModulusKind given) {
   const auto [data, kind] = measured_data_in(table, given);
-  return std::visit(ObservationsOf{table, observed(kind)}, data);
+  return {std::visit(ObservationsOf{table, observed(kind)}, data), kind};
 }
 
 }  // namespace breccia

@@ -82,8 +82,25 @@ LogNormal prior_of_terms(const Material& material, std::size_t terms) {
   return {share * material.shear.unrelaxed() / static_cast<double>(terms), factor};
 }
 
-UnknownSpectrum read_spectrum(const Section& option, const ShiftedMaterial& known, const TimeWindow& measured) {
+/// The times of observations, 1/omega of those over frequency, from the first to the last, at the temperature of a
+/// material.
+TimeWindow times_of(const std::vector<Observation>& observations, const ShiftedMaterial& material) {
+  TimeWindow window = {1.0, 1.0};
+  for (std::size_t i = 0; i < observations.size(); ++i) {
+    const auto& one = observations[i];
+    double time = is_over_frequency(one.curve) ? 1.0 / one.at : one.at;
+    if (const auto& shift = material.shift; shift && one.temperature) {
+      time *= shift_factor(shift->law, shift->temperature) / shift_factor(shift->law, *one.temperature);
+    }
+    window = {i == 0 ? time : std::min(window.begin, time), i == 0 ? time : std::max(window.end, time)};
+  }
+  return window;
+}
+
+UnknownSpectrum read_spectrum(const Section& option, const ShiftedMaterial& known,
+                              const std::vector<Observation>& observations) {
   constexpr double beyond = 10.0, usual = 2.0, most = 20.0;
+  const auto measured = times_of(observations, known);
   TimeWindow window = {measured.begin / beyond, measured.end * beyond};
   double per_decade = usual;
   if (const auto table = option.optional_section("prior")) {
@@ -127,13 +144,17 @@ std::pair<const ShiftedMaterial*, std::string> material_in(const std::string& na
   throw InputError(fmt::format("no material \"{}\"{}", of, suggestion(of, names)));
 }
 
-Unknown read(const std::string& text, const std::vector<ShiftedMaterial>& materials, const TimeWindow& measured) {
+Unknown read(const std::string& text, const std::vector<ShiftedMaterial>& materials,
+             const std::vector<Observation>& observations) {
   const auto [name, prior] = split(text);
+  if (prior.empty() && text.find('=') != std::string::npos) {
+    throw InputError(fmt::format("{}: expected what is known of it after the equals sign", name));
+  }
   const auto [known, number] = material_in(name, materials);
   const auto document = Deck::from_text(prior.empty() ? "" : "prior = " + prior, name, {});
   const auto option = document.root();
   if (number == "spectrum") {
-    Unknown spectrum = read_spectrum(option, *known, measured);
+    Unknown spectrum = read_spectrum(option, *known, observations);
     document.finish();
     return spectrum;
   }
@@ -156,10 +177,10 @@ Unknown read(const std::string& text, const std::vector<ShiftedMaterial>& materi
 
 }  // namespace
 
-Unknown read_unknown(const std::string& text, const std::vector<ShiftedMaterial>& materials, const TimeWindow& measured,
-                     const std::string& option) {
+Unknown read_unknown(const std::string& text, const std::vector<ShiftedMaterial>& materials,
+                     const std::vector<Observation>& observations, const std::string& option) {
   try {
-    return read(text, materials, measured);
+    return read(text, materials, observations);
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", option, error.what()));
   }

@@ -98,6 +98,7 @@ std::string symbol_of(ObservedModulus modulus, ObservedCurve curve) {
   const auto& letter = letters.at(modulus);
   if (curve == ObservedCurve::storage) return letter + "'";
   if (curve == ObservedCurve::loss) return letter + "''";
+  if (curve == ObservedCurve::creep) return fmt::format("1/J(t) of {}", letter);
   return curve == ObservedCurve::absolute ? fmt::format("|{}*|", letter) : letter + "(t)";
 }
 
@@ -164,9 +165,10 @@ std::vector<std::string> write_calibration(const CalibrationDestination& destina
   write_csv(place / "estimates.csv", columns_of(calibration.estimates),
             "What a calibration has found, in SI units; learned: the share of the variance that the data removed.");
   write_csv(place / "correlations.csv", correlation_columns(calibration), "Correlations of the unknowns.");
-  write_csv(place / "predictions.csv", prediction_columns(data, calibration),
-            fmt::format("Measured values beside the predictions, in SI units; noise: {:.4g} times the stated one.",
-                        calibration.noise));
+  write_csv(
+      place / "predictions.csv", prediction_columns(data, calibration),
+      fmt::format("Measured values beside the predictions, in SI units; standard deviation of the data: {:.4g} %.",
+                  100.0 * calibration.noise * data.observations.front().deviation));
   if (const auto plot = prediction_plot(data, calibration); !plot.empty()) {
     write_text(place / "predictions.svg", plot);
     names.emplace_back("predictions.svg");

@@ -8,8 +8,9 @@ namespace breccia {
 
 /// The inverse Laplace transform at one time by Talbot's method with a fixed contour (Abate and Valko, Int. J. Numer.
 /// Methods Eng. 60, 979, 2004). All singularities of the transform must be on the negative real axis, as those of
-/// relaxing solids are. The result is linear in the values of the transform; its relative error is about 10^(-0.6 n)
-/// with n nodes, down to 1e-9 for 20 of them.
+/// relaxing solids are. The result is linear in the values of the transform. With n nodes its error is about
+/// 10^(-0.6 n) of the largest value of the function, down to 1e-9 of its value at the time for 20 of them where it
+/// falls over many decades of time.
 class TalbotContour {
  public:
   /// The contour for a time [s], which is positive.

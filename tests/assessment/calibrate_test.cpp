@@ -8,8 +8,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "breccia/error.hpp"
+
 #include "assessment/observed_model.hpp"
 #include "filled_binder.hpp"
+#include "messages.hpp"
 
 namespace breccia {
 namespace {
@@ -56,19 +59,23 @@ TEST(Calibrate, FindsASpectrum) {
   EXPECT_LT(found.estimates[5].value, 3e4) << "the binder has no such term";
 }
 
-// Whatever the noise, 95 % of the intervals hold the truth: of 40 data sets and three numbers, 120 in all, between 107
-// and 119 with a probability of 98 %.
+// 95 % of the intervals hold the truth: of 40 data sets and three numbers, 120 in all, 107 or more with a probability
+// of 99 %. Their widths are not larger than they have to be: the values scatter as they say.
 TEST(Calibrate, HoldsTheTruthInItsIntervals) {
   int held = 0;
+  double squares = 0.0;
   const std::vector<double> truth = {5e9, 1.0, 1.0};
   for (unsigned seed = 1; seed <= 40; ++seed) {
     const auto found = calibrate({test::filled_binder()}, scalars, measured(0.02, seed), {.noise = Noise::relative});
     for (std::size_t i = 0; i < truth.size(); ++i) {
       const auto& [lower, upper] = found.estimates[i].interval;
       held += lower <= truth[i] && truth[i] <= upper ? 1 : 0;
+      const auto& estimate = found.estimates[i];
+      squares += std::pow((score_of(estimate.prior, truth[i]) - estimate.score) / estimate.deviation, 2) / 120.0;
     }
   }
   EXPECT_GE(held, 107);
+  EXPECT_NEAR(squares, 1.0, 0.4);
 }
 
 TEST(Calibrate, SaysWhatOnlyThePriorKnows) {
@@ -105,7 +112,7 @@ TEST(Calibrate, SamplesWhatTheNormalDistributionSays) {
       calibrate({test::filled_binder()}, well_known, observations, {.noise = Noise::known, .samples = 1200});
   EXPECT_FALSE(normal.independent_samples);
   ASSERT_TRUE(sampled.independent_samples);
-  EXPECT_GT(*sampled.independent_samples, 30.0);
+  EXPECT_TRUE(std::isnan(*sampled.independent_samples)) << "sixty steps of each walker do not tell";
   for (std::size_t i = 0; i < well_known.size(); ++i) {
     EXPECT_NEAR(sampled.estimates[i].score, normal.estimates[i].score, 0.6 * normal.estimates[i].deviation) << i;
     EXPECT_NEAR(sampled.estimates[i].deviation / normal.estimates[i].deviation, 1.0, 0.4) << i;
@@ -119,6 +126,41 @@ TEST(Calibrate, SamplesWhatTheNormalDistributionSays) {
   }
 }
 
+TEST(Calibrate, RefusesToFindTheNoiseOfTooFewData) {
+  const std::vector<Observation> one = {measured(0.02, 1).front()};
+  EXPECT_THAT(test::message_of<InputError>([&] {
+                static_cast<void>(calibrate({test::filled_binder()}, {scalars[1]}, one, {.noise = Noise::relative}));
+              }),
+              testing::HasSubstr("too few are left to tell the noise of the data; state the noise"));
+  const auto known = calibrate({test::filled_binder()}, {scalars[1]}, one, {.noise = Noise::known});
+  EXPECT_LT(known.estimates[0].deviation, 1.0);
+}
+
+TEST(Calibrate, RefusesACompositeWithoutData) {
+  EXPECT_THAT(test::message_of<InputError>([] {
+                static_cast<void>(calibrate({test::filled_binder(), test::filled_binder()}, scalars, measured(0.02, 1),
+                                            {.noise = Noise::known}));
+              }),
+              testing::HasSubstr("nothing was measured of filled binder"));
+}
+
+// The same data twice, as of two composites: the intervals are narrower by the root of two.
+TEST(Calibrate, TakesSeveralComposites) {
+  const auto once = measured(0.02, 1);
+  auto twice = once;
+  for (auto observation : once) {
+    observation.composite = 1;
+    twice.push_back(observation);
+  }
+  const std::vector<Unknown> two(scalars.begin() + 1, scalars.end());
+  const auto one = calibrate({test::filled_binder()}, two, once, {.noise = Noise::known});
+  const auto both = calibrate({test::filled_binder(), test::filled_binder()}, two, twice, {.noise = Noise::known});
+  for (std::size_t i = 0; i < two.size(); ++i) {
+    EXPECT_NEAR(one.estimates[i].deviation / both.estimates[i].deviation, std::sqrt(2.0), 0.02) << i;
+  }
+}
+
+// A run covers what it has sampled at the times of the data, not only at its own.
 TEST(Calibrate, WarnsOfWhatWasNotSampled) {
   const std::vector<Unknown> soft = {UnknownNumber{"glass", MaterialNumber::shear, LogNormal{0.2e9, 1.01}}};
   const auto found = calibrate({test::filled_binder()}, soft, measured(0.02, 1), {.noise = Noise::known});

@@ -55,12 +55,31 @@ TEST(ChangedMaterial, LeavesTheBulkModulusUnlessPoissonsRatioIsConstant) {
   EXPECT_NEAR(of_constant_ratio.bulk.at(0.1) / of_constant_ratio.shear.at(0.1), 3.0, 1e-12);
 }
 
-TEST(ChangedMaterial, TakesASpectrumAnEquilibriumAndTimesInThisOrder) {
-  const MaterialChange change = {.numbers = {{Number::equilibrium, 4e5}, {Number::times, 10.0}},
+TEST(ChangedMaterial, TakesASpectrumWithAnEquilibrium) {
+  const MaterialChange change = {.numbers = {{Number::equilibrium, 4e5}},
                                  .shear_terms = std::vector<MaxwellTerm>{{2.0, 3e6}}};
   const auto material = changed(of_constant_poisson_ratio(), change).material;
-  EXPECT_EQ(material.shear, PronySeries(4e5, {{20.0, 3e6}}));
+  EXPECT_EQ(material.shear, PronySeries(4e5, {{2.0, 3e6}}));
   EXPECT_NEAR(material.bulk.at(5.0) / material.shear.at(5.0), 3.0, 1e-12);
+}
+
+TEST(ChangedMaterial, MovesAllTimes) {
+  const auto material = changed(binder, {.numbers = {{Number::times, 10.0}, {Number::equilibrium, 4e5}}}).material;
+  EXPECT_EQ(material.shear, PronySeries(4e5, {{10.0, 2e6}, {1e-2, 5e6}}));
+}
+
+TEST(ChangedMaterial, RefusesPairsOfWhichOneChangesTheOther) {
+  const std::vector<MaxwellTerm> terms = {{2.0, 3e6}};
+  EXPECT_THAT(message_of(binder, {.numbers = {{Number::times, 2.0}}, .shear_terms = terms}),
+              HasSubstr("binder.times: cannot be unknown beside the spectrum of the material"));
+  EXPECT_THAT(message_of(binder, {.numbers = {{Number::modulus, 2.0}}, .shear_terms = terms}),
+              HasSubstr("binder.modulus: cannot be unknown beside the spectrum"));
+  EXPECT_THAT(message_of(binder, {.numbers = {{Number::modulus, 2.0}, {Number::equilibrium, 1e5}}}),
+              HasSubstr("binder.modulus: cannot be unknown beside the equilibrium"));
+  EXPECT_THAT(message_of(glass, {.numbers = {{Number::young, 60e9}, {Number::shear, 30e9}}}),
+              HasSubstr("glass.shear: cannot be unknown beside the Young's modulus"));
+  EXPECT_THAT(message_of(glass, {.numbers = {}, .shear_terms = terms}),
+              HasSubstr("glass.spectrum: the material does not relax"));
 }
 
 TEST(ChangedMaterial, ChangesTheShiftLaw) {

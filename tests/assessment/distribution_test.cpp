@@ -30,6 +30,14 @@ TEST(NormalScore, InvertsTheShareIntoTheFarTail) {
   }
 }
 
+// Abramowitz and Stegun, Table 26.10.
+TEST(StudentScore, IsTheQuantileOfTheTable) {
+  EXPECT_NEAR(student_score(0.975, 3.0) / 3.182, 1.0, 0.01);
+  EXPECT_NEAR(student_score(0.975, 5.0) / 2.571, 1.0, 0.002);
+  EXPECT_NEAR(student_score(0.975, 15.0) / 2.131, 1.0, 5e-4);
+  EXPECT_NEAR(student_score(0.975, 1e9), normal_score(0.975), 1e-8);
+}
+
 TEST(Distribution, HasTheValuesOfItsScores) {
   EXPECT_NEAR(value_at_score(Normal{3.0, 0.5}, 2.0), 4.0, 1e-15);
   EXPECT_NEAR(value_at_score(LogNormal{2.0, 3.0}, -1.0), 2.0 / 3.0, 1e-15);

@@ -14,6 +14,7 @@ InverseProblem linear(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, const 
   return {.observations = b.size(),
           .deviations = [a, b](const Eigen::VectorXd& x) -> Eigen::VectorXd { return a * x - b; },
           .jacobian = [a](const Eigen::VectorXd& /*x*/) { return a; },
+          .prior_deviations = Eigen::VectorXd::Ones(a.cols()),
           .curvature = curvature};
 }
 
@@ -70,6 +71,21 @@ TEST(GaussianPosterior, FindsTheDeviationOfTheCurvature) {
       find_posterior(linear(Eigen::MatrixXd::Identity(n, n) / noise, b / noise, second_differences(n)), Noise::known);
   EXPECT_NEAR(std::sqrt(1.0 / found.curvature_weight) / deviation, 1.0, 0.15);
   EXPECT_TRUE(found.has_converged);
+}
+
+TEST(GaussianPosterior, OfNoDataKeepsTheWeightOfTheCurvature) {
+  const auto found = find_posterior(
+      linear(Eigen::MatrixXd::Zero(1, 4), Eigen::VectorXd::Ones(1), second_differences(4)), Noise::known);
+  EXPECT_TRUE(found.mode.isZero());
+  EXPECT_EQ(found.curvature_weight, 1.0);
+}
+
+TEST(GaussianPosterior, TakesTheDeviationsOfThePrior) {
+  auto problem = linear(Eigen::MatrixXd::Identity(1, 1), Eigen::VectorXd::Ones(1), no_curvature(1));
+  problem.prior_deviations[0] = 3.0;
+  const auto found = find_posterior(problem, Noise::known);
+  EXPECT_NEAR(found.covariance(0, 0), 1.0 / (1.0 + 1.0 / 9.0), 1e-12);
+  EXPECT_NEAR(found.prior_variances[0], 9.0, 1e-12);
 }
 
 TEST(GaussianPosterior, OfWhatTheDataDoNotReachIsThePrior) {

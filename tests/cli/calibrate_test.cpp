@@ -177,7 +177,7 @@ TEST_F(Calibrate, SaysWhichUnknownsTheDataDoNotTell) {
   const auto run = calibrate({"--measured", "g.csv", "--unknown", "interphase.shear", "--unknown", "binder.times",
                               "--unknown", "binder.c1", "--out", "untold"});
   ASSERT_EQ(run.exit_code, 0) << run.errors;
-  EXPECT_THAT(run.output, HasSubstr("of binder.c1 only what was assumed is known: these data do not tell"));
+  EXPECT_THAT(run.output, HasSubstr("the data say nothing of binder.c1: only what was assumed is known"));
 }
 
 TEST_F(Calibrate, SaysThatNothingExplainsTheData) {
@@ -187,7 +187,7 @@ TEST_F(Calibrate, SaysThatNothingExplainsTheData) {
   const auto run =
       calibrate({"--measured", "step.csv", "--unknown", "binder.times", "--noise", "5 %", "--out", "step"});
   ASSERT_EQ(run.exit_code, 0) << run.errors;
-  EXPECT_THAT(run.output, HasSubstr("nothing explains these data within their noise"));
+  EXPECT_THAT(run.output, HasSubstr("no values of these unknowns explain the data within their noise"));
 }
 
 // The data are those of a binder with longer times, which are not among the unknowns.

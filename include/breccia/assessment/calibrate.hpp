@@ -60,15 +60,17 @@ struct Calibration {
   double misfit = 0.0;      ///< sum of the squared deviations, in units of the noise
   double determined = 0.0;  ///< number of unknowns that the data determine
   bool has_converged = false;
-  /// Number of independent samples from which the intervals are; nothing of the normal distribution.
+  /// Number of independent samples from which the intervals are, NaN where there are too few samples to tell it;
+  /// nothing of the normal distribution.
   std::optional<double> independent_samples = {};
   /// Materials that were found, or are at the end of an interval, outside of what a run has sampled.
   std::vector<std::string> warnings = {};
 };
 
 /// Finds unknown numbers of the materials of composites from measurements, by Bayes' rule: the most likely scores of
-/// the unknowns, and the normal distribution about them or samples (theory, section 19). Throws InputError, with a line
-/// for each mistake in the unknowns, the composites or the observations.
+/// the unknowns, and the normal distribution about them or samples (theory, section 19). Throws InputError for mistakes
+/// in the unknowns, the composites or the observations, and where noise that is not known cannot be told from so few
+/// data; NumericalError where no mode is found.
 Calibration calibrate(const std::vector<ObservedComposite>& composites, const std::vector<Unknown>& unknowns,
                       const std::vector<Observation>& observations, const CalibrationOptions& options);
 

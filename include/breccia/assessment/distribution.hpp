@@ -50,5 +50,8 @@ std::string mistake_in(const Distribution& distribution);
 double normal_share(double score);
 /// The score below which a share of a standard normal variable lies; infinite for the shares 0 and 1.
 double normal_score(double share);
+/// The number below which a share of Student's t lies, with 3 degrees of freedom or more, to 1 % (the expansion of
+/// Fisher and Cornish, Abramowitz and Stegun, Eq. 26.7.5).
+double student_score(double share, double degrees);
 
 }  // namespace breccia

@@ -49,9 +49,9 @@ struct UnknownNumber {
 };
 
 /// The shear relaxation spectrum of a material that is not known: a modulus for each of these relaxation times [s],
-/// which are equally spaced in their logarithm. A priori each modulus has the distribution `term`, and the curvature of
-/// their logarithms is normal with a deviation that the data choose. An equilibrium modulus stays as it is, unless it
-/// is unknown, too.
+/// which are equally spaced in their logarithm. A priori the geometric mean of the moduli has the distribution `term`,
+/// and the curvature of their logarithms is normal with a deviation that the data choose. An equilibrium modulus stays
+/// as it is, unless it is unknown, too.
 struct UnknownSpectrum {
   std::string material;
   std::vector<double> times = {};

@@ -21,7 +21,8 @@ Eigen::VectorXcd symmetric_solution(Eigen::MatrixXcd matrix, Eigen::VectorXcd ri
   const auto failed =
       LAPACKE_zsysv(LAPACK_COL_MAJOR, 'L', size, 1, reinterpret_cast<lapack_complex_double*>(matrix.data()), size,
                     pivots.data(), reinterpret_cast<lapack_complex_double*>(right_side.data()), size);
-  if (failed != 0) throw NumericalError("reduced response: the stiffness at a Laplace variable is singular");
+  if (failed != 0)
+    throw NumericalError("reduced response: the stiffness at a Laplace variable is singular or not finite");
   return right_side;
 }
 
