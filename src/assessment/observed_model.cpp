@@ -239,32 +239,37 @@ Eigen::VectorXd ObservedModel::deviations(const Eigen::VectorXd& scores) const {
   return deviations;
 }
 
-/// The moduli of a material at all points; zero at those of composites without it.
-std::vector<ComplexModuli> ObservedModel::moduli_of(const ShiftedMaterial& material) const {
+/// The differences of the moduli of two forms of a material at all points; zero at those of composites without it. Most
+/// unknowns change a few terms, so that the difference of the series has few.
+std::vector<ComplexModuli> ObservedModel::differences(const ShiftedMaterial& more, const ShiftedMaterial& less) const {
   std::vector<std::optional<Material>> in_states;
   for (const auto& [composite, temperature] : states_) {
-    auto& in_state = in_states.emplace_back();
-    if (find_material(composites_[composite].responder.materials(), material.material.name) == nullptr) continue;
-    in_state = temperature ? at_temperature(material, *temperature).material : material.material;
+    auto& difference = in_states.emplace_back();
+    if (find_material(composites_[composite].responder.materials(), more.material.name) == nullptr) continue;
+    const auto in_state = [&temperature = temperature](const ShiftedMaterial& material) {
+      return temperature ? at_temperature(material, *temperature).material : material.material;
+    };
+    const auto whole = in_state(more), part = in_state(less);
+    difference = Material{.name = more.material.name,
+                          .bulk = PronySeries::difference(whole.bulk, part.bulk),
+                          .shear = PronySeries::difference(whole.shear, part.shear)};
   }
   std::vector<ComplexModuli> moduli;
   for (const auto& point : points_) {
-    const auto& in_state = in_states[point.state];
-    moduli.push_back(in_state ? carson_moduli(*in_state, point.variable) : ComplexModuli{});
+    const auto& difference = in_states[point.state];
+    moduli.push_back(difference ? carson_moduli(*difference, point.variable) : ComplexModuli{});
   }
   return moduli;
 }
 
-/// The changes of all observed values, before the factors of the models, where the moduli of a material change from
-/// `less` to `more`; to first order.
+/// The changes of all observed values, before the factors of the models, where the moduli of a material change by
+/// these differences at the points; to first order.
 Eigen::VectorXd ObservedModel::changes(const std::vector<PointModuli>& moduli, const std::string& material,
-                                       const std::vector<ComplexModuli>& more,
-                                       const std::vector<ComplexModuli>& less) const {
+                                       const std::vector<ComplexModuli>& differences) const {
   const auto along = [&](const ModulusAndGradient& modulus, std::size_t point) -> Complex {
     const auto by = modulus.gradient.find(material);
     if (by == modulus.gradient.end()) return 0.0;
-    return by->second.bulk * (more[point].bulk - less[point].bulk) +
-           by->second.shear * (more[point].shear - less[point].shear);
+    return by->second.bulk * differences[point].bulk + by->second.shear * differences[point].shear;
   };
   Eigen::VectorXd changes(static_cast<Eigen::Index>(observations_.size()));
   for (std::size_t i = 0; i < observations_.size(); ++i) {
@@ -294,7 +299,7 @@ Eigen::MatrixXd ObservedModel::jacobian(const Eigen::VectorXd& scores) const {
     const Eigen::VectorXd move = step * Eigen::VectorXd::Unit(scores.size(), column);
     const auto more = unknowns_.material_at(material, scores + move);
     const auto less = unknowns_.material_at(material, scores - move);
-    jacobian.col(column) = changes(moduli, more.material.name, moduli_of(more), moduli_of(less)) / (2.0 * step);
+    jacobian.col(column) = changes(moduli, more.material.name, differences(more, less)) / (2.0 * step);
   }
   for (std::size_t i = 0; i < observations_.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);

@@ -70,10 +70,9 @@ class ObservedModel {
   [[nodiscard]] PointModuli moduli_at(const Point& point, const std::vector<ShiftedMaterial>& materials) const;
   [[nodiscard]] Eigen::VectorXd predictions_from(const std::vector<PointModuli>& moduli,
                                                  const Eigen::VectorXd& scores) const;
-  [[nodiscard]] std::vector<ComplexModuli> moduli_of(const ShiftedMaterial& material) const;
+  [[nodiscard]] std::vector<ComplexModuli> differences(const ShiftedMaterial& more, const ShiftedMaterial& less) const;
   [[nodiscard]] Eigen::VectorXd changes(const std::vector<PointModuli>& moduli, const std::string& material,
-                                        const std::vector<ComplexModuli>& more,
-                                        const std::vector<ComplexModuli>& less) const;
+                                        const std::vector<ComplexModuli>& differences) const;
   [[nodiscard]] double factor(std::size_t observation, const Eigen::VectorXd& scores) const;
 
   std::vector<ObservedComposite> composites_;
