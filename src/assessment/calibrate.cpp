@@ -93,8 +93,8 @@ double quantile(std::vector<double> numbers, double share) {
 
 /// The middle and the interval of 95 % of numbers.
 struct Spread {
-  double median;
-  Interval interval;
+  double median = 0.0;
+  Interval interval = {};
 };
 
 Spread spread_of(const Eigen::VectorXd& numbers) {

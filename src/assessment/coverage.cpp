@@ -15,9 +15,9 @@ namespace {
 
 /// The observations of a composite at one temperature, as the times that they take, 1/omega of those over frequency.
 struct ObservedTimes {
-  std::size_t composite;
-  std::optional<double> temperature;
-  TimeWindow times;
+  std::size_t composite = 0;
+  std::optional<double> temperature = {};
+  TimeWindow times = {};
 };
 
 std::vector<ObservedTimes> observed_times(const std::vector<Observation>& observations) {

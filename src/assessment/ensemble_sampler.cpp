@@ -58,7 +58,7 @@ class Walkers {
       const Eigen::VectorXd proposed = positions_.col(partner) + z * (positions_.col(k) - positions_.col(partner));
       const double logarithm = log_density_(proposed);
       auto& present = logarithms_[static_cast<std::size_t>(k)];
-      const double power = static_cast<double>(positions_.rows() - 1);
+      const auto power = static_cast<double>(positions_.rows() - 1);
       const double limit = std::log(std::max(uniform(engine_), 0x1p-54));
       if (!(power * std::log(z) + logarithm - present >= limit)) continue;
       positions_.col(k) = proposed;

@@ -185,13 +185,16 @@ ObservedModel::PointModuli ObservedModel::moduli_at(const Point& point,
   return found;
 }
 
+int ObservedModel::threads() const {
+  constexpr std::int64_t points_of_a_thread = 50;
+  return parallel::threads_for(0, std::ssize(points_), points_of_a_thread);
+}
+
 std::vector<ObservedModel::PointModuli> ObservedModel::moduli_at_points(const Eigen::VectorXd& scores) const {
   const auto materials = materials_of_states(scores);
   std::vector<PointModuli> moduli(points_.size());
-  constexpr std::int64_t points_of_a_thread = 50;
-  const int threads = parallel::threads_for(0, std::ssize(points_), points_of_a_thread);
   parallel::FirstException failure;
-#pragma omp parallel for num_threads(threads) schedule(static)
+#pragma omp parallel for num_threads(threads()) schedule(static)
   for (std::size_t i = 0; i < points_.size(); ++i) {
     failure.run([&] { moduli[i] = moduli_at(points_[i], materials[points_[i].state]); });
   }

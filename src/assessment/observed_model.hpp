@@ -43,14 +43,14 @@ class ObservedModel {
  private:
   /// A composite at one temperature.
   struct State {
-    std::size_t composite;
-    std::optional<double> temperature;
+    std::size_t composite = 0;
+    std::optional<double> temperature = {};
   };
   /// A state at a Laplace variable.
   struct Point {
-    std::size_t state;
-    std::complex<double> variable;  ///< [1/s]
-    bool has_bulk;                  ///< whether the bulk modulus is needed there
+    std::size_t state = 0;
+    std::complex<double> variable = {};  ///< [1/s]
+    bool has_bulk = false;               ///< whether the bulk modulus is needed there
   };
   /// The function of an observation, and the points of its Laplace variables.
   struct Plan {
@@ -66,6 +66,8 @@ class ObservedModel {
   [[nodiscard]] std::size_t state_of(const Observation& observation);
   [[nodiscard]] std::size_t point_of(const Observation& observation, std::complex<double> variable);
   [[nodiscard]] MaterialsOfStates materials_of_states(const Eigen::VectorXd& scores) const;
+  /// Number of threads that gain from the points.
+  [[nodiscard]] int threads() const;
   [[nodiscard]] std::vector<PointModuli> moduli_at_points(const Eigen::VectorXd& scores) const;
   [[nodiscard]] PointModuli moduli_at(const Point& point, const std::vector<ShiftedMaterial>& materials) const;
   [[nodiscard]] Eigen::VectorXd predictions_from(const std::vector<PointModuli>& moduli,

@@ -15,10 +15,10 @@ namespace breccia {
 /// A component of the vector of unknowns: a number of a material, a term of a spectrum, or the factor by which a
 /// composite differs from its model.
 struct UnknownComponent {
-  std::string name;       ///< "hmx.shear", "binder.spectrum at 1 us", "model of pbx"
-  std::size_t unknown;    ///< index of the unknown
-  std::size_t term = 0;   ///< index of the term of a spectrum
-  std::string unit = {};  ///< SI unit; empty without one
+  std::string name = {};    ///< "hmx.shear", "binder.spectrum at 1 us", "model of pbx"
+  std::size_t unknown = 0;  ///< index of the unknown
+  std::size_t term = 0;     ///< index of the term of a spectrum
+  std::string unit = {};    ///< SI unit; empty without one
   Distribution prior = {};
 };
 

@@ -87,11 +87,8 @@ std::vector<ShiftedMaterial> materials_of(const std::vector<ObservedComposite>& 
 
 FoundCalibration calibrate(const AskedCalibration& asked) {
   constexpr double any = 0.01;  // where the noise is not known only the ratios of deviations matter
-  FoundCalibration found = {.composites = {},
-                            .observations = {},
-                            .noise = asked.noise ? Noise::known : Noise::relative,
-                            .result = {},
-                            .notes = {}};
+  FoundCalibration found;
+  found.noise = asked.noise ? Noise::known : Noise::relative;
   CollectedMistakes mistakes;
   for (const auto& [name, responder] : asked.composites) {
     mistakes.collect([&, &name_ = name, &responder_ = responder] {

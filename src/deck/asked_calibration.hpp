@@ -34,11 +34,11 @@ struct AskedCalibration {
 
 /// A calibration, and what it was made from.
 struct FoundCalibration {
-  std::vector<ObservedComposite> composites;
-  std::vector<Observation> observations;
-  Noise noise;
-  Calibration result;
-  std::vector<std::string> notes;  ///< how data and runs were understood, where that is not plain
+  std::vector<ObservedComposite> composites = {};
+  std::vector<Observation> observations = {};
+  Noise noise = Noise::relative;
+  Calibration result = {};
+  std::vector<std::string> notes = {};  ///< how data and runs were understood, where that is not plain
 };
 
 /// Reads the data and the unknowns, and finds the unknowns. An error of the model, stated or given, is taken as twice
