@@ -46,7 +46,7 @@ std::optional<double> share_of(const std::string& option, const std::string& tex
   const auto share = parse_percentage(text);
   if (share && *share > 0.0 && *share < 1.0) return share;
   throw InputError(
-      fmt::format("{}: expected a percentage between 0 and 100, such as \"2 %\", got \"{}\"", option, text));
+      fmt::format(R"({}: expected a percentage between 0 and 100, such as "2 %", got "{}")", option, text));
 }
 
 /// The name of a composite: that of the directory of its results.

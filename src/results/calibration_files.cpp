@@ -102,8 +102,29 @@ std::string symbol_of(ObservedModulus modulus, ObservedCurve curve) {
   return curve == ObservedCurve::absolute ? fmt::format("|{}*|", letter) : letter + "(t)";
 }
 
-/// The measured and the predicted moduli over time, with those over frequency at the times 1/omega. Compliances are
-/// drawn by their reciprocals. Phases are not drawn.
+std::string label_of(const SeriesKey& key, const CalibrationData& data) {
+  const auto& [composite, modulus, curve, temperature] = key;
+  auto label = fmt::format("{}, {}", data.composites[composite], symbol_of(modulus, curve));
+  constexpr double zero_celsius = 273.15;
+  if (temperature > 0.0) label += fmt::format(" at {:.4g} degC", temperature - zero_celsius);
+  return label;
+}
+
+/// The moduli of the measurements with these indices over time, with those over frequency at the times 1/omega.
+/// Compliances are drawn by their reciprocals.
+template <class Value>
+PlotCurve curve_of(const std::vector<Observation>& observations, const std::vector<std::size_t>& indices,
+                   const Value& value_at) {
+  PlotCurve drawn;
+  for (const auto i : indices) {
+    const auto& one = observations[i];
+    drawn.times.push_back(is_over_frequency(one.curve) ? 1.0 / one.at : one.at);
+    drawn.moduli.push_back(one.curve == ObservedCurve::creep ? 1.0 / value_at(i) : value_at(i));
+  }
+  return drawn;
+}
+
+/// The measured and the predicted moduli. Phases are not drawn.
 std::string prediction_plot(const CalibrationData& data, const Calibration& calibration) {
   std::map<SeriesKey, std::vector<std::size_t>> series;
   for (std::size_t i = 0; i < data.observations.size(); ++i) {
@@ -114,27 +135,21 @@ std::string prediction_plot(const CalibrationData& data, const Calibration& cali
   ModulusPlot plot = {.title = "Measured and predicted", .curves = {}};
   plot.quantity = "Modulus";
   plot.abscissa = "Time / s, or 1/angular frequency / s";
+  const auto& predictions = calibration.predictions;
   std::size_t colour = 0;
-  for (const auto& [key, indices] : series) {
-    const auto& [composite, modulus, curve, temperature] = key;
-    auto label = fmt::format("{}, {}", data.composites[composite], symbol_of(modulus, curve));
-    constexpr double zero_celsius = 273.15;
-    if (temperature > 0.0) label += fmt::format(" at {:.4g} degC", temperature - zero_celsius);
-    const bool is_creep = curve == ObservedCurve::creep;
-    const auto curve_of = [&](PlotStyle style, const std::string& name, const auto& value_of) {
-      PlotCurve drawn = {.label = name, .style = style, .colour = colour};
-      for (const auto i : indices) {
-        const auto& one = data.observations[i];
-        drawn.times.push_back(is_over_frequency(curve) ? 1.0 / one.at : one.at);
-        drawn.moduli.push_back(is_creep ? 1.0 / value_of(i) : value_of(i));
-      }
-      plot.curves.push_back(std::move(drawn));
+  for (const auto& one : series) {
+    const auto add = [&](PlotStyle style, const std::string& label, const auto& value_at) {
+      auto curve = curve_of(data.observations, one.second, value_at);
+      curve.label = label;
+      curve.style = style;
+      curve.colour = colour;
+      plot.curves.push_back(std::move(curve));
     };
-    const auto& predictions = calibration.predictions;
-    curve_of(PlotStyle::points, label + ", measured", [&](std::size_t i) { return data.observations[i].value; });
-    curve_of(PlotStyle::line, label + ", predicted", [&](std::size_t i) { return predictions[i].value; });
-    curve_of(PlotStyle::dotted, label + ", 95 %", [&](std::size_t i) { return predictions[i].interval.lower; });
-    curve_of(PlotStyle::dotted, "", [&](std::size_t i) { return predictions[i].interval.upper; });
+    const auto label = label_of(one.first, data);
+    add(PlotStyle::points, label + ", measured", [&](std::size_t i) { return data.observations[i].value; });
+    add(PlotStyle::line, label + ", predicted", [&](std::size_t i) { return predictions[i].value; });
+    add(PlotStyle::dotted, label + ", 95 %", [&](std::size_t i) { return predictions[i].interval.lower; });
+    add(PlotStyle::dotted, "", [&](std::size_t i) { return predictions[i].interval.upper; });
     ++colour;
   }
   return plot.curves.empty() ? "" : modulus_plot(plot);

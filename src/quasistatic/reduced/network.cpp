@@ -8,10 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include <lapacke.h>
-
 #include "breccia/error.hpp"
 
+#include "quasistatic/lapack.hpp"
 #include "quasistatic/reduced/part_series.hpp"
 
 namespace breccia::quasistatic {

@@ -7,9 +7,10 @@
 
 #include <Eigen/Core>
 #include <fmt/format.h>
-#include <lapacke.h>
 
 #include "breccia/error.hpp"
+
+#include "quasistatic/lapack.hpp"
 
 namespace breccia {
 namespace {
@@ -20,9 +21,8 @@ Eigen::VectorXcd symmetric_solution(Eigen::MatrixXcd matrix, Eigen::VectorXcd ri
   const auto size = static_cast<lapack_int>(matrix.rows());
   std::vector<lapack_int> pivots(static_cast<std::size_t>(size));
   Eigen::VectorXcd workspace(size);
-  const auto data_of = [](auto& numbers) { return reinterpret_cast<lapack_complex_double*>(numbers.data()); };
-  const auto failed = LAPACKE_zsysv_work(LAPACK_COL_MAJOR, 'L', size, 1, data_of(matrix), size, pivots.data(),
-                                         data_of(right_side), size, data_of(workspace), size);
+  const auto failed = LAPACKE_zsysv_work(LAPACK_COL_MAJOR, 'L', size, 1, matrix.data(), size, pivots.data(),
+                                         right_side.data(), size, workspace.data(), size);
   if (failed != 0) {
     throw NumericalError("reduced response: the stiffness at a Laplace variable is singular");
   }
