@@ -90,19 +90,18 @@ FoundCalibration calibrate(const AskedCalibration& asked) {
   FoundCalibration found;
   found.noise = asked.noise ? Noise::known : Noise::relative;
   CollectedMistakes mistakes;
-  for (const auto& [name, responder] : asked.composites) {
-    mistakes.collect([&, &name_ = name, &responder_ = responder] {
-      found.composites.push_back(composite_of(name_, responder_, asked));
-    });
+  for (const auto& one : asked.composites) {
+    mistakes.collect([&] { found.composites.push_back(composite_of(one.first, one.second, asked)); });
   }
-  for (const auto& [composite, file] : asked.data) {
-    mistakes.collect([&, composite_ = composite, &file_ = file] {
-      auto [observations, kind] = observations_in(read_measured_table(file_), asked.modulus);
-      if (kind == ModulusKind::unspecified) {
-        found.notes.push_back(fmt::format("{} does not say which modulus it has: it is taken for G", file_.string()));
+  for (const auto& data : asked.data) {
+    mistakes.collect([&] {
+      const auto read = observations_in(read_measured_table(data.file), asked.modulus);
+      if (read.kind == ModulusKind::unspecified) {
+        found.notes.push_back(
+            fmt::format("{} does not say which modulus it has: it is taken for G", data.file.string()));
       }
-      for (auto& observation : observations) {
-        observation.composite = composite_;
+      for (auto observation : read.observations) {
+        observation.composite = data.composite;
         observation.deviation = asked.noise.value_or(any);
         found.observations.push_back(observation);
       }

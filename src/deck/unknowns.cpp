@@ -136,6 +136,7 @@ std::pair<const ShiftedMaterial*, std::string> material_in(const std::string& na
   const auto* const known = dot == std::string::npos ? nullptr : find_material(materials, of);
   if (known != nullptr) return {known, name.substr(dot + 1)};
   std::vector<std::string> names;
+  names.reserve(materials.size());
   for (const auto& one : materials) names.push_back(one.material.name);
   if (dot == std::string::npos) {
     throw InputError(fmt::format("expected MATERIAL.NUMBER, such as {}.{}, got \"{}\"",
