@@ -41,6 +41,7 @@ class Calibration:
     noise: float  #: standard deviation of the data, relative to them
     independent_samples: float | None  #: from which the intervals are; None of the normal distribution
     warnings: list[str]
+    remarks: list[str]  #: what the data say of the unknowns and of the model
 
     def __getitem__(self, name: str) -> Estimate:
         return self.estimates[name]
@@ -50,7 +51,7 @@ class Calibration:
             f"<tr><td>{html.escape(one.name)}</td><td>{one.value:.4g} {one.unit}</td>"
             f"<td>{one.interval[0]:.4g} to {one.interval[1]:.4g}</td><td>{100 * one.learned:.0f} %</td></tr>"
             for one in self.estimates.values())
-        warnings = "".join(f"<div>{html.escape(text)}</div>" for text in self.warnings)
+        warnings = "".join(f"<div>{html.escape(text)}</div>" for text in self.warnings + self.remarks)
         return ("<div><table><tr><th>unknown</th><th>found</th><th>95 % interval</th><th>learned</th></tr>"
                 f"{rows}</table><div>noise of the data: {100 * self.noise:.2g} %</div>{warnings}</div>")
 

@@ -97,14 +97,9 @@ py::dict dict_of(const FoundCalibration& found) {
   entries["noise"] = result.noise * found.observations.front().deviation;
   entries["independent_samples"] = result.independent_samples;
   auto warnings = result.warnings;
-  for (const auto& composite : found.composites) {
-    if (composite.model_deviation > 0.0) continue;
-    warnings.push_back(fmt::format(
-        "{}: the error of its model is not known and not in the intervals; model_error gives one", composite.name));
-  }
   warnings.insert(warnings.end(), found.notes.begin(), found.notes.end());
-  if (!result.has_converged) warnings.emplace_back("the search has not converged: the values are the best so far");
   entries["warnings"] = warnings;
+  entries["remarks"] = result.remarks;
   return entries;
 }
 

@@ -64,7 +64,8 @@ def test_finds_the_factor_of_times(result, measured):
     assert estimate.learned > 0.99
     assert found.correlation.shape == (1, 1)
     assert np.allclose(found.predictions["predicted"], found.predictions["measured"], rtol=1e-3)
-    assert any("model_error gives one" in warning for warning in found.warnings)
+    assert any("state the error of the model" in warning for warning in found.warnings)
+    assert any("noise of the data" in remark for remark in found.remarks)
     assert "binder.times" in found._repr_html_()
 
 
@@ -82,7 +83,7 @@ def test_takes_priors_and_several_results(result, measured):
     assert found.noise == pytest.approx(0.02)
     assert {"model of one", "model of two"} < set(found.estimates)
     assert set(found.predictions["composite"]) == {"one", "two"}
-    assert not any("model_error" in warning for warning in found.warnings)
+    assert not any("error of the model" in warning for warning in found.warnings)
     assert any("tested under displacement alone" in warning for warning in found.warnings)
 
 

@@ -13,6 +13,7 @@
 #include "assessment/ensemble_sampler.hpp"
 #include "assessment/gaussian_posterior.hpp"
 #include "assessment/observed_model.hpp"
+#include "assessment/remarks.hpp"
 
 namespace breccia {
 namespace {
@@ -30,9 +31,10 @@ void require_enough_data(const ObservedModel& model, const GaussianPosterior& po
   constexpr double fewest = 3.0;
   const auto count = model.observations().size();
   if (static_cast<double>(count) - posterior.determined >= fewest) return;
-  throw InputError(fmt::format(
-      "{} measured values determine {:.1f} unknowns: too few are left to tell the noise of the data; state the noise",
-      count, posterior.determined));
+  throw InputError(
+      fmt::format("{} measured values determine {:.1f} unknowns: too few are left to estimate the noise of the data; "
+                  "state the noise",
+                  count, posterior.determined));
 }
 
 /// An estimate of a component from its score and the scores at the ends of its interval.
@@ -184,6 +186,13 @@ Calibration calibrate(const std::vector<ObservedComposite>& composites, const st
   if (options.samples > 0) middle = take_samples(model, problem, posterior, options.samples, found);
   found.materials = model.unknowns().materials_at(middle);
   found.warnings = warnings_on_coverage(model, middle, found.estimates);
+  for (const auto& composite : composites) {
+    if (composite.model_deviation > 0.0) continue;
+    found.warnings.push_back(
+        fmt::format("{}: the error of its model is not known and not in the intervals; state the error of the model",
+                    composite.name));
+  }
+  found.remarks = remarks_on(found, observations, options.noise);
   return found;
 }
 

@@ -14,7 +14,7 @@
 #include "breccia/error.hpp"
 #include "breccia/viscoelasticity/carson_moduli.hpp"
 
-#include "assessment/mistakes.hpp"
+#include "io/collected_mistakes.hpp"
 #include "parallel/first_exception.hpp"
 #include "parallel/threads.hpp"
 #include "virtual_test/bulk_test.hpp"

@@ -11,7 +11,7 @@
 #include "breccia/error.hpp"
 
 #include "assessment/changed_material.hpp"
-#include "assessment/mistakes.hpp"
+#include "io/collected_mistakes.hpp"
 #include "io/display.hpp"
 #include "io/nearest_name.hpp"
 

@@ -1,6 +1,5 @@
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -100,18 +99,6 @@ AskedCalibration asked_by(const CalibrateArguments& arguments) {
   return asked;
 }
 
-/// The warnings of a calibration, and about composites whose error is not known.
-std::vector<std::string> warnings_on(const FoundCalibration& found) {
-  auto warnings = found.result.warnings;
-  for (const auto& composite : found.composites) {
-    if (composite.model_deviation > 0.0) continue;
-    warnings.push_back(
-        fmt::format("{}: the error of its model is not known and not in the intervals; --model-error \"5 %\" gives one",
-                    composite.name));
-  }
-  return warnings;
-}
-
 /// The calibration in words, from which the same one can be told from another.
 std::string source_of(const CalibrateArguments& arguments) {
   std::vector<std::string> results;
@@ -145,13 +132,13 @@ void run_calibrate(const CalibrateArguments& arguments) {
   if (!arguments.quiet) {
     for (const auto& note : found.notes) fmt::print("note: {}\n", note);
   }
-  for (const auto& warning : warnings_on(found)) {
+  for (const auto& warning : found.result.warnings) {
     fmt::print(arguments.quiet ? stderr : stdout, "warning: {}\n", warning);
   }
   if (arguments.quiet) return;
   fmt::print("{} measured values of {}\n\n{}\n", found.observations.size(), fmt::join(names, ", "),
              table_of_estimates(found.result.estimates));
-  for (const auto& remark : remarks_on(found.result, found.observations, found.noise)) fmt::print("{}\n", remark);
+  for (const auto& remark : found.result.remarks) fmt::print("{}\n", remark);
   fmt::print("Results are in {}: {}\n", destination.directory.string(), fmt::join(files, ", "));
 }
 

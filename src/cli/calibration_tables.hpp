@@ -14,10 +14,4 @@ std::string in_words(const Distribution& distribution, const std::string& unit);
 /// have taught.
 std::string table_of_estimates(const std::vector<Estimate>& estimates);
 
-/// The remarks on a calibration, a line each: how far the predictions are from the data and where, noise that was
-/// estimated, pairs of unknowns that the data hardly tell apart, unknowns of which only the prior is known, and data
-/// that the model does not follow.
-std::vector<std::string> remarks_on(const Calibration& calibration, const std::vector<Observation>& observations,
-                                    Noise noise);
-
 }  // namespace breccia::cli

@@ -16,6 +16,7 @@
 
 #include "cli/asked_temperature.hpp"
 #include "cli/command.hpp"
+#include "io/collected_mistakes.hpp"
 #include "io/display.hpp"
 #include "io/percentage.hpp"
 #include "io/text_file.hpp"
@@ -49,25 +50,6 @@ struct ExportArguments {
   fs::path output;           ///< file of the output; empty: standard output
   bool overwrite = false;
   std::vector<std::string> of_other_formats;  ///< options that were given, but that the format does not have
-};
-
-/// Reads options one by one and collects the mistakes in all of them.
-class OptionReader {
- public:
-  template <class Action>
-  void read(const Action& action) {
-    try {
-      action();
-    } catch (const InputError& error) {
-      mistakes_.emplace_back(error.what());
-    }
-  }
-  void refuse() const {
-    if (!mistakes_.empty()) throw InputError(fmt::format("{}", fmt::join(mistakes_, "\n")));
-  }
-
- private:
-  std::vector<std::string> mistakes_;
 };
 
 /// The names of an enumeration, for the check of an option and for its help.
@@ -129,13 +111,13 @@ struct ExportRequest {
 };
 
 /// The options of the format `dma`.
-void read_isochronal_options(const ExportArguments& arguments, OptionReader& options, ExportRequest& request) {
-  options.read([&] {
+void read_isochronal_options(const ExportArguments& arguments, CollectedMistakes& options, ExportRequest& request) {
+  options.collect([&] {
     request.angular_frequency =
         2.0 * std::numbers::pi *
         option_quantity("--frequency", arguments.frequency, Dimension::frequency, Range::positive());
   });
-  options.read([&] {
+  options.collect([&] {
     if (arguments.temperatures.empty()) return;
     const auto temperature = [](const std::string& text) {
       return option_quantity("--temperatures", text, Dimension::temperature, Range::not_negative());
@@ -146,7 +128,7 @@ void read_isochronal_options(const ExportArguments& arguments, OptionReader& opt
     throw InputError(fmt::format("--temperatures: expected two rising temperatures, got {} and {}",
                                  arguments.temperatures[0], arguments.temperatures[1]));
   });
-  options.read([&] {
+  options.collect([&] {
     request.temperature_step =
         option_quantity("--step", arguments.step, Dimension::temperature_difference, Range::positive());
   });
@@ -161,9 +143,9 @@ ExportRequest read_request(const ExportArguments& arguments) {
   if (!arguments.load.empty()) choice.shear_load = value_named<TestLoad>(arguments.load);
   settings.format = value_named<CardFormat>(arguments.format).value_or(CardFormat::csv);
   settings.units = value_named<CardUnits>(arguments.units).value();
-  OptionReader options;
-  options.read([&] { settings.tolerance = read_share("--tolerance", arguments.tolerance); });
-  options.read([&] {
+  CollectedMistakes options;
+  options.collect([&] { settings.tolerance = read_share("--tolerance", arguments.tolerance); });
+  options.collect([&] {
     if (arguments.times.empty()) return;
     const auto time = [](const std::string& text) {
       return option_quantity("--times", text, Dimension::time, Range::positive());
@@ -173,7 +155,7 @@ ExportRequest read_request(const ExportArguments& arguments) {
     throw InputError(
         fmt::format("--times: expected two rising times, got {} and {}", arguments.times[0], arguments.times[1]));
   });
-  options.read([&] {
+  options.collect([&] {
     if (arguments.temperature.empty()) return;
     try {
       request.temperature = read_temperature(arguments.temperature);
@@ -181,22 +163,22 @@ ExportRequest read_request(const ExportArguments& arguments) {
       throw InputError(fmt::format("--temperature: {}", error.what()));
     }
   });
-  options.read([&] {
+  options.collect([&] {
     if (arguments.bulk.empty()) return;
     settings.bulk = option_quantity("--bulk", arguments.bulk, Dimension::pressure, Range::positive());
   });
-  options.read([&] {
+  options.collect([&] {
     if (!arguments.poisson.empty()) settings.poisson = read_poisson(arguments.poisson);
   });
-  options.read([&] {
+  options.collect([&] {
     if (arguments.bulk.empty() || arguments.poisson.empty()) return;
     throw InputError("--bulk and --poisson: expected one of them");
   });
   read_isochronal_options(arguments, options, request);
   for (const auto& option : arguments.of_other_formats) {
-    options.read([&] { throw InputError(fmt::format("{}: the format {} has none", option, arguments.format)); });
+    options.collect([&] { throw InputError(fmt::format("{}: the format {} has none", option, arguments.format)); });
   }
-  options.read([&] { refuse_existing(arguments); });
+  options.collect([&] { refuse_existing(arguments); });
   options.refuse();
   return request;
 }

@@ -3,38 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include "breccia/error.hpp"
 #include "breccia/tables/measured_table_reader.hpp"
 
 #include "deck/observations.hpp"
 #include "deck/unknowns.hpp"
+#include "io/collected_mistakes.hpp"
 
 namespace breccia {
 namespace {
-
-/// Runs actions, and keeps the mistakes that they throw.
-class CollectedMistakes {
- public:
-  template <class Action>
-  void collect(const Action& action) {
-    try {
-      action();
-    } catch (const InputError& error) {
-      mistakes_.emplace_back(error.what());
-    }
-  }
-  void refuse() const {
-    if (!mistakes_.empty()) throw InputError(fmt::format("{}", fmt::join(mistakes_, "\n")));
-  }
-
- private:
-  std::vector<std::string> mistakes_;
-};
 
 /// The boundary under which a stage was tested: periodic, or else the first.
 Boundary boundary_of(const StageResponses& stage) {

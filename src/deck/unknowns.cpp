@@ -14,6 +14,7 @@
 #include "io/nearest_name.hpp"
 #include "io/trimmed.hpp"
 #include "study/limits.hpp"
+#include "viscoelasticity/youngs_modulus.hpp"
 
 namespace breccia {
 namespace {
@@ -49,7 +50,7 @@ Distribution default_prior(const ShiftedMaterial& known, Number number) {
     case Number::bulk:
       return LogNormal{bulk, of_modulus};
     case Number::young:
-      return LogNormal{9.0 * bulk * shear / (3.0 * bulk + shear), of_modulus};
+      return LogNormal{youngs_modulus(bulk, shear), of_modulus};
     case Number::poisson:
       return Uniform{0.0, 0.5};
     case Number::modulus:

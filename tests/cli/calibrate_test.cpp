@@ -11,7 +11,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "coated_discs.hpp"
 #include "io/text_file.hpp"
+#include "messages.hpp"
 #include "study_directory.hpp"
 #include "tables/csv.hpp"
 
@@ -22,43 +24,14 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// A binder that relaxes, with a shift law, and discs with an interphase whose shear modulus is not known.
-constexpr std::string_view deck_of_discs = R"(title = "Coated discs"
-
-[materials.binder]
-density = "1 g/cm^3"
-bulk    = "3 GPa"
-shear   = { equilibrium = "1 MPa", terms = [
-  { time = "100 us", modulus = "500 MPa" }, { time = "1 ms", modulus = "300 MPa" }, { time = "10 ms", modulus = "90 MPa" }] }
-temperature_shift = { law = "wlf", c1 = 8, c2 = "100 K", reference = "20 degC", temperature = "20 degC" }
-
-[materials.glass]
-density = "2.5 g/cm^3"
-bulk    = "40 GPa"
-shear   = "30 GPa"
-
-[materials.interphase]
-density = "1.2 g/cm^3"
-bulk    = "2 GPa"
-shear   = "100 MPa"
-
-[[stages]]
-name    = "discs"
-matrix  = "binder"
-box     = "6 mm"
-cells   = 16
-filler  = { material = "glass", sizes = { diameter = "1.8 mm" }, coating = { material = "interphase", thickness = "0.4 mm" } }
-packing = { method = "regular", columns = 2, rows = 2 }
-
-[tests]
-loads = ["shear"]
-times      = ["10 us", "1 s"]
-fields     = "none"
-boundaries = ["displacement"]
-
-[tests.quasistatic]
-vary = { interphase = { shear = ["10 MPa", "1 GPa"] } }
-)";
+/// The coated discs with a shift law of their binder, from 10 us.
+std::string discs_with_a_law() {
+  const std::string law =
+      R"(temperature_shift = { law = "wlf", c1 = 8, c2 = "100 K", reference = "20 degC", temperature = "20 degC" })";
+  const auto with_law =
+      replaced(std::string(coated_discs), "[materials.glass]", fmt::format("{}\n\n[materials.glass]", law));
+  return replaced(with_law, R"(["1 ms", "1 s"])", R"(["10 us", "1 s"])");
+}
 
 constexpr std::string_view soft_interphase = "density = \"1.2 g/cm^3\"\nbulk = \"2 GPa\"\nshear = \"40 MPa\"\n";
 
@@ -72,7 +45,7 @@ shear   = { equilibrium = "1 MPa", terms = [
 class Calibrate : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
-    study = std::make_unique<StudyDirectory>(deck_of_discs);
+    study = std::make_unique<StudyDirectory>(discs_with_a_law());
     ASSERT_EQ(study->breccia("run").exit_code, 0);
     study->write("soft.toml", soft_interphase);
     study->write("slow.toml", slow_binder);

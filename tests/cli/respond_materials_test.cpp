@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "coated_discs.hpp"
 #include "study_directory.hpp"
 
 namespace breccia::test {
@@ -17,43 +18,6 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-
-/// A binder that relaxes, and discs with an interphase whose shear modulus is not known.
-constexpr std::string_view coated = R"(title = "Coated discs"
-
-[materials.binder]
-density = "1 g/cm^3"
-bulk    = "3 GPa"
-shear   = { equilibrium = "1 MPa", terms = [
-  { time = "100 us", modulus = "500 MPa" }, { time = "1 ms", modulus = "300 MPa" }, { time = "10 ms", modulus = "90 MPa" }] }
-
-[materials.glass]
-density = "2.5 g/cm^3"
-bulk    = "40 GPa"
-shear   = "30 GPa"
-
-[materials.interphase]
-density = "1.2 g/cm^3"
-bulk    = "2 GPa"
-shear   = "100 MPa"
-
-[[stages]]
-name    = "discs"
-matrix  = "binder"
-box     = "6 mm"
-cells   = 16
-filler  = { material = "glass", sizes = { diameter = "1.8 mm" }, coating = { material = "interphase", thickness = "0.4 mm" } }
-packing = { method = "regular", columns = 2, rows = 2 }
-
-[tests]
-loads = ["shear"]
-times      = ["1 ms", "1 s"]
-fields     = "none"
-boundaries = ["displacement"]
-
-[tests.quasistatic]
-vary = { interphase = { shear = ["10 MPa", "1 GPa"] } }
-)";
 
 std::string elastic(const std::string& shear) {
   return fmt::format("density = \"1.2 g/cm^3\"\nbulk = \"2 GPa\"\nshear = \"{}\"\n", shear);
@@ -67,7 +31,7 @@ shear   = { equilibrium = "2 MPa", terms = [{ time = "1 ms", modulus = "400 MPa"
 class RespondWithMaterials : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
-    study = std::make_unique<StudyDirectory>(coated);
+    study = std::make_unique<StudyDirectory>(coated_discs);
     const auto run = study->breccia("run", {"--verbose"});
     ASSERT_EQ(run.exit_code, 0) << run.errors;
     output_of_run = run.output;
@@ -85,7 +49,7 @@ class RespondWithMaterials : public ::testing::Test {
   }
   /// Compares the curve in a directory with that of a separate run, which samples the matrix alone.
   static void expect_run(const std::string& directory, const std::vector<std::string>& settings) {
-    const StudyDirectory other(coated);
+    const StudyDirectory other(coated_discs);
     std::vector<std::string> more = {"--set", "tests.quasistatic.vary={}", "--set", "tests.quasistatic.tolerance=1e-6",
                                      "--set", "tests.mixing=series"};
     for (const auto& setting : settings) more.insert(more.end(), {"--set", setting});
@@ -179,7 +143,7 @@ TEST_F(RespondWithMaterials, AFileWhoseNameHasAnEqualsSignIsTheMatrix) {
 }
 
 TEST(CheckOfVariedMaterials, TellsWhatIsSampledAndCountsItsTime) {
-  const StudyDirectory study(coated);
+  const StudyDirectory study(coated_discs);
   EXPECT_THAT(run_breccia(study.path(), {"check", "deck.toml"}).output,
               HasSubstr("over the whole relaxation of the matrix, and over interphase with shear 10 MPa .. 1 GPa"));
 }

@@ -65,6 +65,8 @@ struct Calibration {
   std::optional<double> independent_samples = {};
   /// Materials that were found, or are at the end of an interval, outside of what a run has sampled.
   std::vector<std::string> warnings = {};
+  /// What the data say of the unknowns and of the model, a line each.
+  std::vector<std::string> remarks = {};
 };
 
 /// Finds unknown numbers of the materials of composites from measurements, by Bayes' rule: the most likely scores of

@@ -1,9 +1,7 @@
-#include "assessment/mistakes.hpp"
+#include "io/collected_mistakes.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include "breccia/error.hpp"
 
 namespace breccia {
 

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "breccia/assessment/calibrate.hpp"
+
+namespace breccia {
+
+/// The remarks on a calibration, a line each: how far the predictions are from the data and where, noise that was
+/// estimated, pairs of unknowns that the data hardly separate, unknowns of which only the prior is known, data that the
+/// model does not follow, a model that is off by more than its error, samples that are too few.
+std::vector<std::string> remarks_on(const Calibration& calibration, const std::vector<Observation>& observations,
+                                    Noise noise);
+
+}  // namespace breccia
