@@ -14,6 +14,7 @@
 #include "assessment/gaussian_posterior.hpp"
 #include "assessment/observed_model.hpp"
 #include "assessment/remarks.hpp"
+#include "assessment/spread.hpp"
 
 namespace breccia {
 namespace {
@@ -84,25 +85,6 @@ std::vector<PredictedObservation> normal_predictions(const ObservedModel& model,
                            .deviation = -deviations[row] / posterior.noise});
   }
   return predictions;
-}
-
-/// The value below which a share of numbers lies.
-double quantile(std::vector<double> numbers, double share) {
-  const auto index = static_cast<std::size_t>(share * static_cast<double>(numbers.size() - 1));
-  std::ranges::nth_element(numbers, numbers.begin() + static_cast<std::ptrdiff_t>(index));
-  return numbers[index];
-}
-
-/// The middle and the interval of 95 % of numbers.
-struct Spread {
-  double median = 0.0;
-  Interval interval = {};
-};
-
-Spread spread_of(const Eigen::VectorXd& numbers) {
-  constexpr double tail = 0.025;
-  const std::vector<double> all(numbers.begin(), numbers.end());
-  return {quantile(all, 0.5), {quantile(all, tail), quantile(all, 1.0 - tail)}};
 }
 
 Eigen::MatrixXd correlation_of(const Eigen::MatrixXd& covariance) {

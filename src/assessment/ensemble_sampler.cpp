@@ -9,7 +9,7 @@
 
 #include <Eigen/Cholesky>
 
-#include "breccia/assessment/distribution.hpp"
+#include "breccia/probability/distribution.hpp"
 
 #include "microstructure/uniform.hpp"
 

@@ -12,7 +12,7 @@ namespace {
 
 /// A value with three digits and its unit.
 std::string number(double value, const std::string& unit) {
-  if (unit == "Pa") return display(value, unit);
+  if (unit == "Pa" || unit == "m" || unit == "s") return display(value, unit);
   return fmt::format("{}{}{}", three_digits(value), unit.empty() ? "" : " ", unit);
 }
 

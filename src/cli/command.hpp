@@ -59,6 +59,7 @@ double option_quantity(const std::string& option, const std::string& text, Dimen
                        const Range& range = {});
 
 /// The subcommands: each function adds its subcommand to the application, with a callback that does the work.
+void add_assess(CLI::App& application);
 void add_bench(CLI::App& application);
 void add_calibrate(CLI::App& application);
 void add_check(CLI::App& application);

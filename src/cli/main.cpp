@@ -53,6 +53,7 @@ void add_commands(CLI::App& application) {
   cli::add_run(application);
   cli::add_report(application);
   cli::add_respond(application);
+  cli::add_assess(application);
   cli::add_calibrate(application);
   cli::add_pack(application);
   cli::add_stages(application);

@@ -200,7 +200,7 @@ std::string describe(const DynamicOptions& options, Volumetric volumetric) {
 /// The moduli over which elastic materials vary: ", and over interphase with shear 10 MPa .. 1 GPa".
 std::string describe(const std::vector<VariedMaterial>& varied) {
   std::string text;
-  for (const auto& [name, shear, bulk] : varied) {
+  for (const auto& [name, shear, bulk, others] : varied) {
     text += fmt::format(", and over {} with", name);
     if (shear) text += fmt::format(" shear {} .. {}", pressure(shear->least), pressure(shear->most));
     if (bulk) text += fmt::format("{} bulk {} .. {}", shear ? "," : "", pressure(bulk->least), pressure(bulk->most));

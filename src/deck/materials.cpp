@@ -1,6 +1,8 @@
 #include "deck/materials.hpp"
 
+#include <cmath>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -8,6 +10,7 @@
 #include "breccia/discretisation/crystals.hpp"
 #include "breccia/viscoelasticity/temperature_shift.hpp"
 
+#include "assessment/changed_material.hpp"
 #include "deck/crystals.hpp"
 #include "deck/moduli.hpp"
 #include "deck/temperature_shift.hpp"
@@ -16,6 +19,24 @@
 #include "io/units.hpp"
 
 namespace breccia {
+
+namespace {
+
+/// Multiplies the relaxation times and the moduli of a material that relaxes by the factors of `factors`.
+ShiftedMaterial with_factors(const Section& section, const ShiftedMaterial& material) {
+  const auto factors = section.optional_section("factors");
+  if (!factors) return material;
+  MaterialChange change;
+  for (const auto number : {MaterialNumber::times, MaterialNumber::modulus}) {
+    const auto factor = factors->optional_number(std::string(name_of(number)), Range::positive());
+    if (factor && !std::isnan(*factor)) change.numbers[number] = *factor;
+  }
+  auto multiplied = material;
+  section.report_errors_of("factors", [&] { multiplied = changed(material, change); });
+  return multiplied;
+}
+
+}  // namespace
 
 ShiftedMaterial read_shifted_material(const Section& section, const std::string& name) {
   Material reference = {name, section.quantity("density", Dimension::density, Range::positive()), {}, {}};
@@ -34,7 +55,9 @@ ShiftedMaterial read_shifted_material(const Section& section, const std::string&
   reference.bulk = std::move(moduli.bulk);
   reference.shear = std::move(moduli.shear);
   const auto shift = read_temperature_shift(section, moduli.shift_law);
-  return {shift ? shifted(reference, shift_factor(shift->law, shift->temperature)) : reference, shift};
+  const ShiftedMaterial material = {
+      shift ? shifted(reference, shift_factor(shift->law, shift->temperature)) : reference, shift};
+  return with_factors(section, material);
 }
 
 std::vector<ShiftedMaterial> read_materials(const Section& deck) {

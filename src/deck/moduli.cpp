@@ -101,7 +101,7 @@ PronySeries ModuliReader::read_series(const Section& modulus, ModulusKind kind) 
 }
 
 PronySeries ModuliReader::read_modulus(const Section& material, const std::string& key, ModulusKind kind) {
-  if (material.kind(key) != Kind::table) {
+  if (material.kind(key) != Kind::table || material.is_distribution(key)) {
     const double modulus = material.quantity(key, Dimension::pressure, Range::positive());
     return std::isnan(modulus) ? PronySeries() : PronySeries(modulus);
   }

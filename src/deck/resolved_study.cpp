@@ -1,10 +1,13 @@
 #include "deck/resolved_study.hpp"
 
 #include <array>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "deck/chosen_boxes.hpp"
 #include "deck/materials.hpp"
@@ -12,6 +15,7 @@
 #include "deck/stage_defaults.hpp"
 #include "deck/stages.hpp"
 #include "deck/tests.hpp"
+#include "deck/uncertain_materials.hpp"
 #include "deckfile/deck.hpp"
 #include "io/printable.hpp"
 #include "io/seal.hpp"
@@ -21,6 +25,18 @@
 #include "study/test_rules.hpp"
 
 namespace breccia {
+
+namespace {
+
+/// A warning about inputs that are not certain, of which a study has one value each.
+std::string warning_on_uncertain(const std::vector<UncertainInput>& inputs) {
+  std::vector<std::string> names;
+  for (const auto& input : inputs) names.push_back(input.name);
+  return fmt::format("not certain: {}; these results are those with their medians, or with the first of their choices",
+                     fmt::join(names, ", "));
+}
+
+}  // namespace
 
 Study resolve(const Deck& document) {
   const auto root = document.root();
@@ -37,15 +53,21 @@ Study resolve(const Deck& document) {
   study.measurements = read_measurements(root, study.stages, study.tests);
   for (const auto& mistake : contradictions(study)) root.report("tests", mistake);
   const auto budget = read_budget(root, study);
-  if (!study.stages.empty() && !document.remarks().empty()) {
+  study.uncertain = document.uncertain_inputs();
+  auto remarks = document.remarks();
+  if (!study.uncertain.empty()) remarks.push_back(warning_on_uncertain(study.uncertain));
+  if (!study.stages.empty() && !remarks.empty()) {
     auto& warnings = study.provenance.warnings[study.stages.front().name];
-    warnings.insert(warnings.end(), document.remarks().begin(), document.remarks().end());
+    warnings.insert(warnings.end(), remarks.begin(), remarks.end());
   }
   study.provenance.inputs = document.files();
   study.provenance.inputs.push_back(document.path());
   // A study is one task of a sweep: read_sweep makes the others.
   static_cast<void>(root.has("sweep"));
-  if (document.mistakes().empty()) choose_missing_boxes(root, budget, study);
+  if (document.mistakes().empty()) {
+    vary_uncertain_materials(document, study);
+    choose_missing_boxes(root, budget, study);
+  }
   return study;
 }
 

@@ -65,11 +65,6 @@ std::vector<Method> read_methods(const Section& section) {
   return methods;
 }
 
-/// Tolerance of the sampling for studies that need no finer one. With two parameters or more a basis takes many times
-/// the snapshots of one parameter, and these moduli are not known well. The model of films has a far larger error, and
-/// in boxes with many grains of all sizes rounding errors are not far below the default tolerance.
-constexpr double coarse_tolerance = 1e-4;
-
 /// Reads those of these options that a deck gives.
 QuasistaticOptions read_quasistatic(const Section& section, QuasistaticOptions options) {
   if (section.has("vary")) options.sampling.tolerance = coarse_tolerance;

@@ -11,6 +11,11 @@
 
 namespace breccia {
 
+/// Tolerance of the sampling for studies that need no finer one. With two parameters or more a basis takes many times
+/// the snapshots of one parameter, and these moduli are not known well. The model of films has a far larger error, and
+/// in boxes with many grains of all sizes rounding errors are not far below the default tolerance.
+inline constexpr double coarse_tolerance = 1e-4;
+
 /// Reads tests.mixing, whose default depends on the whole study: nothing where the deck does not have it.
 std::optional<Mixing> read_mixing(const Section& deck);
 

@@ -10,7 +10,7 @@
 
 #include "breccia/error.hpp"
 
-#include "deck/distribution.hpp"
+#include "deckfile/distribution.hpp"
 #include "io/nearest_name.hpp"
 #include "io/trimmed.hpp"
 #include "study/limits.hpp"
@@ -170,8 +170,8 @@ Unknown read(const std::string& text, const std::vector<ShiftedMaterial>& materi
     option.report("prior",
                   R"(expected what is known, as in { value = "5 GPa", sd = "1 GPa" } or { from = 1, to = 3 })");
   } else if (option.has("prior")) {
-    unknown.prior =
-        read_distribution(option, "prior", dimension_of(word->second), range_of(word->second)).value_or(unknown.prior);
+    unknown.prior = read_distribution(option, "prior", reader_of(dimension_of(word->second)), range_of(word->second))
+                        .value_or(unknown.prior);
   }
   document.finish();
   return unknown;

@@ -127,6 +127,10 @@ const std::vector<std::string>& Deck::remarks() const noexcept {
   return state_->remarks;
 }
 
+const std::vector<UncertainInput>& Deck::uncertain_inputs() const noexcept {
+  return state_->uncertain_inputs;
+}
+
 std::vector<Mistake> Deck::mistakes() const {
   auto mistakes = state_->mistakes;
   add_unknown_keys(*state_, mistakes);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "breccia/deckfile/deck_setting.hpp"
+#include "breccia/deckfile/uncertain_input.hpp"
 #include "breccia/words.hpp"
 
 #include "io/file_cache.hpp"
@@ -22,6 +23,8 @@ namespace breccia {
 
 /// The type of the value of a key.
 enum class Kind { absent, boolean, integer, number, text, date, array, table };
+
+struct NumberReader;
 
 /// A word that a key accepts, and its value.
 template <class T>
@@ -37,10 +40,16 @@ struct DeckValue;
 /// returns a placeholder (NaN, 0, empty), and Deck::finish() throws. The `optional_` getters return nothing for a
 /// missing key. The getters of a missing section return placeholders without further reports. Every key that a getter
 /// was called for is known; Deck::finish() reports all other keys as unknown.
+///
+/// Any single number may be a distribution, `{ value = "5.8 GPa", sd = "0.6 GPa" }` (read_distribution): its getter
+/// returns the median. Any value may be one of several, `{ any = [1, 2, 3] }`: all functions take the first in its
+/// place. The deck remembers both (Deck::uncertain_inputs).
 class Section {
  public:
   [[nodiscard]] Kind kind(const std::string& key) const;
   [[nodiscard]] bool has(const std::string& key) const { return kind(key) != Kind::absent; }
+  /// Whether the value of a key is a distribution.
+  [[nodiscard]] bool is_distribution(const std::string& key) const;
   /// Returns all keys, in the order of the deck, and marks them as known.
   [[nodiscard]] std::vector<std::string> keys() const;
   /// The one key among these that the section has. If it has none or several of them, reports that and returns an empty
@@ -137,6 +146,9 @@ class Section {
                                                         const std::vector<std::string>& words) const;
 
   [[nodiscard]] const detail::DeckValue* find(const std::string& key) const;
+  [[nodiscard]] const detail::DeckValue& first_choice(const std::string& key, const detail::DeckValue& value) const;
+  [[nodiscard]] std::optional<double> median(const std::string& key, const NumberReader& reader, const Range& range,
+                                             std::string_view unit) const;
   [[nodiscard]] const detail::DeckValue* require(const std::string& key, const std::string& expected) const;
   [[nodiscard]] std::string path_of(const std::string& key) const;
   template <class Read>
@@ -194,6 +206,8 @@ class Deck {
   [[nodiscard]] std::vector<Mistake> mistakes() const;
   /// The readings of ambiguous values so far (Section::remark).
   [[nodiscard]] const std::vector<std::string>& remarks() const noexcept;
+  /// The inputs that are not certain, as far as they were read, in the order in which they were read.
+  [[nodiscard]] const std::vector<UncertainInput>& uncertain_inputs() const noexcept;
   /// Throws one InputError with all mistakes (refuse_mistakes).
   void finish() const { refuse_mistakes(path(), mistakes()); }
 

@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <string_view>
 #include <system_error>
 #include <type_traits>
 
@@ -11,6 +13,7 @@
 
 #include "deckfile/deck.hpp"
 #include "deckfile/deck_tree.hpp"
+#include "deckfile/distribution.hpp"
 #include "io/nearest_name.hpp"
 #include "io/percentage.hpp"
 #include "io/printable.hpp"
@@ -126,6 +129,12 @@ std::optional<T> settle(const Section& section, const std::string& key, ParsedVa
   return std::move(parsed.value);
 }
 
+/// Adds an uncertain input, once.
+void remember(detail::DeckState& state, UncertainInput input) {
+  const auto known = std::ranges::find(state.uncertain_inputs, input.name, &UncertainInput::name);
+  if (known == state.uncertain_inputs.end()) state.uncertain_inputs.push_back(std::move(input));
+}
+
 }  // namespace
 
 Section::Section(detail::DeckState& state, const DeckTable* table, std::string path)
@@ -140,7 +149,36 @@ std::string Section::path_of(const std::string& key) const {
 const DeckValue* Section::find(const std::string& key) const {
   if (table_ == nullptr) return nullptr;
   state_->uses[table_].asked.insert(key);
-  return detail::find(*table_, key);
+  const auto* value = detail::find(*table_, key);
+  return value == nullptr ? nullptr : &first_choice(key, *value);
+}
+
+/// The first of the values of `{ any = [...] }`; another value as it is.
+const DeckValue& Section::first_choice(const std::string& key, const DeckValue& value) const {
+  const auto* table = std::get_if<DeckTable>(&value.content);
+  if (table == nullptr || table->entries.size() != 1 || table->entries.front().key != "any") return value;
+  const auto& all = table->entries.front().value;
+  const auto* array = std::get_if<DeckArray>(&all.content);
+  Choices choices;
+  for (const auto& one : array == nullptr ? std::vector<DeckValue>() : array->values) {
+    if (auto scalar = detail::scalar_of(one)) choices.values.push_back(*std::move(scalar));
+  }
+  if (choices.values.empty() || choices.values.size() < array->values.size()) {
+    state_->mistakes.push_back(
+        {all.location, fmt::format("{}.any: expected an array of values such as [1, 2]", path_of(key))});
+    return value;
+  }
+  remember(*state_, {path_of(key), "", std::move(choices)});
+  return array->values.front();
+}
+
+/// The median of a distribution; nothing after a mistake was reported.
+std::optional<double> Section::median(const std::string& key, const NumberReader& reader, const Range& range,
+                                      std::string_view unit) const {
+  const auto known = read_distribution(*this, key, reader, range);
+  if (!known) return std::nullopt;
+  remember(*state_, {path_of(key), std::string(unit), *known});
+  return breccia::median(*known);
 }
 
 const DeckValue* Section::require(const std::string& key, const std::string& expected) const {
@@ -152,6 +190,14 @@ const DeckValue* Section::require(const std::string& key, const std::string& exp
 Kind Section::kind(const std::string& key) const {
   const auto* value = find(key);
   return value == nullptr ? Kind::absent : kind_of(*value);
+}
+
+bool Section::is_distribution(const std::string& key) const {
+  const auto* value = find(key);
+  const auto* table = value == nullptr ? nullptr : std::get_if<DeckTable>(&value->content);
+  if (table == nullptr) return false;
+  constexpr std::array<std::string_view, 5> keys = {"value", "sd", "factor", "from", "to"};
+  return std::ranges::any_of(keys, [&](std::string_view one) { return detail::find(*table, one) != nullptr; });
 }
 
 std::vector<std::string> Section::keys() const {
@@ -224,6 +270,7 @@ double Section::quantity(const std::string& key, Dimension dimension, const Rang
 
 std::optional<double> Section::optional_quantity(const std::string& key, Dimension dimension,
                                                  const Range& range) const {
+  if (is_distribution(key)) return median(key, reader_of(dimension), range, si_unit(dimension));
   const auto* value = find(key);
   return value == nullptr ? std::nullopt : settle(*this, key, read_quantity(*value, dimension, range));
 }
@@ -234,6 +281,7 @@ double Section::number(const std::string& key, const Range& range) const {
 }
 
 std::optional<double> Section::optional_number(const std::string& key, const Range& range) const {
+  if (is_distribution(key)) return median(key, reader_of(std::nullopt), range, "");
   const auto* value = find(key);
   return value == nullptr ? std::nullopt : settle(*this, key, read_number(*value, range));
 }
@@ -241,6 +289,7 @@ std::optional<double> Section::optional_number(const std::string& key, const Ran
 double Section::fraction(const std::string& key, const Range& range) const {
   const auto* value = require(key, described(range, "number"));
   if (value == nullptr) return not_a_number;
+  if (is_distribution(key)) return median(key, reader_of_fractions(), range, "").value_or(not_a_number);
   return settle(*this, key, read_fraction(*value, range)).value_or(not_a_number);
 }
 

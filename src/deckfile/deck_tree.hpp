@@ -53,6 +53,7 @@ struct DeckState {
   std::map<const DeckTable*, TableUse> uses;
   std::vector<Mistake> mistakes;
   std::vector<std::string> remarks;
+  std::vector<UncertainInput> uncertain_inputs;
   std::set<std::filesystem::path> files;  ///< existing files that the deck names
   std::shared_ptr<FileCache> file_cache = std::make_shared<FileCache>();
 };

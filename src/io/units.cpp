@@ -205,6 +205,10 @@ std::string with_article(Dimension dimension) {
   return fmt::format("{} {}", noun.starts_with('a') ? "an" : "a", noun);
 }
 
+std::string_view si_unit(Dimension dimension) {
+  return facts(dimension).si_unit;
+}
+
 std::string_view example(Dimension dimension) {
   return facts(dimension).example;
 }

@@ -28,6 +28,9 @@ std::string_view name(Dimension dimension);
 /// The name of a dimension with its article: "a length", "an angle".
 std::string with_article(Dimension dimension);
 
+/// The SI unit of a dimension, as parse_quantity() reads it: "Pa".
+std::string_view si_unit(Dimension dimension);
+
 /// An example of a quantity for messages: "48 um".
 std::string_view example(Dimension dimension);
 

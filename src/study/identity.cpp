@@ -20,8 +20,10 @@ namespace {
 class Content {
  public:
   void add(const Study& study) {
-    const auto& [title, materials, stages, tests, measurements, provenance] = study;
+    const auto& [title, materials, stages, tests, measurements, uncertain, provenance] = study;
     add_all(title, materials, stages, tests, measurements);
+    // What is not certain changes no result but by the materials that vary.
+    static_cast<void>(uncertain);
     static_cast<void>(provenance);
   }
 
@@ -287,8 +289,9 @@ class Content {
     if (divisions != FilmOptions{}.divisions) add_all(std::string("divisions"), divisions);
   }
   void add(const VariedMaterial& material) {
-    const auto& [name, shear, bulk] = material;
+    const auto& [name, shear, bulk, others] = material;
     add_all(name, shear, bulk);
+    if (!others.empty()) add_all(std::string("others"), others);
   }
   void add(const ModulusInterval& interval) {
     const auto& [least, most] = interval;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -22,8 +23,14 @@ std::vector<double> moduli_over(const ModulusInterval& interval, double per_deca
   return moduli;
 }
 
-/// The material with moduli over its intervals, from stiff to soft.
+/// The material with moduli over its intervals, or with all others that it may be, from stiff to soft.
 std::vector<Material> samples_of(const VariedMaterial& varied, const Material& material) {
+  if (!varied.others.empty()) {
+    auto all = varied.others;
+    all.push_back(material);
+    std::ranges::stable_sort(all, std::ranges::greater(), [](const Material& one) { return one.shear.unrelaxed(); });
+    return all;
+  }
   // The modulus of a composite is a smooth function of the logarithms of the moduli of its phases, and the bulk modulus
   // of a phase has less influence than its shear modulus.
   constexpr double shear_per_decade = 3.0, bulk_per_decade = 1.0;
@@ -66,7 +73,9 @@ std::vector<Material> materials_of(const std::vector<Stage>& stages) {
 
 int varied_moduli(const std::vector<VariedMaterial>& varied) {
   int count = 0;
-  for (const auto& [name, shear, bulk] : varied) count += (shear ? 1 : 0) + (bulk ? 1 : 0);
+  for (const auto& [name, shear, bulk, others] : varied) {
+    count += (shear ? 1 : 0) + (bulk ? 1 : 0) + (others.empty() ? 0 : 1);
+  }
   return count;
 }
 
@@ -80,6 +89,7 @@ std::vector<std::string> mistakes_of_varied(const VariedMaterial& varied, const 
     return {fmt::format("no stage has a material \"{}\"{}", varied.name, suggestion(varied.name, names))};
   }
   if (is_void(*found)) return {"a void has no moduli that could vary"};
+  if (!varied.others.empty()) return {};
   if (!found->bulk.is_elastic() || !found->shear.is_elastic()) {
     return {fmt::format("{} relaxes, so that its moduli vary without this; expected an elastic material", varied.name)};
   }

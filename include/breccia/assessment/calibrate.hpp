@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "breccia/assessment/interval.hpp"
 #include "breccia/assessment/observation.hpp"
 #include "breccia/assessment/unknown.hpp"
 #include "breccia/viscoelasticity/shifted_material.hpp"
@@ -21,12 +22,6 @@ struct CalibrationOptions {
   /// Number of samples that are drawn from the posterior by an ensemble sampler; 0: the normal distribution about its
   /// mode is taken.
   int samples = 0;
-};
-
-/// The ends of an interval.
-struct Interval {
-  double lower = 0.0;
-  double upper = 0.0;
 };
 
 /// What a calibration has found of an unknown number, in SI units.

@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "breccia/assessment/distribution.hpp"
+#include "breccia/probability/distribution.hpp"
 #include "breccia/words.hpp"
 
 namespace breccia {

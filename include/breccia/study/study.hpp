@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "breccia/deckfile/uncertain_input.hpp"
 #include "breccia/study/measurement.hpp"
 #include "breccia/study/provenance.hpp"
 #include "breccia/study/stage.hpp"
@@ -19,6 +20,8 @@ struct Study {
   std::vector<Stage> stages;  ///< stages from the smallest scale up; an earlier stage may be the matrix of a later one
   Tests tests;
   std::vector<Measurement> measurements = {};
+  /// The inputs that are not certain: the study has their medians, or the first of their choices.
+  std::vector<UncertainInput> uncertain = {};
   Provenance provenance = {};
 };
 

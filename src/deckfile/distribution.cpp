@@ -1,6 +1,7 @@
-#include "deck/distribution.hpp"
+#include "deckfile/distribution.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -10,14 +11,14 @@ namespace {
 /// Reads the numbers of a distribution.
 class DistributionReader {
  public:
-  DistributionReader(const Section& table, std::optional<Dimension> dimension, const Range& range)
-      : table_(table), dimension_(dimension), range_(range) {}
+  DistributionReader(const Section& table, const NumberReader& reader, const Range& range)
+      : table_(table), reader_(reader), range_(range) {}
 
   [[nodiscard]] std::optional<Distribution> read() const {
     const auto form = table_.exactly_one({"sd", "factor", "to"});
     std::optional<Distribution> found;
     if (form == "sd") {
-      found = Normal{number("value", range_), number("sd", Range::positive())};
+      found = Normal{number("value", range_), reader_.deviation(table_, "sd", Range::positive())};
       refuse_far_tails(std::get<Normal>(*found));
     } else if (form == "factor") {
       if (std::isfinite(range_.upper)) {
@@ -41,7 +42,10 @@ class DistributionReader {
 
  private:
   [[nodiscard]] double number(const std::string& key, const Range& range) const {
-    return dimension_ ? table_.quantity(key, *dimension_, range) : table_.number(key, range);
+    if (table_.kind(key) != Kind::table) return reader_.value(table_, key, range);
+    table_.report(key, "expected a number, not a distribution within a distribution");
+    table_.section(key).accept_all_keys();
+    return std::numeric_limits<double>::quiet_NaN();
   }
   [[nodiscard]] bool is_logarithmic() const {
     enum class Scale { linear, logarithmic };
@@ -51,8 +55,8 @@ class DistributionReader {
   }
   /// Reports a normal distribution that has values beyond the range.
   void refuse_far_tails(const Normal& normal) const {
-    constexpr double far = 4.0;
-    const double lower = normal.mean - far * normal.deviation, upper = normal.mean + far * normal.deviation;
+    const double reach = most_score * normal.deviation;
+    const double lower = normal.mean - reach, upper = normal.mean + reach;
     if (lower >= range_.lower && upper <= range_.upper) return;
     if (std::isnan(lower) || std::isnan(upper)) return;
     table_.report("sd",
@@ -61,15 +65,32 @@ class DistributionReader {
   }
 
   const Section& table_;
-  std::optional<Dimension> dimension_;
+  const NumberReader& reader_;
   const Range& range_;
 };
 
 }  // namespace
 
+NumberReader reader_of(std::optional<Dimension> dimension) {
+  const auto read_as = [](std::optional<Dimension> as) {
+    return [as](const Section& table, const std::string& key, const Range& range) {
+      return as ? table.quantity(key, *as, range) : table.number(key, range);
+    };
+  };
+  const bool is_temperature = dimension == Dimension::temperature;
+  return {read_as(dimension), read_as(is_temperature ? Dimension::temperature_difference : dimension)};
+}
+
+NumberReader reader_of_fractions() {
+  const auto read = [](const Section& table, const std::string& key, const Range& range) {
+    return table.fraction(key, range);
+  };
+  return {read, read};
+}
+
 std::optional<Distribution> read_distribution(const Section& section, const std::string& key,
-                                              std::optional<Dimension> dimension, const Range& range) {
-  return DistributionReader(section.section(key), dimension, range).read();
+                                              const NumberReader& reader, const Range& range) {
+  return DistributionReader(section.section(key), reader, range).read();
 }
 
 }  // namespace breccia

@@ -42,6 +42,9 @@ double score_of(const Distribution& distribution, double value);
 /// The value that is as often exceeded as not.
 double median(const Distribution& distribution);
 
+/// The largest score, above or below zero, that is expected of an uncertain number: 6 of 100 000 values are beyond.
+inline constexpr double most_score = 4.0;
+
 /// What is wrong with the parameters of a distribution, in words: "expected a positive standard deviation, got 0";
 /// empty for a sound one.
 std::string mistake_in(const Distribution& distribution);

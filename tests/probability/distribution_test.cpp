@@ -1,4 +1,4 @@
-#include "breccia/assessment/distribution.hpp"
+#include "breccia/probability/distribution.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,0 +1,134 @@
+#include "assessment/sampled_curves.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+
+#include "parallel/first_exception.hpp"
+#include "parallel/threads.hpp"
+#include "virtual_test/bulk_test.hpp"
+
+namespace breccia {
+namespace {
+
+Boundary boundary_of(const StageFindings& stage) {
+  const auto is_periodic = [](const TestResult& test) { return test.id.boundary == Boundary::periodic; };
+  const auto periodic = std::ranges::find_if(stage.tests, is_periodic);
+  return periodic == stage.tests.end() ? stage.tests.front().id.boundary : Boundary::periodic;
+}
+
+/// The loads whose moduli are assessed: the main shear, and bulk where it was tested.
+std::vector<TestLoad> loads_of(const StageFindings& stage) {
+  std::vector<TestLoad> tested;
+  for (const auto& test : stage.tests) tested.push_back(test.id.load);
+  const auto shear = main_shear(tested);
+  if (!shear) throw InputError(fmt::format("stage {} has no test in shear that could be assessed", stage.name));
+  std::vector<TestLoad> loads = {*shear};
+  if (std::ranges::find(tested, TestLoad(Load::bulk)) != tested.end()) loads.emplace_back(Load::bulk);
+  return loads;
+}
+
+/// Fills curves from the result of a test: one curve, or, over frequency, the absolute value and the phase.
+class CurvesOfTest {
+ public:
+  CurvesOfTest(TestLoad load, const TestResult& reference, int dimensions, std::size_t samples)
+      : load_(load), is_over_frequency_(!reference.in_frequency.empty()) {
+    const auto symbol = load.is_bulk() ? std::string(symbol_of_bulk_test(dimensions)) : std::string("G");
+    if (is_over_frequency_) {
+      const auto complex = load.is_bulk() && is_plane_strain(dimensions) ? "(" + symbol + ")*" : symbol + "*";
+      curves_ = {{.name = "|" + complex + "|", .unit = "Pa"}, {.name = "phase of " + complex, .unit = "rad"}};
+      for (const auto& sample : reference.in_frequency) {
+        curves_[0].at.push_back(sample.angular_frequency);
+        curves_[0].errors.push_back(sample.error);
+      }
+      curves_[1].at = curves_[0].at;
+      curves_[1].errors.resize(curves_[0].at.size());
+    } else {
+      curves_ = {{.name = symbol, .unit = "Pa"}};
+      for (std::size_t i = 0; i < reference.modulus.size(); ++i) {
+        curves_[0].at.push_back(reference.modulus[i].time);
+        curves_[0].errors.push_back(i < reference.errors.size() ? reference.errors[i].whole() : std::nullopt);
+      }
+    }
+    for (auto& curve : curves_) {
+      curve.values.resize(static_cast<Eigen::Index>(curve.at.size()), static_cast<Eigen::Index>(samples));
+    }
+    const auto values = values_of(reference);
+    for (std::size_t i = 0; i < curves_.size(); ++i) {
+      curves_[i].reference.assign(values.col(static_cast<Eigen::Index>(i)).begin(),
+                                  values.col(static_cast<Eigen::Index>(i)).end());
+    }
+  }
+
+  [[nodiscard]] TestLoad load() const noexcept { return load_; }
+
+  void take(std::size_t sample, const TestResult& test) {
+    const auto values = values_of(test);
+    for (std::size_t i = 0; i < curves_.size(); ++i) {
+      curves_[i].values.col(static_cast<Eigen::Index>(sample)) = values.col(static_cast<Eigen::Index>(i));
+    }
+  }
+
+  [[nodiscard]] std::vector<SampledCurve> curves() && { return std::move(curves_); }
+
+ private:
+  /// The values of a test (at x curves).
+  [[nodiscard]] Eigen::MatrixXd values_of(const TestResult& test) const {
+    const auto size = static_cast<Eigen::Index>(curves_.front().at.size());
+    const auto found = is_over_frequency_ ? test.in_frequency.size() : test.modulus.size();
+    if (static_cast<Eigen::Index>(found) != size) {
+      throw InputError("the boxes of an assessment have curves of different times");
+    }
+    Eigen::MatrixXd values(size, static_cast<Eigen::Index>(curves_.size()));
+    for (Eigen::Index i = 0; i < size; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      if (is_over_frequency_) {
+        const auto& sample = test.in_frequency[at];
+        values(i, 0) = std::hypot(sample.storage, sample.loss);
+        values(i, 1) = std::atan2(sample.loss, sample.storage);
+      } else {
+        values(i, 0) = test.modulus[at].modulus;
+      }
+    }
+    return values;
+  }
+
+  TestLoad load_;
+  bool is_over_frequency_;
+  std::vector<SampledCurve> curves_;
+};
+
+}  // namespace
+
+std::vector<SampledCurve> sample_curves(const SampledStage& stage) {
+  const auto& reference = stage.reference;
+  const auto boundary = boundary_of(reference);
+  const auto samples = stage.box_of.size();
+  std::vector<CurvesOfTest> tests;
+  for (const auto load : loads_of(reference)) {
+    tests.emplace_back(load, preferred_test(reference.tests, load, boundary), reference.dimensions, samples);
+  }
+  std::vector<Responder> boxes;
+  for (const auto& box : stage.boxes) boxes.push_back(box.chain_of(reference.name));
+  parallel::FirstException failure;
+  const int threads = parallel::threads_for(stage.threads);
+#pragma omp parallel for num_threads(threads) schedule(dynamic)
+  for (std::size_t sample = 0; sample < samples; ++sample) {
+    failure.run([&] {
+      const auto results = boxes[stage.box_of[sample]].with(stage.materials[sample]).respond();
+      for (auto& test : tests) test.take(sample, preferred_test(results.back().tests, test.load(), boundary));
+    });
+  }
+  failure.rethrow();
+  std::vector<SampledCurve> curves;
+  for (auto& test : tests) std::ranges::move(std::move(test).curves(), std::back_inserter(curves));
+  return curves;
+}
+
+}  // namespace breccia

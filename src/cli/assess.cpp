@@ -1,0 +1,142 @@
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "breccia/deck/deck_assessment.hpp"
+#include "breccia/error.hpp"
+#include "breccia/results/stored_responder.hpp"
+
+#include "campaign/result_transaction.hpp"
+#include "campaign/shared_stages.hpp"
+#include "cli/assessment_tables.hpp"
+#include "cli/command.hpp"
+#include "cli/interruption.hpp"
+#include "cli/narration.hpp"
+#include "cli/sweep_summary.hpp"
+#include "parallel/session.hpp"
+#include "results/assessment_files.hpp"
+#include "results/stored_study.hpp"
+
+namespace breccia::cli {
+namespace {
+
+struct AssessArguments {
+  RunArguments run;
+  AssessmentOptions options;
+  std::string stage;
+};
+
+/// An observer that passes on everything of the first task of a sweep, and of the others when they begin and fail.
+RunObserver of_first_task(const RunObserver& observer) {
+  auto task = std::make_shared<std::size_t>(0);
+  return {.progress = observer.progress, .event = [observer, task](const RunEvent& happened) {
+            const auto* const begun = std::get_if<TaskBegun>(&happened);
+            if (begun != nullptr) *task = begun->task;
+            if (*task == 0 || begun != nullptr || std::holds_alternative<TaskFailed>(happened)) observer.tell(happened);
+          }};
+}
+
+/// Solves the studies of an assessment that are not complete yet.
+void solve_studies(const Sweep& sweep, const AssessArguments& arguments, ProgressLine& progress) {
+  const auto directory = arguments.run.results();
+  auto options = arguments.run.options();
+  options.resume = !options.overwrite;
+  const auto observer = narrate(progress, Detail::brief);
+  if (!sweep.keys.empty()) {
+    refuse_failures(sweep, run_sweep(sweep, directory, options, of_first_task(observer)));
+    return;
+  }
+  ResultTransaction results(sweep.tasks.front().study, directory, options);
+  if (options.resume) {
+    const auto [seconds, note] = results.take_over();
+    if (!note.empty()) observer.tell(Note{note});
+    if (seconds) return;
+  }
+  SharedStages nothing;
+  static_cast<void>(run_study(results, observer, nothing));
+}
+
+Assessment assess_results(const DeckAssessment& deck, const AssessArguments& arguments) {
+  const auto& tasks = deck.sweep().tasks;
+  const auto directory = arguments.run.results();
+  std::vector<Responder> solved;
+  for (const auto& task : tasks) solved.push_back(read_responder(task.directory_in(directory)));
+  const auto reference = read_stored_study(tasks.front().directory_in(directory)).stages;
+  return deck.assess(solved, reference, arguments.stage, arguments.run.threads);
+}
+
+void run_assess(const AssessArguments& arguments) {
+  const auto& run = arguments.run;
+  watch_for_interruption();
+  const DeckAssessment deck(run.deck.deck, run.deck.overrides, arguments.options);
+  const auto& tasks = deck.sweep().tasks;
+  ProgressLine progress(run.quiet || !parallel::is_first());
+  progress.print(fmt::format("{}, {} inputs are not certain:\n{}", tasks.front().study.title, deck.inputs().size(),
+                             table_of_inputs(deck.inputs(), deck.design().change_the_box)));
+  solve_studies(deck.sweep(), arguments, progress);
+  if (!parallel::is_first()) return;
+  progress.update("assessment", 0.0, fmt::format("{} samples", deck.design().box_of.size()));
+  const auto assessment = assess_results(deck, arguments);
+  AssessmentDestination destination = {
+      .directory = run.results() / "assess",
+      .source = fmt::format("{}, {} samples, seed {}{}", run.deck.deck.filename().string(), assessment.samples,
+                            arguments.options.seed, arguments.stage.empty() ? "" : ", stage " + arguments.stage),
+      .studies = {},
+      .overwrite = true};
+  for (const auto& task : tasks) destination.studies.push_back(task.study.provenance.hash);
+  const auto abscissa = tasks.front().study.tests.abscissa();
+  const auto files = write_assessment(destination, assessment, abscissa);
+  for (const auto& warning : assessment.warnings) progress.warn(warning);
+  progress.print(fmt::format("\n{} samples{}", assessment.samples,
+                             assessment.boxes > 1 ? fmt::format(" in {} boxes", assessment.boxes) : ""));
+  for (const auto& curve : assessment.curves) progress.print("\n" + table_of_curve(curve, deck.inputs(), abscissa));
+  progress.print(fmt::format("Results are in {}: {}", destination.directory.string(), fmt::join(files, ", ")));
+}
+
+}  // namespace
+
+void add_assess(CLI::App& application) {
+  auto* command = application.add_subcommand(
+      "assess",
+      "carry the uncertainty of the inputs of a deck through: bands of its curves, and which input matters when");
+  auto arguments = std::make_shared<AssessArguments>();
+  auto& run = arguments->run;
+  command->add_option("DECK", run.deck.deck, "the study, a TOML file with distributions")->required()->type_name("");
+  command
+      ->add_option(
+          "--set", run.deck.overrides,
+          "replace a value of the deck, as in 'materials.hmx.shear={ value = \"5.8 GPa\", sd = \"0.6 GPa\" }'; "
+          "may be repeated")
+      ->type_name("KEY.PATH=VALUE")
+      ->allow_extra_args(false);
+  command->add_option("--samples", arguments->options.samples, "number of samples of all inputs (default: 1000)")
+      ->check(CLI::Range(100, 1'000'000).description(""))
+      ->type_name("N");
+  command
+      ->add_option("--boxes", arguments->options.boxes,
+                   "number of boxes, where inputs change the box (default: twice the number of polynomials of degree 2 "
+                   "in these inputs, 10 at least)")
+      ->check(CLI::Range(2, 10'000).description(""))
+      ->type_name("N");
+  command->add_option("--seed", arguments->options.seed, "seed of the samples (default: 1)")->type_name("N");
+  command->add_option("--stage", arguments->stage, "the stage that is assessed (default: the last one)")
+      ->type_name("NAME");
+  command->add_option("--out", run.directory, "directory for the results (default: results/<name of the deck>)")
+      ->type_name("DIR");
+  command->add_option("--threads", run.threads, "number of threads (default: as many as help)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024).description(""));
+  command->add_flag("--overwrite", run.overwrite,
+                    "replace results of other studies in the directory when the new ones are complete");
+  command->add_flag("--quiet", run.quiet, "print nothing but warnings and errors");
+  command->callback([arguments] { run_assess(*arguments); });
+}
+
+}  // namespace breccia::cli

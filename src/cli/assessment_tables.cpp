@@ -1,0 +1,73 @@
+#include "cli/assessment_tables.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <numbers>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/calibration_tables.hpp"
+#include "io/display.hpp"
+#include "results/assessment_files.hpp"
+
+namespace breccia::cli {
+namespace {
+
+std::string known_of(const UncertainInput& input) {
+  if (const auto* const known = std::get_if<Distribution>(&input.known)) return in_words(*known, input.unit);
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < choices_of(input); ++i) {
+    texts.push_back(plain_text(value_at(input, static_cast<double>(i))));
+  }
+  return fmt::format("any of {}", fmt::join(texts, ", "));
+}
+
+std::string value_of(const AssessedCurve& curve, double value) {
+  if (curve.unit == "Pa") return display(value, "Pa");
+  return fmt::format("{:.3g} deg", value * 180.0 / std::numbers::pi);
+}
+
+std::string interval_of(const AssessedCurve& curve, const std::optional<Interval>& interval) {
+  if (!interval) return "not known";
+  return fmt::format("{} to {}", value_of(curve, interval->lower), value_of(curve, interval->upper));
+}
+
+}  // namespace
+
+std::string table_of_inputs(const std::vector<UncertainInput>& inputs, const std::vector<bool>& change_the_box) {
+  std::size_t width = 0;
+  for (const auto& input : inputs) width = std::max(width, input.name.size());
+  std::string text;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    text += fmt::format("  {:<{}}  {}{}\n", inputs[i].name, width, known_of(inputs[i]),
+                        change_the_box[i] ? " (a box for each value)" : "");
+  }
+  return text;
+}
+
+std::string table_of_curve(const AssessedCurve& curve, const std::vector<UncertainInput>& inputs, Abscissa abscissa) {
+  constexpr std::size_t narrowest = 8;
+  std::vector<std::string> names;
+  for (const auto& input : inputs) names.push_back(short_name(input));
+  auto text =
+      fmt::format("{}\n{:>10}  {:>10}  {:>22}  {:>22}", curve.name, abscissa == Abscissa::time ? "time" : "frequency",
+                  "median", "95 % by the inputs", "and with the model");
+  for (const auto& name : names) text += fmt::format("  {:>{}}", name, std::max(name.size(), narrowest));
+  text += inputs.size() > 1 ? "  together\n" : "\n";
+  for (const auto i : decades_of(curve, abscissa)) {
+    text +=
+        fmt::format("{:>10}  {:>10}  {:>22}  {:>22}", place_of(curve, i, abscissa), value_of(curve, curve.median[i]),
+                    interval_of(curve, curve.of_inputs[i]), interval_of(curve, curve.whole[i]));
+    double together = 1.0;
+    for (std::size_t input = 0; input < names.size(); ++input) {
+      const double share = curve.alone(static_cast<Eigen::Index>(input), static_cast<Eigen::Index>(i));
+      together -= share;
+      text += fmt::format("  {:>{}.0f} %", 100.0 * share, std::max(names[input].size(), narrowest) - 2);
+    }
+    text += inputs.size() > 1 ? fmt::format("  {:>6.0f} %\n", 100.0 * std::max(together, 0.0)) : "\n";
+  }
+  return text;
+}
+
+}  // namespace breccia::cli
