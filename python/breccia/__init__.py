@@ -22,6 +22,7 @@ from . import _errors, _html, _native
 if _says_nothing:
     del _os.environ["GOMP_SPINCOUNT"]
 
+from ._assessment import AssessedCurve, Assessment, assess
 from ._calculations import pack, plan, respond, run, solve
 from ._calibration import Calibration, Estimate, calibrate
 from ._errors import Error, FileError, InputError, Interrupted, NumericalError
@@ -57,12 +58,12 @@ from ._stored import read_results, read_sweep_results
 from ._study import Measurement, Study, Tests, read_study, read_sweep
 
 __all__ = [
-    "Calibration", "Coating", "ComplexEngineeringModuli", "ComplexModuli", "CreepCompliance", "CreepFit", "EngineeringModuli",
+    "AssessedCurve", "Assessment", "Calibration", "Coating", "ComplexEngineeringModuli", "ComplexModuli", "CreepCompliance", "CreepFit", "EngineeringModuli",
     "Error", "Estimate", "FileError", "Filler", "Image",
     "InputError", "Interrupted", "Isochrone", "MasterCurve", "Material", "Measurement", "Microstructure",
     "NumericalError", "Packing", "Plan", "PronySeries", "RelaxationFit", "Result", "Solid", "Stage", "StagePlan",
     "StageResult", "Study", "TestPlan", "TestResult", "Tests", "WilliamsLandelFerry",
-    "calibrate", "export", "fit", "fit_creep", "fit_dynamic", "isochrone", "master_curve", "pack", "plan", "quantity",
+    "assess", "calibrate", "export", "fit", "fit_creep", "fit_dynamic", "isochrone", "master_curve", "pack", "plan", "quantity",
     "read_measured", "read_results", "read_study", "read_sweep", "read_sweep_results", "read_sweeps", "respond", "run",
     "solve",
 ]

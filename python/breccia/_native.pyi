@@ -459,6 +459,22 @@ def calibrate(
     model_error: float | None,
     samples: int,
 ) -> dict[str, Any]: ...
+
+class DeckAssessment:
+    def __init__(
+        self,
+        deck: _Path | None,
+        text: str,
+        directory: _Path,
+        overrides: Sequence[str],
+        samples: int,
+        boxes: int,
+        seed: int,
+    ) -> None: ...
+    @property
+    def studies(self) -> list[CheckedStudy]: ...
+    def assess(self, solved: Sequence[Result], stage: str | None, threads: int) -> dict[str, Any]: ...
+
 def respond(
     result: Result,
     materials: Sequence[tuple[str, ShiftedSolid]],

@@ -24,6 +24,9 @@ UNITS = {
     "young": "Pa",
 }
 
+#: The keys of a distribution, whose numbers have the unit of the key to which it belongs.
+_OF_A_DISTRIBUTION = {"value", "sd", "factor", "from", "to", "scale", "any"}
+
 #: What messages call the dimensions of arguments, with the SI unit.
 _SI_UNITS = {"time": "s", "temperature": "K", "temperature difference": "K", "frequency": "Hz", "pressure": "Pa"}
 
@@ -36,8 +39,11 @@ def is_number(value: Any) -> bool:
 def in_deck(key: str, value: Any) -> Any:
     """The value of a key as a deck has it: numbers that are quantities, also in tables and lists, as text with the
     unit; series and laws as tables."""
+    if isinstance(value, Mapping) and key in UNITS and set(value) <= _OF_A_DISTRIBUTION:
+        return {inner: entry if inner in ("factor", "scale") else in_deck(key, entry) for inner, entry in value.items()}
     if isinstance(value, Mapping):
-        return {inner: in_deck(inner, entry) for inner, entry in value.items()}
+        # The factors of a material have the names of its quantities.
+        return dict(value) if key == "factors" else {inner: in_deck(inner, entry) for inner, entry in value.items()}
     if isinstance(value, _native.PronySeries):
         return _series(value)
     if isinstance(value, _native.WilliamsLandelFerry):

@@ -1,5 +1,6 @@
 #include <pybind11/pybind11.h>
 
+#include "assessments.hpp"
 #include "calculations.hpp"
 #include "calibrations.hpp"
 #include "complex_moduli.hpp"
@@ -32,6 +33,7 @@ PYBIND11_MODULE(_native, module) {
   python::bind_results(module);
   python::bind_calculations(module);
   python::bind_calibrations(module);
+  python::bind_assessments(module);
   python::bind_plans(module);
   python::bind_exports(module);
   python::bind_stored_results(module);

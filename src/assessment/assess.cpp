@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "breccia/error.hpp"
+
 #include "assessment/latin_hypercube.hpp"
 #include "assessment/polynomial_chaos.hpp"
 #include "assessment/spread.hpp"
@@ -120,6 +122,14 @@ std::string warning_on(const AssessedCurve& curve) {
 
 AssessmentDesign design_samples(const std::vector<UncertainInput>& inputs, const std::vector<bool>& change_the_box,
                                 const AssessmentOptions& options) {
+  constexpr int fewest_samples = 100;
+  if (options.samples < fewest_samples) {
+    throw InputError(fmt::format("samples: expected {} or more, got {}", fewest_samples, options.samples));
+  }
+  if (options.boxes < 0 || options.boxes == 1) {
+    throw InputError(
+        fmt::format("boxes: expected 2 or more, or 0 for as many as the inputs need, got {}", options.boxes));
+  }
   const auto of_boxes = boxes_of(inputs_that(true, change_the_box, inputs), options);
   const auto boxes = of_boxes.cols();
   const bool have_samples = std::ranges::find(change_the_box, false) != change_the_box.end();

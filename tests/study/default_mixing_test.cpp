@@ -28,7 +28,7 @@ TEST(DefaultMixing, IsInSeriesWhereAStageOrATestDoesNotSupportFlow) {
   };
   const auto in_space = [](Study& study) { study.stages.back().packing = PackingMethod<3>(); };
   const auto dynamic = [](Study& study) { study.tests.methods = {Method::quasistatic, Method::dynamic}; };
-  const auto other_moduli = [](Study& study) { study.tests.varied = {VariedMaterial{}}; };
+  const auto other_moduli = [](Study& study) { study.tests.varied = {{.name = test::glass.name}}; };
   const auto periodic_between_walls = [](Study& study) { study.tests.boundaries = {Boundary::periodic}; };
   const auto cut_grains = [](Study& study) {
     study.stages.back().packing =

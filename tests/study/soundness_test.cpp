@@ -378,7 +378,7 @@ TEST(RequireSound, NamesWhatFlowThroughGapsDoesNotServe) {
   study.tests.boundaries = {Boundary::periodic};
   EXPECT_THAT(mistakes_of(study), HasSubstr(R"(mixing "flow": stage fine: expected the boundaries "displacement")"));
   study.tests.boundaries = {Boundary::displacement};
-  study.tests.varied = {VariedMaterial{}};
+  study.tests.varied = {{.name = test::glass.name}};
   EXPECT_THAT(mistakes_of(study), HasSubstr(R"(mixing "flow": expected no quasistatic.vary)"));
   study.tests.varied.clear();
   study.stages.back().packing = PackingMethod<2>(LaguerrePacking<2>{.walls = Walls::hard, .wall_film = WallFilm::none});

@@ -30,6 +30,7 @@ struct AssessmentDesign {
 };
 
 /// Latin hypercubes of the boxes and of the samples; all combinations of the boxes where these inputs have few choices.
+/// Throws InputError for fewer than 100 samples, and for a single box.
 AssessmentDesign design_samples(const std::vector<UncertainInput>& inputs, const std::vector<bool>& change_the_box,
                                 const AssessmentOptions& options);
 

@@ -1,0 +1,118 @@
+#include "assessments.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <pybind11/eigen.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "breccia/deck/deck_assessment.hpp"
+#include "breccia/error.hpp"
+
+#include "following.hpp"
+#include "solution.hpp"
+#include "views.hpp"
+#include "words.hpp"
+
+namespace breccia::python {
+namespace {
+
+namespace py = pybind11;
+
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+
+py::tuple ends_of(const std::vector<std::optional<Interval>>& intervals) {
+  std::vector<double> lower, upper;
+  for (const auto& interval : intervals) {
+    lower.push_back(interval ? interval->lower : not_known);
+    upper.push_back(interval ? interval->upper : not_known);
+  }
+  return py::make_tuple(array_of(lower), array_of(upper));
+}
+
+/// The shares of each input, by its name.
+py::dict shares_of(const Eigen::MatrixXd& shares, const std::vector<UncertainInput>& inputs) {
+  py::dict by_name;
+  for (std::size_t input = 0; input < inputs.size(); ++input) {
+    const Eigen::VectorXd own = shares.row(static_cast<Eigen::Index>(input));
+    by_name[py::str(inputs[input].name)] = own;
+  }
+  return by_name;
+}
+
+py::dict dict_of(const AssessedCurve& curve, const std::vector<UncertainInput>& inputs) {
+  std::vector<double> errors;
+  for (const auto& error : curve.errors) errors.push_back(error.value_or(not_known));
+  py::dict entries;
+  entries["name"] = curve.name;
+  entries["unit"] = curve.unit;
+  entries["at"] = array_of(curve.at);
+  entries["reference"] = array_of(curve.reference);
+  entries["median"] = array_of(curve.median);
+  entries["inputs"] = ends_of({curve.of_inputs.begin(), curve.of_inputs.end()});
+  entries["error"] = array_of(errors);
+  entries["whole"] = ends_of(curve.whole);
+  entries["alone"] = shares_of(curve.alone, inputs);
+  entries["total"] = shares_of(curve.total, inputs);
+  entries["unexplained"] = array_of(curve.unexplained);
+  return entries;
+}
+
+py::dict dict_of(const Assessment& assessment) {
+  py::list curves;
+  for (const auto& curve : assessment.curves) curves.append(dict_of(curve, assessment.inputs));
+  std::vector<std::string> names;
+  for (const auto& input : assessment.inputs) names.push_back(input.name);
+  py::dict entries;
+  entries["curves"] = curves;
+  entries["inputs"] = names;
+  entries["samples"] = assessment.samples;
+  entries["boxes"] = assessment.boxes;
+  entries["warnings"] = assessment.warnings;
+  return entries;
+}
+
+/// The assessment of a deck in a file or, without its path, of its text.
+DeckAssessment assessment_of(const std::optional<std::filesystem::path>& deck, const std::string& text,
+                             const std::filesystem::path& directory, const std::vector<std::string>& overrides,
+                             int samples, int boxes, std::uint64_t seed) {
+  const AssessmentOptions options = {samples, boxes, seed};
+  const ValueOrigins origins = {.overrides = "overrides", .sweep_keys = "sweep"};
+  if (deck) return {*deck, overrides, options, origins};
+  return DeckAssessment::from_text(text, directory, overrides, options, origins);
+}
+
+py::dict assess_with(const DeckAssessment& deck, const std::vector<std::shared_ptr<Solution>>& solved,
+                     const std::optional<std::string>& stage, int threads) {
+  std::vector<Responder> responders;
+  for (const auto& solution : solved) responders.emplace_back(solution->responses, solution->content.materials);
+  std::vector<StageFindings> reference;
+  for (const auto& one : solved.front()->stages) reference.push_back(one.result);
+  return dict_of(calculate([&] { return deck.assess(responders, reference, stage.value_or(""), threads); }));
+}
+
+}  // namespace
+
+void bind_assessments(py::module_& module) {
+  py::class_<DeckAssessment>(module, "DeckAssessment")
+      .def(py::init(&assessment_of), py::arg("deck"), py::arg("text"), py::arg("directory"), py::arg("overrides"),
+           py::arg("samples"), py::arg("boxes"), py::arg("seed"))
+      .def_property_readonly("studies",
+                             [](const DeckAssessment& deck) {
+                               std::vector<std::shared_ptr<Study>> studies;
+                               for (const auto& task : deck.sweep().tasks) {
+                                 studies.push_back(std::make_shared<Study>(task.study));
+                               }
+                               return studies;
+                             })
+      .def("assess", &assess_with, py::arg("solved"), py::arg("stage"), py::arg("threads"));
+}
+
+}  // namespace breccia::python

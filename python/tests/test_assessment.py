@@ -1,0 +1,65 @@
+"""What the uncertainty of the inputs of a study makes of its results."""
+
+import numpy as np
+import pytest
+
+import breccia
+
+TERMS = [(1e-4, 500e6), (1e-3, 300e6), (1e-2, 90e6)]
+
+
+def study(shear_of_glass=30e9, fraction=0.3, **factors):
+    binder = breccia.Material("binder", density=1000, bulk=3e9, shear=breccia.PronySeries(TERMS, 1e6), factors=factors)
+    glass = breccia.Material("glass", density=2500, bulk=40e9, shear=shear_of_glass)
+    packing = breccia.Packing("lubachevsky-stillinger", seed=1)
+    stage = breccia.Stage("discs", matrix=binder, box=10e-3, cells=16, packing=packing,
+                          fillers=breccia.Filler(glass, fraction=fraction, sizes={"diameter": 2e-3}))
+    return breccia.Study([stage], breccia.Tests(times=("10 us", "1 s"), fields="none", mixing="series"))
+
+
+def test_carries_materials_through_in_one_box():
+    found = breccia.assess(study({"value": 30e9, "sd": 3e9}, times={"value": 1, "factor": 2}), samples=300)
+    assert found.inputs == ["materials.binder.factors.times", "materials.glass.shear"]
+    assert (found.samples, found.boxes) == (300, 1)
+    curve = found["G"]
+    assert np.all(curve.inputs[0] < curve.median) and np.all(curve.median < curve.inputs[1])
+    alone = sum(curve.alone.values())
+    assert np.all(alone <= 1 + 1e-9) and np.all(alone > 0.9)
+    middle = len(curve.at) // 2
+    assert curve.alone["materials.binder.factors.times"][middle] > 0.9, "the binder relaxes"
+    assert np.allclose(curve.reference, found.reference["discs"].curve()[1])
+    assert "materials.glass.shear"[len("materials."):] in found._repr_html_()
+
+
+def test_agrees_with_the_command_line(tmp_path):
+    deck = tmp_path / "deck.toml"
+    deck.write_text(study({"value": 30e9, "sd": 3e9}).deck)
+    own = breccia.assess(breccia.read_study(deck, {"stages.0.cells": 12}), samples=200)
+    other = breccia.assess(breccia.read_study(deck, ["stages.0.cells=12"]), samples=200)
+    assert np.array_equal(own["G"].inputs[0], other["G"].inputs[0])
+    assert own["G"].inputs[1][0] > own["G"].inputs[0][0]
+
+
+def test_solves_boxes():
+    found = breccia.assess(study(fraction={"value": 0.3, "sd": 0.01}), boxes=4)
+    assert found.boxes == 4 and found.samples == 4
+    assert np.all(found["G"].total["stages.discs.filler.fraction"] >= 0)
+
+
+@pytest.mark.parametrize("shear, keys, message", [
+    (30e9, {}, "every input is certain"),
+    ({"value": 30e9, "sd": 20e9}, {}, "expected less than a quarter"),
+    ({"value": 30e9, "sd": "3 mm"}, {}, 'expected a pressure, got "3 mm"'),
+    ({"value": 30e9, "factor": 0.5}, {}, "expected a factor above 1, got 0.5"),
+    ({"value": 30e9, "sd": 3e9}, {"samples": 10}, "samples: expected 100 or more, got 10"),
+    ({"value": 30e9, "sd": 3e9}, {"boxes": 1}, "boxes: expected 2 or more"),
+    ({"value": 30e9, "sd": 3e9}, {"stage": "disks"}, 'no stage "disks", did you mean "discs"?'),
+])
+def test_refuses_mistakes(shear, keys, message):
+    with pytest.raises(breccia.InputError, match=message.replace("?", r"\?")):
+        breccia.assess(study(shear), **keys)
+
+
+def test_takes_studies_alone():
+    with pytest.raises(breccia.InputError, match="expected a Study"):
+        breccia.assess("deck.toml")
