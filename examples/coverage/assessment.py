@@ -5,8 +5,9 @@
 
 Discs with an interphase whose modulus is known within a factor 1.5, in a binder whose relaxation times are known within a
 factor 2 (DECK below). Each of RUNS runs (500 unless told) has values of its own for both. By Saltelli's design a quarter of
-them, A, and another quarter, B, are independent, and in the other half A has one input of B in its place; the first-order
-index of an input is the mean of b (ab - a) over the variance, with its standard error by bootstrap. The table has for each
+them, A, and another quarter, B, are independent, and in the other half A has one input of B in its place. The total index of
+that input is half the mean of (a - ab)^2 over the variance (Jansen), and the first-order index of the other input is 1 less
+that, with its standard error by bootstrap. The table has for each
 decade the share by `assess`, by brute force with its standard error, and the share of the runs of A and B within the band of
 95 % of `assess`. The program is `breccia` of the path, or BRECCIA of the environment; results are in `results/assessment`,
 or the directory RESULTS of the environment."""
@@ -76,11 +77,12 @@ def curve(scores, number):
 
 
 def first_order(a, b, ab):
-    """The first-order index of the input that ab has from b (Saltelli et al. 2010)."""
+    """The first-order index of one of two inputs, where ab has the other one from b (M. J. W. Jansen, Computer Physics
+    Communications 117, 35-43, 1999)."""
     both = a + b
     mean = sum(both) / len(both)
     variance = sum((one - mean) ** 2 for one in both) / len(both)
-    return sum((y - mean) * (z - x) for x, y, z in zip(a, b, ab)) / len(a) / variance
+    return 1.0 - sum((x - z) ** 2 for x, z in zip(a, ab)) / (2 * len(a)) / variance
 
 
 def with_error(a, b, ab, draw):
@@ -124,7 +126,7 @@ def main():
         within = sum(ends[0] <= one <= ends[1] for one in at[0] + at[1]) / (2 * quarter)
         line = f"{time:>10.3g}  {100 * within:>9.1f} %"
         for i, name in enumerate(FACTORS):
-            index, error = with_error(at[0], at[1], at[2 + i], draw)
+            index, error = with_error(at[0], at[1], at[2 + (1 - i)], draw)
             own = next(float(row["alone"]) for row in shares
                        if row["input"] == name and float(row["time_s"]) == time)
             line += f"  {100 * own:>20.1f} %, {100 * index:>5.1f} +- {100 * error:.1f} %"

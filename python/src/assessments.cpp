@@ -95,7 +95,9 @@ py::dict assess_with(const DeckAssessment& deck, const std::vector<std::shared_p
   for (const auto& solution : solved) responders.emplace_back(solution->responses, solution->content.materials);
   std::vector<StageFindings> reference;
   for (const auto& one : solved.front()->stages) reference.push_back(one.result);
-  return dict_of(calculate([&] { return deck.assess(responders, reference, stage.value_or(""), threads); }));
+  return dict_of(calculate([&] {
+    return assess(deck.inputs(), deck.design(), deck.curves(responders, reference, stage.value_or(""), threads));
+  }));
 }
 
 }  // namespace

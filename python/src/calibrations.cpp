@@ -110,11 +110,11 @@ py::dict calibrate_with(const Composites& composites, const Data& data, std::vec
   for (const auto& [name, solution] : composites) {
     asked.composites.emplace_back(name, responder_of_solution(name, *solution));
   }
-  for (const auto& [composite, file] : data) asked.data.push_back({composite, file});
+  for (const auto& [composite, file] : data) asked.measured.data.push_back({composite, file});
   asked.unknowns = std::move(unknowns);
-  asked.modulus = modulus_named(modulus);
+  asked.measured.modulus = modulus_named(modulus);
   asked.stage = stage.value_or("");
-  asked.noise = noise;
+  asked.measured.noise = noise;
   asked.model_error = model_error;
   asked.samples = samples;
   return dict_of(calculate([&asked] { return calibrate(asked); }));

@@ -60,16 +60,6 @@ Eigen::MatrixXd boxes_of(const std::vector<UncertainInput>& inputs, const Assess
   return all.size() > 0 ? all : latin_hypercube(inputs, static_cast<Eigen::Index>(count), options.seed);
 }
 
-/// Moduli are followed by their logarithms, phases as they are.
-bool is_logarithmic(const SampledCurve& curve) {
-  return curve.unit == "Pa";
-}
-
-/// The curve whose values the polynomials follow, for each sample.
-Eigen::MatrixXd followed_values(const SampledCurve& curve) {
-  return is_logarithmic(curve) ? Eigen::MatrixXd(curve.values.array().log()) : curve.values;
-}
-
 /// An interval of a modulus about its median with an error [-] added, of independent causes (theory, Eq. 86).
 Interval widened(const Interval& interval, double median, double error) {
   const auto beyond = [error](double ratio) { return std::exp(std::hypot(std::log(ratio), std::log1p(error))); };
@@ -78,12 +68,7 @@ Interval widened(const Interval& interval, double median, double error) {
 
 AssessedCurve assessed(const std::vector<UncertainInput>& inputs, const AssessmentDesign& design,
                        const SampledCurve& curve, const Eigen::MatrixXd& points) {
-  SampledOutputs samples = {design.coordinates, followed_values(curve), design.box_of, design.change_the_box};
-  if (design.boxes.cols() == 1) {
-    // Without an error that samples share each is a group of its own.
-    for (std::size_t i = 0; i < samples.groups.size(); ++i) samples.groups[i] = i;
-  }
-  const PolynomialChaos polynomials(inputs, samples);
+  const PolynomialChaos polynomials(inputs, followed_samples(design, curve));
   AssessedCurve found = {.name = curve.name,
                          .unit = curve.unit,
                          .at = curve.at,
@@ -92,7 +77,7 @@ AssessedCurve assessed(const std::vector<UncertainInput>& inputs, const Assessme
                          .alone = polynomials.first_order(),
                          .total = polynomials.total()};
   const auto values = polynomials.at(points);
-  const auto in_unit = [&](double value) { return is_logarithmic(curve) ? std::exp(value) : value; };
+  const auto in_unit = [&](double value) { return curve.curve == ObservedCurve::phase ? value : std::exp(value); };
   const auto variances = polynomials.variances();
   for (std::size_t i = 0; i < curve.at.size(); ++i) {
     const auto output = static_cast<Eigen::Index>(i);

@@ -230,18 +230,6 @@ Eigen::VectorXd ObservedModel::predictions(const Eigen::VectorXd& scores) const 
   return predictions_from(moduli_at_points(scores), scores);
 }
 
-Eigen::VectorXd ObservedModel::deviations(const Eigen::VectorXd& scores) const {
-  auto deviations = predictions(scores);
-  for (std::size_t i = 0; i < observations_.size(); ++i) {
-    const auto& [composite, modulus, curve, at, temperature, value, deviation] = observations_[i];
-    auto& one = deviations[static_cast<Eigen::Index>(i)];
-    // The trial of a search may have all but relaxed, where the error of the contour may make it negative.
-    constexpr double least = 1e-30;
-    one = (curve == ObservedCurve::phase ? one - value : std::log(std::max(one / value, least))) / deviation;
-  }
-  return deviations;
-}
-
 /// The differences of the moduli of two forms of a material at all points; zero at those of composites without it. Most
 /// unknowns change a few terms, so that the difference of the series has few.
 std::vector<ComplexModuli> ObservedModel::differences(const ShiftedMaterial& more, const ShiftedMaterial& less) const {

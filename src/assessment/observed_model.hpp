@@ -11,6 +11,7 @@
 #include "breccia/assessment/observation.hpp"
 
 #include "assessment/observed_value.hpp"
+#include "assessment/predictive_model.hpp"
 #include "assessment/unknown_vector.hpp"
 
 namespace breccia {
@@ -19,7 +20,7 @@ namespace breccia {
 /// factor for each composite whose model is not exact. Composites share the unknowns of the materials by their names.
 /// A prediction takes the moduli of the composite at complex Laplace variables, by the correspondence principle; no
 /// series is fitted.
-class ObservedModel {
+class ObservedModel final : public PredictiveModel {
  public:
   /// Throws InputError: as UnknownVector; for a composite without a measurement or the tests that one needs, or of
   /// another definition of a shared material; for a value that is not positive.
@@ -27,18 +28,11 @@ class ObservedModel {
                 std::vector<Observation> observations);
 
   [[nodiscard]] const std::vector<ObservedComposite>& composites() const noexcept { return composites_; }
-  [[nodiscard]] const std::vector<Observation>& observations() const noexcept { return observations_; }
+  [[nodiscard]] const std::vector<Observation>& observations() const noexcept override { return observations_; }
   [[nodiscard]] const UnknownVector& unknowns() const noexcept { return unknowns_; }
-  /// The components of the vector of unknowns, the factors of the composites among them.
-  [[nodiscard]] const std::vector<UnknownComponent>& components() const noexcept { return components_; }
-  [[nodiscard]] Eigen::Index size() const noexcept { return static_cast<Eigen::Index>(components_.size()); }
-
-  /// The predicted values, in the units of the observations.
-  [[nodiscard]] Eigen::VectorXd predictions(const Eigen::VectorXd& scores) const;
-  /// The predictions minus the observations in standard deviations: of logarithms, and of phases as they are.
-  [[nodiscard]] Eigen::VectorXd deviations(const Eigen::VectorXd& scores) const;
-  /// The derivatives of the deviations by the scores: observations x unknowns.
-  [[nodiscard]] Eigen::MatrixXd jacobian(const Eigen::VectorXd& scores) const;
+  [[nodiscard]] const std::vector<UnknownComponent>& components() const noexcept override { return components_; }
+  [[nodiscard]] Eigen::VectorXd predictions(const Eigen::VectorXd& scores) const override;
+  [[nodiscard]] Eigen::MatrixXd jacobian(const Eigen::VectorXd& scores) const override;
 
  private:
   /// A composite at one temperature.

@@ -14,7 +14,7 @@
 namespace breccia {
 namespace {
 
-constexpr int highest_degree = 6;
+constexpr int highest_degree = 10;
 
 /// The orthonormal functions of an input at a coordinate, from the constant to the last. Each is one of the functions
 /// of an input by its degree; the contrasts of choices are all of degree 1.
@@ -114,6 +114,19 @@ double whole_error(const CrossValidatedFit& found, const Eigen::MatrixXd& values
 }
 
 }  // namespace
+
+SampledOutputs followed_samples(const AssessmentDesign& design, const SampledCurve& curve) {
+  const bool is_phase = curve.curve == ObservedCurve::phase;
+  SampledOutputs samples = {.coordinates = design.coordinates,
+                            .values = is_phase ? curve.values : Eigen::MatrixXd(curve.values.array().log()),
+                            .groups = design.box_of,
+                            .are_of_group = design.change_the_box};
+  if (design.boxes.cols() == 1) {
+    // Without an error that samples share each is a group of its own.
+    for (std::size_t i = 0; i < samples.groups.size(); ++i) samples.groups[i] = i;
+  }
+  return samples;
+}
 
 PolynomialChaos::PolynomialChaos(const std::vector<UncertainInput>& inputs, const SampledOutputs& samples)
     : inputs_(inputs) {

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include "breccia/assessment/assess.hpp"
 #include "breccia/deckfile/uncertain_input.hpp"
 
 namespace breccia {
@@ -18,9 +19,13 @@ struct SampledOutputs {
   std::vector<bool> are_of_group;
 };
 
+/// The samples of a curve as polynomials follow them: the logarithms of moduli, phases as they are, an output for each
+/// time or frequency. Samples of several boxes are grouped by these.
+SampledOutputs followed_samples(const AssessmentDesign& design, const SampledCurve& curve);
+
 /// Outputs as polynomials in uncertain inputs that do not depend on each other, in terms that are orthonormal under the
 /// distributions of the inputs: Hermite's of a score, Legendre's of a uniform share, contrasts of choices (theory,
-/// section 20). The coefficients are found by least squares; the degree, up to 6 in all and less in the inputs of
+/// section 20). The coefficients are found by least squares; the degree, up to 10 in all and less in the inputs of
 /// groups, is that with the least error in predicting samples of a group from all others.
 class PolynomialChaos {
  public:

@@ -42,7 +42,8 @@ class CurvesOfTest {
     const auto symbol = load.is_bulk() ? std::string(symbol_of_bulk_test(dimensions)) : std::string("G");
     if (is_over_frequency_) {
       const auto complex = load.is_bulk() && is_plane_strain(dimensions) ? "(" + symbol + ")*" : symbol + "*";
-      curves_ = {{.name = "|" + complex + "|", .unit = "Pa"}, {.name = "phase of " + complex, .unit = "rad"}};
+      curves_ = {{.name = "|" + complex + "|", .unit = "Pa", .curve = ObservedCurve::absolute},
+                 {.name = "phase of " + complex, .unit = "rad", .curve = ObservedCurve::phase}};
       for (const auto& sample : reference.in_frequency) {
         curves_[0].at.push_back(sample.angular_frequency);
         curves_[0].errors.push_back(sample.error);
@@ -57,6 +58,8 @@ class CurvesOfTest {
       }
     }
     for (auto& curve : curves_) {
+      curve.modulus = load.is_bulk() ? ObservedModulus::bulk : ObservedModulus::shear;
+      curve.share_of_shear = load.is_bulk() ? shear_in_bulk_test(dimensions) : 0.0;
       curve.values.resize(static_cast<Eigen::Index>(curve.at.size()), static_cast<Eigen::Index>(samples));
     }
     const auto values = values_of(reference);

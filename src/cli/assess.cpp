@@ -16,12 +16,16 @@
 #include "campaign/result_transaction.hpp"
 #include "campaign/shared_stages.hpp"
 #include "cli/assessment_tables.hpp"
+#include "cli/calibration_tables.hpp"
 #include "cli/command.hpp"
 #include "cli/interruption.hpp"
+#include "cli/modulus_kinds.hpp"
 #include "cli/narration.hpp"
 #include "cli/sweep_summary.hpp"
+#include "deck/calibrated_inputs.hpp"
 #include "parallel/session.hpp"
 #include "results/assessment_files.hpp"
+#include "results/calibration_files.hpp"
 #include "results/stored_study.hpp"
 
 namespace breccia::cli {
@@ -31,6 +35,9 @@ struct AssessArguments {
   RunArguments run;
   AssessmentOptions options;
   std::string stage;
+  std::vector<std::filesystem::path> measured;
+  std::string modulus;             ///< kind of the measured moduli; empty: from the names of the columns
+  std::string noise, model_error;  ///< in per cent
 };
 
 /// An observer that passes on everything of the first task of a sweep, and of the others when they begin and fail.
@@ -63,41 +70,82 @@ void solve_studies(const Sweep& sweep, const AssessArguments& arguments, Progres
   static_cast<void>(run_study(results, observer, nothing));
 }
 
-Assessment assess_results(const DeckAssessment& deck, const AssessArguments& arguments) {
+std::vector<SampledCurve> curves_of(const DeckAssessment& deck, const AssessArguments& arguments) {
   const auto& tasks = deck.sweep().tasks;
   const auto directory = arguments.run.results();
   std::vector<Responder> solved;
   for (const auto& task : tasks) solved.push_back(read_responder(task.directory_in(directory)));
   const auto reference = read_stored_study(tasks.front().directory_in(directory)).stages;
-  return deck.assess(solved, reference, arguments.stage, arguments.run.threads);
+  return deck.curves(solved, reference, arguments.stage, arguments.run.threads);
 }
 
-void run_assess(const AssessArguments& arguments) {
-  const auto& run = arguments.run;
-  watch_for_interruption();
-  const DeckAssessment deck(run.deck.deck, run.deck.overrides, arguments.options);
-  const auto& tasks = deck.sweep().tasks;
-  ProgressLine progress(run.quiet || !parallel::is_first());
-  progress.print(fmt::format("{}, {} inputs are not certain:\n{}", tasks.front().study.title, deck.inputs().size(),
-                             table_of_inputs(deck.inputs(), deck.design().change_the_box)));
-  solve_studies(deck.sweep(), arguments, progress);
-  if (!parallel::is_first()) return;
-  progress.update("assessment", 0.0, fmt::format("{} samples", deck.design().box_of.size()));
-  const auto assessment = assess_results(deck, arguments);
-  AssessmentDestination destination = {
-      .directory = run.results() / "assess",
-      .source = fmt::format("{}, {} samples, seed {}{}", run.deck.deck.filename().string(), assessment.samples,
-                            arguments.options.seed, arguments.stage.empty() ? "" : ", stage " + arguments.stage),
-      .studies = {},
-      .overwrite = true};
-  for (const auto& task : tasks) destination.studies.push_back(task.study.provenance.hash);
-  const auto abscissa = tasks.front().study.tests.abscissa();
+/// The samples in words, from which the same ones can be told from others.
+std::string source_of(const AssessArguments& arguments, std::size_t samples) {
+  return fmt::format("{}, {} samples, seed {}{}", arguments.run.deck.deck.filename().string(), samples,
+                     arguments.options.seed, arguments.stage.empty() ? "" : ", stage " + arguments.stage);
+}
+
+std::vector<std::string> hashes_of(const Sweep& sweep) {
+  std::vector<std::string> hashes;
+  for (const auto& task : sweep.tasks) hashes.push_back(task.study.provenance.hash);
+  return hashes;
+}
+
+void write_and_print(const DeckAssessment& deck, const std::vector<SampledCurve>& curves,
+                     const AssessArguments& arguments, ProgressLine& progress) {
+  const auto assessment = assess(deck.inputs(), deck.design(), curves);
+  const auto abscissa = deck.sweep().tasks.front().study.tests.abscissa();
+  const AssessmentDestination destination = {.directory = arguments.run.results() / "assess",
+                                             .source = source_of(arguments, assessment.samples),
+                                             .studies = hashes_of(deck.sweep()),
+                                             .overwrite = true};
   const auto files = write_assessment(destination, assessment, abscissa);
   for (const auto& warning : assessment.warnings) progress.warn(warning);
   progress.print(fmt::format("\n{} samples{}", assessment.samples,
                              assessment.boxes > 1 ? fmt::format(" in {} boxes", assessment.boxes) : ""));
   for (const auto& curve : assessment.curves) progress.print("\n" + table_of_curve(curve, deck.inputs(), abscissa));
   progress.print(fmt::format("Results are in {}: {}", destination.directory.string(), fmt::join(files, ", ")));
+}
+
+/// Finds the inputs from measured values, and writes and prints what was found.
+void calibrate_and_print(const DeckAssessment& deck, const std::vector<SampledCurve>& curves,
+                         const AssessArguments& arguments, ProgressLine& progress) {
+  AskedObservations measured = {
+      .data = {}, .modulus = ModulusKind::unspecified, .noise = option_share("--noise", arguments.noise)};
+  for (const auto& file : arguments.measured) measured.data.push_back({0, file});
+  if (!arguments.modulus.empty()) measured.modulus = modulus_kinds.at(arguments.modulus);
+  const auto found = calibrate_inputs(deck, curves, measured, option_share("--model-error", arguments.model_error));
+  std::vector<std::string> texts;
+  for (const auto& file : arguments.measured) texts.push_back(file.string());
+  const CalibrationDestination destination = {
+      .directory = arguments.run.results() / "calibrate",
+      .source = fmt::format("{}, with {}", source_of(arguments, deck.design().box_of.size()), fmt::join(texts, ", ")),
+      .inputs = arguments.measured,
+      .studies = hashes_of(deck.sweep()),
+      .overwrite = true};
+  const auto stage = arguments.stage.empty() ? deck.sweep().tasks.front().study.stages.back().name : arguments.stage;
+  const auto files = write_calibration(destination, {found.observations, {stage}}, found.result);
+  for (const auto& note : found.notes) progress.print("note: " + note);
+  for (const auto& warning : found.result.warnings) progress.warn(warning);
+  progress.print(fmt::format("\n{} measured values of {}\n\n{}", found.observations.size(), stage,
+                             table_of_estimates(found.result.estimates)));
+  for (const auto& remark : found.result.remarks) progress.print(remark);
+  progress.print(fmt::format("Results are in {}: {}", destination.directory.string(), fmt::join(files, ", ")));
+}
+
+void run_assess(const AssessArguments& arguments) {
+  const auto& run = arguments.run;
+  watch_for_interruption();
+  const DeckAssessment deck(run.deck.deck, run.deck.overrides, arguments.options);
+  ProgressLine progress(run.quiet || !parallel::is_first());
+  progress.print(fmt::format("{}, {} inputs are not certain:\n{}", deck.sweep().tasks.front().study.title,
+                             deck.inputs().size(), table_of_inputs(deck.inputs(), deck.design().change_the_box)));
+  solve_studies(deck.sweep(), arguments, progress);
+  if (!parallel::is_first()) return;
+  progress.update("assessment", 0.0, fmt::format("{} samples", deck.design().box_of.size()));
+  const auto curves = curves_of(deck, arguments);
+  write_and_print(deck, curves, arguments, progress);
+  if (!arguments.measured.empty()) calibrate_and_print(deck, curves, arguments, progress);
 }
 
 }  // namespace
@@ -128,6 +176,26 @@ void add_assess(CLI::App& application) {
   command->add_option("--seed", arguments->options.seed, "seed of the samples (default: 1)")->type_name("N");
   command->add_option("--stage", arguments->stage, "the stage that is assessed (default: the last one)")
       ->type_name("NAME");
+  command
+      ->add_option("--measured", arguments->measured,
+                   "measured values of the composite, from which the inputs are found (docs/uncertainty.md); may be "
+                   "repeated")
+      ->expected(1)
+      ->take_all()
+      ->type_name("FILE");
+  command
+      ->add_option("--noise", arguments->noise,
+                   "standard deviation of the measured values, as in \"2 %\" (default: as their deviations show)")
+      ->type_name("PERCENT");
+  command
+      ->add_option("--model-error", arguments->model_error,
+                   "error of the moduli of the study, as in \"5 %\" (default: the largest that it states)")
+      ->type_name("PERCENT");
+  command
+      ->add_option("--modulus", arguments->modulus,
+                   "kind of modulus that was measured, if the names of the columns do not say it")
+      ->check(CLI::IsMember(modulus_kinds).description(""))
+      ->type_name("shear|young|bulk");
   command->add_option("--out", run.directory, "directory for the results (default: results/<name of the deck>)")
       ->type_name("DIR");
   command->add_option("--threads", run.threads, "number of threads (default: as many as help)")

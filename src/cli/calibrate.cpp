@@ -18,7 +18,6 @@
 #include "cli/command.hpp"
 #include "cli/modulus_kinds.hpp"
 #include "deck/asked_calibration.hpp"
-#include "io/percentage.hpp"
 #include "results/calibration_files.hpp"
 
 namespace breccia::cli {
@@ -38,15 +37,6 @@ struct CalibrateArguments {
   bool overwrite = false;
   bool quiet = false;
 };
-
-/// A positive share of an option, such as "2 %".
-std::optional<double> share_of(const std::string& option, const std::string& text) {
-  if (text.empty()) return std::nullopt;
-  const auto share = parse_percentage(text);
-  if (share && *share > 0.0 && *share < 1.0) return share;
-  throw InputError(
-      fmt::format(R"({}: expected a percentage between 0 and 100, such as "2 %", got "{}")", option, text));
-}
 
 /// The name of a composite: that of the directory of its results.
 std::string name_of_results(const fs::path& results) {
@@ -85,15 +75,15 @@ std::vector<std::string> names_of(const std::vector<fs::path>& directories) {
 
 AskedCalibration asked_by(const CalibrateArguments& arguments) {
   AskedCalibration asked;
-  asked.noise = share_of("--noise", arguments.noise);
-  asked.model_error = share_of("--model-error", arguments.model_error);
+  asked.measured.noise = option_share("--noise", arguments.noise);
+  asked.model_error = option_share("--model-error", arguments.model_error);
   const auto names = names_of(arguments.results);
-  for (const auto& text : arguments.measured) asked.data.push_back(read_asked_data(text, names));
+  for (const auto& text : arguments.measured) asked.measured.data.push_back(read_asked_data(text, names));
   for (std::size_t i = 0; i < names.size(); ++i) {
     asked.composites.emplace_back(names[i], read_responder(arguments.results[i]));
   }
   asked.unknowns = arguments.unknowns;
-  if (!arguments.modulus.empty()) asked.modulus = modulus_kinds.at(arguments.modulus);
+  if (!arguments.modulus.empty()) asked.measured.modulus = modulus_kinds.at(arguments.modulus);
   asked.stage = arguments.stage;
   asked.samples = arguments.samples;
   return asked;
@@ -122,7 +112,7 @@ void run_calibrate(const CalibrateArguments& arguments) {
       .inputs = {},
       .studies = {},
       .overwrite = arguments.overwrite};
-  for (const auto& [composite, file] : asked.data) destination.inputs.push_back(file);
+  for (const auto& [composite, file] : asked.measured.data) destination.inputs.push_back(file);
   std::vector<std::string> names;
   for (const auto& composite : found.composites) {
     names.push_back(composite.name);

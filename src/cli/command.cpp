@@ -10,6 +10,7 @@
 
 #include "cli/help.hpp"
 #include "cli/interruption.hpp"
+#include "io/percentage.hpp"
 #include "io/units.hpp"
 #include "parallel/session.hpp"
 
@@ -100,6 +101,14 @@ double option_quantity(const std::string& option, const std::string& text, Dimen
   }();
   if (accepts(range, value)) return value;
   throw InputError(fmt::format("{}: expected {}, got \"{}\"", option, described(range, dimension), text));
+}
+
+std::optional<double> option_share(const std::string& option, const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  const auto share = parse_percentage(text);
+  if (share && *share > 0.0 && *share < 1.0) return share;
+  throw InputError(
+      fmt::format(R"({}: expected a percentage between 0 and 100, such as "2 %", got "{}")", option, text));
 }
 
 }  // namespace breccia::cli

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,10 @@ void add_run_arguments(CLI::App& command, RunArguments& arguments);
 /// quantity or out of range.
 double option_quantity(const std::string& option, const std::string& text, Dimension dimension,
                        const Range& range = {});
+
+/// A positive share of an option, such as "2 %"; nothing for an empty text. Throws InputError with the name of the
+/// option.
+std::optional<double> option_share(const std::string& option, const std::string& text);
 
 /// The subcommands: each function adds its subcommand to the application, with a callback that does the work.
 void add_assess(CLI::App& application);

@@ -6,9 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "breccia/tables/measured_table_reader.hpp"
-
-#include "deck/observations.hpp"
 #include "deck/unknowns.hpp"
 #include "io/collected_mistakes.hpp"
 
@@ -65,27 +62,13 @@ std::vector<ShiftedMaterial> materials_of(const std::vector<ObservedComposite>& 
 }  // namespace
 
 FoundCalibration calibrate(const AskedCalibration& asked) {
-  constexpr double any = 0.01;  // where the noise is not known only the ratios of deviations matter
   FoundCalibration found;
-  found.noise = asked.noise ? Noise::known : Noise::relative;
+  found.noise = asked.measured.noise ? Noise::known : Noise::relative;
   CollectedMistakes mistakes;
   for (const auto& one : asked.composites) {
     mistakes.collect([&] { found.composites.push_back(composite_of(one.first, one.second, asked)); });
   }
-  for (const auto& data : asked.data) {
-    mistakes.collect([&] {
-      const auto read = observations_in(read_measured_table(data.file), asked.modulus);
-      if (read.kind == ModulusKind::unspecified) {
-        found.notes.push_back(
-            fmt::format("{} does not say which modulus it has: it is taken for G", data.file.string()));
-      }
-      for (auto observation : read.observations) {
-        observation.composite = data.composite;
-        observation.deviation = asked.noise.value_or(any);
-        found.observations.push_back(observation);
-      }
-    });
-  }
+  found.observations = read_observations(asked.measured, found.notes, mistakes);
   std::vector<Unknown> unknowns;
   for (const auto& text : asked.unknowns) {
     mistakes.collect(

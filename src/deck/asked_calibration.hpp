@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -9,27 +7,20 @@
 
 #include "breccia/assessment/calibrate.hpp"
 #include "breccia/homogenisation/responder.hpp"
-#include "breccia/tables/modulus_kind.hpp"
+
+#include "deck/asked_observations.hpp"
 
 namespace breccia {
-
-/// Measured values of a composite.
-struct AskedData {
-  std::size_t composite = 0;  ///< index of the composite
-  std::filesystem::path file;
-};
 
 /// A calibration as a user asks for it.
 struct AskedCalibration {
   /// The composites by their names, as far as they are known: no more than their reduced responses.
   std::vector<std::pair<std::string, Responder>> composites = {};
-  std::vector<AskedData> data = {};
-  std::vector<std::string> unknowns = {};          ///< as read_unknown() takes them
-  ModulusKind modulus = ModulusKind::unspecified;  ///< kind of modulus, where a file does not say it
-  std::string stage = {};                          ///< the stage that was measured; empty: the last one
-  std::optional<double> noise = {};                ///< standard deviation of the data [-]; nothing: as they scatter
-  std::optional<double> model_error = {};          ///< error of the moduli of the run [-]; nothing: as it states
-  int samples = 0;                                 ///< CalibrationOptions::samples
+  AskedObservations measured = {};
+  std::vector<std::string> unknowns = {};  ///< as read_unknown() takes them
+  std::string stage = {};                  ///< the stage that was measured; empty: the last one
+  std::optional<double> model_error = {};  ///< error of the moduli of the run [-]; nothing: as it states
+  int samples = 0;                         ///< CalibrationOptions::samples
 };
 
 /// A calibration, and what it was made from.

@@ -173,8 +173,9 @@ const Sweep& DeckAssessment::sweep() const noexcept {
   return state_->sweep;
 }
 
-Assessment DeckAssessment::assess(const std::vector<Responder>& solved, const std::vector<StageFindings>& reference,
-                                  const std::string& stage, int threads) const {
+std::vector<SampledCurve> DeckAssessment::curves(const std::vector<Responder>& solved,
+                                                 const std::vector<StageFindings>& reference, const std::string& stage,
+                                                 int threads) const {
   const auto& design = state_->design;
   const auto& inputs = state_->study.uncertain;
   if (solved.size() != state_->sweep.tasks.size()) {
@@ -200,7 +201,7 @@ Assessment DeckAssessment::assess(const std::vector<Responder>& solved, const st
       of_sample.push_back(new_material(material, material_with(state_->document, material, settings)));
     }
   }
-  return breccia::assess(inputs, design, sample_curves(sampled));
+  return sample_curves(sampled);
 }
 
 }  // namespace breccia

@@ -119,6 +119,34 @@ TEST(Assess, AnswersOverFrequency) {
   EXPECT_TRUE(std::filesystem::exists(study.result("assess/bands_phase-of-G.svg")));
 }
 
+TEST(Assess, FindsTheInputsFromMeasurements) {
+  const StudyDirectory study(uncertain_discs());
+  // The truth: an interphase of 130 MPa, and times of 1.5 times those of the deck.
+  ASSERT_EQ(study
+                .breccia("run",
+                         {"--set", "materials.interphase.shear=130 MPa", "--set", "materials.binder.factors.times=1.5"})
+                .exit_code,
+            0);
+  std::string text = "time_s,shear_modulus_Pa\n";
+  const auto truth = read_curve(study.result("curves.csv"), "discs", "shear");
+  for (std::size_t i = 0; i < truth.size(); i += 5) text += fmt::format("{},{}\n", truth[i].time, truth[i].modulus);
+  study.write("g.csv", text);
+  const auto run =
+      study.breccia("assess", {"--overwrite", "--measured", "g.csv", "--noise", "1 %", "--model-error", "1 %"});
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_THAT(run.output, AllOf(HasSubstr("13 measured values of discs"), HasSubstr("materials.interphase.shear")));
+  const auto found = read_csv(study.result("calibrate/estimates.csv"), {"unknown", "unit"});
+  ASSERT_EQ(found.rows(), 3U) << "two inputs, and the factor of the model";
+  EXPECT_NEAR(found.numbers("value")[0], 1.5, 0.15);
+  EXPECT_NEAR(found.numbers("value")[1] / 130e6, 1.0, 0.1);
+  for (const auto& [row, value] : {std::pair(0U, 1.5), std::pair(1U, 130e6)}) {
+    EXPECT_LT(found.numbers("lower_95")[row], value);
+    EXPECT_GT(found.numbers("upper_95")[row], value);
+  }
+  EXPECT_THAT(study.breccia("assess", {"--measured", "none.csv"}).errors, HasSubstr("none.csv"));
+  EXPECT_THAT(study.breccia("assess", {"--measured", "g.csv", "--noise", "1"}).errors, HasSubstr("--noise: expected"));
+}
+
 TEST(Assess, ARunTakesMediansAndSaysSo) {
   const StudyDirectory study(uncertain_discs());
   const auto run = study.breccia("run");

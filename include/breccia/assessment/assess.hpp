@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "breccia/assessment/interval.hpp"
+#include "breccia/assessment/observation.hpp"
 #include "breccia/deckfile/uncertain_input.hpp"
 
 namespace breccia {
@@ -36,11 +37,14 @@ AssessmentDesign design_samples(const std::vector<UncertainInput>& inputs, const
 
 /// A curve of a composite in every sample.
 struct SampledCurve {
-  std::string name = {};               ///< "G", "K + G/3", "|G*|", "phase of G*"
-  std::string unit = {};               ///< "Pa", or "rad" of a phase
-  std::vector<double> at = {};         ///< rising times [s], or angular frequencies [rad/s]
-  Eigen::MatrixXd values = {};         ///< of the curve (at x samples)
-  std::vector<double> reference = {};  ///< the curve with the median of each input
+  std::string name = {};                             ///< "G", "K + G/3", "|G*|", "phase of G*"
+  std::string unit = {};                             ///< "Pa", or "rad" of a phase
+  ObservedModulus modulus = ObservedModulus::shear;  ///< G or K
+  ObservedCurve curve = ObservedCurve::relaxation;  ///< relaxation modulus, or absolute value or phase of a complex one
+  double share_of_shear = 0.0;                      ///< share of G in it beside K: 1/3 of K + G/3
+  std::vector<double> at = {};                      ///< rising times [s], or angular frequencies [rad/s]
+  Eigen::MatrixXd values = {};                      ///< of the curve (at x samples)
+  std::vector<double> reference = {};               ///< the curve with the median of each input
   /// The error of the modulus of the reference by grid, sample and solver, over it [-]; nothing where it is not known,
   /// and of a phase.
   std::vector<std::optional<double>> errors = {};

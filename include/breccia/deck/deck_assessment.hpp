@@ -38,11 +38,12 @@ class DeckAssessment {
   /// boxes after it.
   [[nodiscard]] const Sweep& sweep() const noexcept;
 
-  /// Assesses a stage, for an empty name the last one: from the responders of all studies, in their order, and the
-  /// results of the stages of the first study. Throws InputError for a name that no stage has, and where a sample is no
-  /// sound material; NotCovered where it is outside of what the studies have sampled.
-  [[nodiscard]] Assessment assess(const std::vector<Responder>& solved, const std::vector<StageFindings>& reference,
-                                  const std::string& stage = {}, int threads = 0) const;
+  /// The curves of a stage, for an empty name the last one, in all samples: from the responders of all studies, in
+  /// their order, and the results of the stages of the first study. Throws InputError for a name that no stage has, and
+  /// where a sample is no sound material; NotCovered where it is outside of what the studies have sampled.
+  [[nodiscard]] std::vector<SampledCurve> curves(const std::vector<Responder>& solved,
+                                                 const std::vector<StageFindings>& reference,
+                                                 const std::string& stage = {}, int threads = 0) const;
 
  private:
   struct State;
