@@ -63,6 +63,7 @@ def assess(study: Study, *, samples: int = 1000, boxes: int = 0, seed: int = 1, 
     """
     source = checked(study)
     asked = _native.DeckAssessment(study._deck_path, source.deck, study._directory, source.overrides, samples, boxes, seed)
+    asked.require_stage(stage or "")
     solved = [solve(Study._of(one, study._deck_path or ""), threads=threads, progress=progress) for one in asked.studies]
     found = asked.assess(solved, stage, threads)
     curves = [AssessedCurve(**one) for one in found.pop("curves")]

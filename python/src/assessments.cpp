@@ -114,6 +114,7 @@ void bind_assessments(py::module_& module) {
                                }
                                return studies;
                              })
+      .def("require_stage", &DeckAssessment::require_stage, py::arg("stage"))
       .def("assess", &assess_with, py::arg("solved"), py::arg("stage"), py::arg("threads"));
 }
 

@@ -151,6 +151,10 @@ Assessment assess(const std::vector<UncertainInput>& inputs, const AssessmentDes
                            .samples = design.box_of.size(),
                            .boxes = static_cast<std::size_t>(design.boxes.cols()),
                            .warnings = {}};
+  if (const auto boundary = curves.front().boundary; boundary != Boundary::periodic) {
+    assessment.warnings.push_back(
+        fmt::format("the curves are the apparent moduli of the box under the boundary {}", name_of(boundary)));
+  }
   for (const auto& curve : curves) {
     assessment.curves.push_back(assessed(inputs, design, curve, points));
     if (auto warning = warning_on(assessment.curves.back()); !warning.empty()) {

@@ -6,11 +6,9 @@
 #include <set>
 #include <utility>
 
-#include <fmt/format.h>
+#include "breccia/assessment/calibrate_inputs.hpp"
 
 #include "assessment/observed_value.hpp"
-#include "io/collected_mistakes.hpp"
-#include "io/display.hpp"
 
 namespace breccia {
 namespace {
@@ -50,36 +48,24 @@ SampledCurve where_observed(const SampledCurve& curve, const std::vector<Observa
   return part;
 }
 
-/// What an observation of the curves of a study over time, or over frequency, may be.
-bool is_known(const Observation& observation, bool is_curve_over_frequency) {
-  if (is_over_frequency(observation.curve) != is_curve_over_frequency) return false;
-  if (is_curve_over_frequency) return true;
-  // Young's modulus over time does not follow from G and K at that time alone.
-  return observation.curve == ObservedCurve::relaxation && observation.modulus != ObservedModulus::young;
-}
-
 }  // namespace
 
 PolynomialModel::PolynomialModel(const std::vector<UncertainInput>& inputs, const AssessmentDesign& design,
                                  std::vector<SampledCurve> curves, std::vector<Observation> observations,
                                  double model_deviation)
     : curves_(std::move(curves)), observations_(std::move(observations)) {
-  std::vector<std::string> mistakes;
+  const auto& first = curves_.front();
+  require_observable(inputs, observations_,
+                     {.are_over_frequency = is_over_frequency(first.curve),
+                      .have_bulk = curve_of(ObservedModulus::bulk, first.curve) != nullptr,
+                      .first = first.at.front(),
+                      .last = first.at.back()});
   for (std::size_t i = 0; i < inputs.size(); ++i) {
-    const auto* const known = std::get_if<Distribution>(&inputs[i].known);
-    if (known == nullptr) {
-      mistakes.push_back(
-          fmt::format("{}: measurements cannot tell one of several values; expected one value, or a "
-                      "distribution",
-                      inputs[i].name));
-      continue;
-    }
-    components_.push_back({.name = inputs[i].name, .unknown = i, .unit = inputs[i].unit, .prior = *known});
+    components_.push_back({.name = inputs[i].name,
+                           .unknown = i,
+                           .unit = inputs[i].unit,
+                           .prior = std::get<Distribution>(inputs[i].known)});
   }
-  for (const auto& observation : observations_) {
-    if (auto mistake = mistake_in(observation); !mistake.empty()) mistakes.push_back(std::move(mistake));
-  }
-  refuse_unless_empty(mistakes);
   double largest = 0.0;
   for (auto& curve : curves_) {
     curve = where_observed(curve, observations_);
@@ -97,31 +83,6 @@ const SampledCurve* PolynomialModel::curve_of(ObservedModulus modulus, ObservedC
   const auto found = std::ranges::find_if(
       curves_, [&](const SampledCurve& one) { return one.modulus == modulus && one.curve == curve; });
   return found == curves_.end() ? nullptr : &*found;
-}
-
-std::string PolynomialModel::mistake_in(const Observation& observation) const {
-  const auto& first = curves_.front();
-  const bool has_frequencies = is_over_frequency(first.curve);
-  const auto place = has_frequencies ? fmt::format("{:.3g} rad/s", observation.at) : display_time(observation.at);
-  if (!is_known(observation, has_frequencies)) {
-    return fmt::format("a measurement of the {} modulus, {}, at {}: expected {}", name_of(observation.modulus),
-                       name_of(observation.curve), place,
-                       has_frequencies ? "dynamic moduli, as the study has them"
-                                       : "relaxation moduli in shear or bulk, as the study has them");
-  }
-  if (observation.modulus != ObservedModulus::shear && curve_of(ObservedModulus::bulk, first.curve) == nullptr) {
-    return fmt::format("a measurement of the {} modulus at {}: the study has no test in bulk (tests.loads)",
-                       name_of(observation.modulus), place);
-  }
-  if (observation.temperature) {
-    return fmt::format("a measurement at {:.4g} K and {}: expected those at the temperature of the study",
-                       *observation.temperature, place);
-  }
-  constexpr double rounding = 1e-9;
-  if (observation.at >= first.at.front() * (1.0 - rounding) && observation.at <= first.at.back() * (1.0 + rounding)) {
-    return "";
-  }
-  return fmt::format("a measurement at {}: outside of the curves of the study", place);
 }
 
 PolynomialModel::Curves PolynomialModel::curves_at(const Eigen::VectorXd& scores) const {

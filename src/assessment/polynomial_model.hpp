@@ -3,7 +3,6 @@
 #include <complex>
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -21,7 +20,7 @@ namespace breccia {
 class PolynomialModel final : public PredictiveModel {
  public:
   /// `model_deviation` is the relative standard deviation of the model, to which the error of the polynomials is added.
-  /// Throws InputError, with a line for each mistake: an input of choices, an observation that the curves do not have.
+  /// Throws InputError as require_observable().
   PolynomialModel(const std::vector<UncertainInput>& inputs, const AssessmentDesign& design,
                   std::vector<SampledCurve> curves, std::vector<Observation> observations, double model_deviation);
 
@@ -36,7 +35,6 @@ class PolynomialModel final : public PredictiveModel {
   using Curves = std::vector<Eigen::VectorXd>;
 
   [[nodiscard]] const SampledCurve* curve_of(ObservedModulus modulus, ObservedCurve curve) const;
-  [[nodiscard]] std::string mistake_in(const Observation& observation) const;
   [[nodiscard]] Curves curves_at(const Eigen::VectorXd& scores) const;
   [[nodiscard]] double interpolated(const Curves& curves, const SampledCurve& curve, double at) const;
   /// G, or K where the load bulk was tested.

@@ -149,7 +149,7 @@ std::vector<std::string> remarks_on(const Calibration& calibration, const std::v
           "normal "
           "distribution, from which they start; draw more of them");
     } else {
-      remarks.push_back(fmt::format("intervals from {:.3g} independent samples{}", *samples,
+      remarks.push_back(fmt::format("intervals from {:.0f} independent samples{}", *samples,
                                     *samples < few ? ": too few for the ends of intervals of 95 %" : ""));
     }
   }

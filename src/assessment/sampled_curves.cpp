@@ -58,6 +58,7 @@ class CurvesOfTest {
       }
     }
     for (auto& curve : curves_) {
+      curve.boundary = reference.id.boundary;
       curve.modulus = load.is_bulk() ? ObservedModulus::bulk : ObservedModulus::shear;
       curve.share_of_shear = load.is_bulk() ? shear_in_bulk_test(dimensions) : 0.0;
       curve.values.resize(static_cast<Eigen::Index>(curve.at.size()), static_cast<Eigen::Index>(samples));

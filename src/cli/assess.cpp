@@ -1,6 +1,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -15,6 +16,7 @@
 
 #include "campaign/result_transaction.hpp"
 #include "campaign/shared_stages.hpp"
+#include "cli/assessment_page.hpp"
 #include "cli/assessment_tables.hpp"
 #include "cli/calibration_tables.hpp"
 #include "cli/command.hpp"
@@ -91,52 +93,80 @@ std::vector<std::string> hashes_of(const Sweep& sweep) {
   return hashes;
 }
 
-void write_and_print(const DeckAssessment& deck, const std::vector<SampledCurve>& curves,
-                     const AssessArguments& arguments, ProgressLine& progress) {
-  const auto assessment = assess(deck.inputs(), deck.design(), curves);
-  const auto abscissa = deck.sweep().tasks.front().study.tests.abscissa();
-  const AssessmentDestination destination = {.directory = arguments.run.results() / "assess",
-                                             .source = source_of(arguments, assessment.samples),
-                                             .studies = hashes_of(deck.sweep()),
-                                             .overwrite = true};
-  const auto files = write_assessment(destination, assessment, abscissa);
-  for (const auto& warning : assessment.warnings) progress.warn(warning);
-  progress.print(fmt::format("\n{} samples{}", assessment.samples,
-                             assessment.boxes > 1 ? fmt::format(" in {} boxes", assessment.boxes) : ""));
-  for (const auto& curve : assessment.curves) progress.print("\n" + table_of_curve(curve, deck.inputs(), abscissa));
-  progress.print(fmt::format("Results are in {}: {}", destination.directory.string(), fmt::join(files, ", ")));
+/// The measured values that the options name; without values where they name none.
+MeasuredComposite measured_by(const DeckAssessment& deck, const AssessArguments& arguments) {
+  AskedObservations asked = {
+      .data = {}, .modulus = ModulusKind::unspecified, .noise = option_share("--noise", arguments.noise)};
+  const auto model_error = option_share("--model-error", arguments.model_error);
+  for (const auto& file : arguments.measured) asked.data.push_back({0, file});
+  if (!arguments.modulus.empty()) asked.modulus = modulus_kinds.at(arguments.modulus);
+  return asked.data.empty() ? MeasuredComposite{} : read_measured_composite(deck, asked, model_error);
 }
 
-/// Finds the inputs from measured values, and writes and prints what was found.
-void calibrate_and_print(const DeckAssessment& deck, const std::vector<SampledCurve>& curves,
-                         const AssessArguments& arguments, ProgressLine& progress) {
-  AskedObservations measured = {
-      .data = {}, .modulus = ModulusKind::unspecified, .noise = option_share("--noise", arguments.noise)};
-  for (const auto& file : arguments.measured) measured.data.push_back({0, file});
-  if (!arguments.modulus.empty()) measured.modulus = modulus_kinds.at(arguments.modulus);
-  const auto found = calibrate_inputs(deck, curves, measured, option_share("--model-error", arguments.model_error));
-  std::vector<std::string> texts;
-  for (const auto& file : arguments.measured) texts.push_back(file.string());
-  const CalibrationDestination destination = {
-      .directory = arguments.run.results() / "calibrate",
-      .source = fmt::format("{}, with {}", source_of(arguments, deck.design().box_of.size()), fmt::join(texts, ", ")),
-      .inputs = arguments.measured,
-      .studies = hashes_of(deck.sweep()),
-      .overwrite = true};
-  const auto stage = arguments.stage.empty() ? deck.sweep().tasks.front().study.stages.back().name : arguments.stage;
-  const auto files = write_calibration(destination, {found.observations, {stage}}, found.result);
-  for (const auto& note : found.notes) progress.print("note: " + note);
-  for (const auto& warning : found.result.warnings) progress.warn(warning);
-  progress.print(fmt::format("\n{} measured values of {}\n\n{}", found.observations.size(), stage,
-                             table_of_estimates(found.result.estimates)));
-  for (const auto& remark : found.result.remarks) progress.print(remark);
-  progress.print(fmt::format("Results are in {}: {}", destination.directory.string(), fmt::join(files, ", ")));
-}
+/// Writes and prints what was made of the uncertain inputs.
+class Findings {
+ public:
+  Findings(const DeckAssessment& deck, const AssessArguments& arguments, ProgressLine& progress)
+      : deck_(deck), arguments_(arguments), progress_(progress) {}
+
+  void report(const Assessment& assessment, const MeasuredComposite& measured,
+              const std::optional<Calibration>& calibration) {
+    const auto& study = deck_.sweep().tasks.front().study;
+    const auto abscissa = study.tests.abscissa();
+    const AssessmentPage page = {.title = study.title,
+                                 .source = source_of(arguments_, assessment.samples),
+                                 .abscissa = abscissa,
+                                 .change_the_box = deck_.design().change_the_box,
+                                 .measured = measured.observations,
+                                 .calibration = calibration};
+    const auto directory = arguments_.run.results() / "assess";
+    const auto files = write_assessment({.directory = directory,
+                                         .source = page.source,
+                                         .studies = hashes_of(deck_.sweep()),
+                                         .page = assessment_page(page, assessment),
+                                         .overwrite = true},
+                                        assessment, abscissa);
+    for (const auto& warning : assessment.warnings) progress_.warn(warning);
+    progress_.print(fmt::format("\n{} samples{}", assessment.samples,
+                                assessment.boxes > 1 ? fmt::format(" in {} boxes", assessment.boxes) : ""));
+    for (const auto& curve : assessment.curves) progress_.print("\n" + table_of_curve(curve, deck_.inputs(), abscissa));
+    progress_.print(fmt::format("Results are in {}: {}", directory.string(), fmt::join(files, ", ")));
+  }
+
+  void report(const MeasuredComposite& measured, const Calibration& found) {
+    std::vector<std::string> texts;
+    for (const auto& file : arguments_.measured) texts.push_back(file.string());
+    const auto directory = arguments_.run.results() / "calibrate";
+    const auto stage =
+        arguments_.stage.empty() ? deck_.sweep().tasks.front().study.stages.back().name : arguments_.stage;
+    const auto source =
+        fmt::format("{}, with {}", source_of(arguments_, deck_.design().box_of.size()), fmt::join(texts, ", "));
+    const auto files = write_calibration({.directory = directory,
+                                          .source = source,
+                                          .inputs = arguments_.measured,
+                                          .studies = hashes_of(deck_.sweep()),
+                                          .overwrite = true},
+                                         {measured.observations, {stage}}, found);
+    for (const auto& note : measured.notes) progress_.print("note: " + note);
+    for (const auto& warning : found.warnings) progress_.warn(warning);
+    progress_.print(fmt::format("\n{} measured values of {}\n\n{}", measured.observations.size(), stage,
+                                table_of_estimates(found.estimates)));
+    for (const auto& remark : found.remarks) progress_.print(remark);
+    progress_.print(fmt::format("Results are in {}: {}", directory.string(), fmt::join(files, ", ")));
+  }
+
+ private:
+  const DeckAssessment& deck_;
+  const AssessArguments& arguments_;
+  ProgressLine& progress_;
+};
 
 void run_assess(const AssessArguments& arguments) {
   const auto& run = arguments.run;
   watch_for_interruption();
   const DeckAssessment deck(run.deck.deck, run.deck.overrides, arguments.options);
+  deck.require_stage(arguments.stage);
+  const auto measured = measured_by(deck, arguments);
   ProgressLine progress(run.quiet || !parallel::is_first());
   progress.print(fmt::format("{}, {} inputs are not certain:\n{}", deck.sweep().tasks.front().study.title,
                              deck.inputs().size(), table_of_inputs(deck.inputs(), deck.design().change_the_box)));
@@ -144,8 +174,11 @@ void run_assess(const AssessArguments& arguments) {
   if (!parallel::is_first()) return;
   progress.update("assessment", 0.0, fmt::format("{} samples", deck.design().box_of.size()));
   const auto curves = curves_of(deck, arguments);
-  write_and_print(deck, curves, arguments, progress);
-  if (!arguments.measured.empty()) calibrate_and_print(deck, curves, arguments, progress);
+  std::optional<Calibration> calibration;
+  if (!measured.observations.empty()) calibration = calibrate_inputs(deck, curves, measured);
+  Findings findings(deck, arguments, progress);
+  findings.report(assess(deck.inputs(), deck.design(), curves), measured, calibration);
+  if (calibration) findings.report(measured, *calibration);
 }
 
 }  // namespace

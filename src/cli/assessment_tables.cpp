@@ -14,15 +14,6 @@
 namespace breccia::cli {
 namespace {
 
-std::string known_of(const UncertainInput& input) {
-  if (const auto* const known = std::get_if<Distribution>(&input.known)) return in_words(*known, input.unit);
-  std::vector<std::string> texts;
-  for (std::size_t i = 0; i < choices_of(input); ++i) {
-    texts.push_back(plain_text(value_at(input, static_cast<double>(i))));
-  }
-  return fmt::format("any of {}", fmt::join(texts, ", "));
-}
-
 std::string value_of(const AssessedCurve& curve, double value) {
   if (curve.unit == "Pa") return display(value, "Pa");
   return fmt::format("{:.3g} deg", value * 180.0 / std::numbers::pi);
@@ -35,12 +26,21 @@ std::string interval_of(const AssessedCurve& curve, const std::optional<Interval
 
 }  // namespace
 
+std::string in_words(const UncertainInput& input) {
+  if (const auto* const known = std::get_if<Distribution>(&input.known)) return in_words(*known, input.unit);
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < choices_of(input); ++i) {
+    texts.push_back(plain_text(value_at(input, static_cast<double>(i))));
+  }
+  return fmt::format("any of {}", fmt::join(texts, ", "));
+}
+
 std::string table_of_inputs(const std::vector<UncertainInput>& inputs, const std::vector<bool>& change_the_box) {
   std::size_t width = 0;
   for (const auto& input : inputs) width = std::max(width, input.name.size());
   std::string text;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
-    text += fmt::format("  {:<{}}  {}{}\n", inputs[i].name, width, known_of(inputs[i]),
+    text += fmt::format("  {:<{}}  {}{}\n", inputs[i].name, width, in_words(inputs[i]),
                         change_the_box[i] ? " (a box for each value)" : "");
   }
   return text;

@@ -7,6 +7,9 @@
 
 namespace breccia::cli {
 
+/// What is known of an input in words: "1, within a factor 2", "any of 1, 2".
+std::string in_words(const UncertainInput& input);
+
 /// The uncertain inputs of an assessment, a line each, with what is known of them.
 std::string table_of_inputs(const std::vector<UncertainInput>& inputs, const std::vector<bool>& change_the_box);
 

@@ -10,34 +10,33 @@
 namespace breccia::cli {
 namespace {
 
-/// A value with three digits and its unit.
-std::string number(double value, const std::string& unit) {
-  if (unit == "Pa" || unit == "m" || unit == "s") return display(value, unit);
-  return fmt::format("{}{}{}", three_digits(value), unit.empty() ? "" : " ", unit);
-}
-
 struct InWords {
   const std::string& unit;
 
   std::string operator()(const Normal& normal) const {
-    return fmt::format("{} +- {}", number(normal.mean, unit), number(normal.deviation, unit));
+    return fmt::format("{} +- {}", number_in_words(normal.mean, unit), number_in_words(normal.deviation, unit));
   }
   std::string operator()(const LogNormal& normal) const {
     constexpr double near_one = 1.2;
     if (normal.factor < near_one) {
-      return fmt::format("{} +- {:.2g} %", number(normal.median, unit), 100.0 * (normal.factor - 1.0));
+      return fmt::format("{} +- {:.2g} %", number_in_words(normal.median, unit), 100.0 * (normal.factor - 1.0));
     }
-    return fmt::format("{}, within a factor {}", number(normal.median, unit), three_digits(normal.factor));
+    return fmt::format("{}, within a factor {}", number_in_words(normal.median, unit), three_digits(normal.factor));
   }
   std::string operator()(const Uniform& uniform) const { return range(uniform.from, uniform.to); }
   std::string operator()(const LogUniform& uniform) const { return range(uniform.from, uniform.to); }
 
   [[nodiscard]] std::string range(double from, double to) const {
-    return fmt::format("{} to {}", number(from, unit), number(to, unit));
+    return fmt::format("{} to {}", number_in_words(from, unit), number_in_words(to, unit));
   }
 };
 
 }  // namespace
+
+std::string number_in_words(double value, const std::string& unit) {
+  if (unit == "Pa" || unit == "m" || unit == "s") return display(value, unit);
+  return fmt::format("{}{}{}", three_digits(value), unit.empty() ? "" : " ", unit);
+}
 
 std::string in_words(const Distribution& distribution, const std::string& unit) {
   return std::visit(InWords{unit}, distribution);
@@ -49,10 +48,11 @@ std::string table_of_estimates(const std::vector<Estimate>& estimates) {
   auto text =
       fmt::format("{:<{}}  {:>10}  {:>22}  {:>8}  before\n", "unknown", width, "found", "95 % interval", "learned");
   for (const auto& one : estimates) {
-    const auto interval =
-        fmt::format("{} to {}", number(one.interval.lower, one.unit), number(one.interval.upper, one.unit));
-    text += fmt::format("{:<{}}  {:>10}  {:>22}  {:>6.0f} %  {}\n", one.name, width, number(one.value, one.unit),
-                        interval, 100.0 * one.learned, in_words(one.prior, one.unit));
+    const auto interval = fmt::format("{} to {}", number_in_words(one.interval.lower, one.unit),
+                                      number_in_words(one.interval.upper, one.unit));
+    text +=
+        fmt::format("{:<{}}  {:>10}  {:>22}  {:>6.0f} %  {}\n", one.name, width, number_in_words(one.value, one.unit),
+                    interval, 100.0 * one.learned, in_words(one.prior, one.unit));
   }
   return text;
 }

@@ -201,6 +201,8 @@ std::string describe(const DynamicOptions& options, Volumetric volumetric) {
 std::string describe(const std::vector<VariedMaterial>& varied) {
   std::string text;
   for (const auto& [name, shear, bulk, others] : varied) {
+    if (!others.empty()) text += fmt::format(", and over all that {} may be", name);
+    if (!shear && !bulk) continue;
     text += fmt::format(", and over {} with", name);
     if (shear) text += fmt::format(" shear {} .. {}", pressure(shear->least), pressure(shear->most));
     if (bulk) text += fmt::format("{} bulk {} .. {}", shear ? "," : "", pressure(bulk->least), pressure(bulk->most));

@@ -113,16 +113,6 @@ Sweep sweep_of(const Deck& document, const std::vector<std::string>& overrides, 
   return sweep;
 }
 
-const StageFindings& stage_named(const std::vector<StageFindings>& stages, const std::string& name) {
-  if (stages.empty()) throw InputError("an assessment needs the results of a study");
-  if (name.empty()) return stages.back();
-  const auto found = std::ranges::find(stages, name, &StageFindings::name);
-  if (found != stages.end()) return *found;
-  std::vector<std::string> names;
-  for (const auto& stage : stages) names.push_back(stage.name);
-  throw InputError(fmt::format("no stage \"{}\"{}", name, suggestion(name, names)));
-}
-
 }  // namespace
 
 DeckAssessment::DeckAssessment(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -173,6 +163,14 @@ const Sweep& DeckAssessment::sweep() const noexcept {
   return state_->sweep;
 }
 
+void DeckAssessment::require_stage(const std::string& stage) const {
+  if (stage.empty()) return;
+  std::vector<std::string> names;
+  for (const auto& one : state_->study.stages) names.push_back(one.name);
+  if (std::ranges::find(names, stage) != names.end()) return;
+  throw InputError(fmt::format("no stage \"{}\"{}", stage, suggestion(stage, names)));
+}
+
 std::vector<SampledCurve> DeckAssessment::curves(const std::vector<Responder>& solved,
                                                  const std::vector<StageFindings>& reference, const std::string& stage,
                                                  int threads) const {
@@ -185,7 +183,11 @@ std::vector<SampledCurve> DeckAssessment::curves(const std::vector<Responder>& s
   // The materials of which an input is answered by responses.
   std::vector<std::string> materials;
   for (const auto& varied : state_->study.tests.varied) materials.push_back(varied.name);
-  SampledStage sampled = {.reference = stage_named(reference, stage),
+  require_stage(stage);
+  const auto& name = stage.empty() ? state_->study.stages.back().name : stage;
+  const auto found = std::ranges::find(reference, name, &StageFindings::name);
+  if (found == reference.end()) throw InputError(fmt::format("no results of stage {}", name));
+  SampledStage sampled = {.reference = *found,
                           .boxes = {solved.begin() + (solved.size() > 1 ? 1 : 0), solved.end()},
                           .box_of = design.box_of,
                           .threads = threads};

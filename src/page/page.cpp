@@ -59,6 +59,10 @@ std::string sweep_page(std::string_view title, std::string_view data) {
   return filled(sweep_page_template(), title, data, {});
 }
 
+std::string assess_page(std::string_view title, std::string_view data) {
+  return filled(assess_page_template(), title, data, {});
+}
+
 std::string fit_page(std::string_view title, std::string_view data) {
   return filled(fit_page_template(), title, data, {});
 }

@@ -15,6 +15,9 @@ std::string study_page_with_views(std::string_view title, std::string_view data)
 /// The report of a sweep as an HTML document, like study_page().
 std::string sweep_page(std::string_view title, std::string_view data);
 
+/// The page of an assessment (docs/uncertainty.md) as an HTML document, like study_page().
+std::string assess_page(std::string_view title, std::string_view data);
+
 /// The report of a fit (docs/fitting.md) as an HTML document, like study_page().
 std::string fit_page(std::string_view title, std::string_view data);
 

@@ -7,6 +7,8 @@ namespace breccia {
 /// The texts of pages that contain their style, their scripts and the plotting library. They are made when the program
 /// is built.
 
+/// `page/assess.html`
+std::string_view assess_page_template();
 /// `page/fit.html`
 std::string_view fit_page_template();
 /// `page/study.html`

@@ -199,7 +199,7 @@ std::string place_of(const AssessedCurve& curve, std::size_t index, Abscissa abs
 
 std::vector<std::string> write_assessment(const AssessmentDestination& destination, const Assessment& assessment,
                                           Abscissa abscissa) {
-  std::vector<std::string> files = {"inputs.csv", "bands.csv", "sensitivity.csv"};
+  std::vector<std::string> files = {"report.html", "inputs.csv", "bands.csv", "sensitivity.csv"};
   for (const auto& curve : assessment.curves) {
     files.push_back(fmt::format("bands_{}.svg", file_name_of(curve)));
     files.push_back(fmt::format("sensitivity_{}.svg", file_name_of(curve)));
@@ -211,6 +211,7 @@ std::vector<std::string> write_assessment(const AssessmentDestination& destinati
                                                .files = files,
                                                .overwrite = destination.overwrite});
   const auto& place = results.place();
+  write_text(place / "report.html", destination.page);
   write_csv(place / "inputs.csv", input_columns(assessment.inputs), "The uncertain inputs, in SI units.");
   write_csv(place / "bands.csv", band_columns(assessment, abscissa),
             "Curves with the uncertainty of the inputs, and with the error of the model beside it, in SI units.");

@@ -15,6 +15,7 @@ struct AssessmentDestination {
   std::filesystem::path directory;
   std::string source;                ///< deck and samples in words
   std::vector<std::string> studies;  ///< hashes of the studies that were solved
+  std::string page;                  ///< the page of the assessment, an HTML document
   bool overwrite = false;            ///< whether another assessment may be replaced
 };
 
@@ -27,7 +28,7 @@ std::vector<std::size_t> decades_of(const AssessedCurve& curve, Abscissa absciss
 /// The time or the frequency of a value of a curve as text: "10 ns", "1 kHz".
 std::string place_of(const AssessedCurve& curve, std::size_t index, Abscissa abscissa);
 
-/// Writes `bands.csv`, `sensitivity.csv`, `inputs.csv`, for each curve `bands_<curve>.svg` and
+/// Writes `report.html`, `bands.csv`, `sensitivity.csv`, `inputs.csv`, for each curve `bands_<curve>.svg` and
 /// `sensitivity_<curve>.svg`, and `assess.json`, with the origin, to a directory, which is created if it is missing.
 /// Returns the names of the files. Throws InputError if that would replace files that Breccia did not write or, without
 /// `overwrite`, another assessment; FileError.

@@ -118,7 +118,7 @@ TEST(PolynomialModel, RefusesAllMistakesAtOnce) {
                                 0.0);
   });
   EXPECT_THAT(message,
-              AllOf(HasSubstr("b: measurements cannot tell one of several values"),
+              AllOf(HasSubstr("b: measurements do not find one of several values"),
                     HasSubstr("a measurement of the young modulus, relaxation, at 10 ms: expected relaxation"),
                     HasSubstr("a measurement at 300 K and 10 ms"), HasSubstr("has no test in bulk (tests.loads)"),
                     HasSubstr("a measurement at 1 s: outside of the curves of the study"),

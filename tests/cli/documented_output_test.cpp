@@ -89,6 +89,10 @@ TEST(Documentation, ThePageOnCalibrationQuotesWhatIsPrinted) {
   follow(root / "docs" / "calibration.md");
 }
 
+TEST(Documentation, ThePageOnUncertaintyQuotesWhatIsPrinted) {
+  follow(root / "docs" / "uncertainty.md");
+}
+
 TEST(Documentation, TheReadmeQuotesWhatIsPrinted) {
   follow(root / "README.md");
 }

@@ -42,9 +42,10 @@ struct SampledCurve {
   ObservedModulus modulus = ObservedModulus::shear;  ///< G or K
   ObservedCurve curve = ObservedCurve::relaxation;  ///< relaxation modulus, or absolute value or phase of a complex one
   double share_of_shear = 0.0;                      ///< share of G in it beside K: 1/3 of K + G/3
-  std::vector<double> at = {};                      ///< rising times [s], or angular frequencies [rad/s]
-  Eigen::MatrixXd values = {};                      ///< of the curve (at x samples)
-  std::vector<double> reference = {};               ///< the curve with the median of each input
+  Boundary boundary = Boundary::periodic;
+  std::vector<double> at = {};         ///< rising times [s], or angular frequencies [rad/s]
+  Eigen::MatrixXd values = {};         ///< of the curve (at x samples)
+  std::vector<double> reference = {};  ///< the curve with the median of each input
   /// The error of the modulus of the reference by grid, sample and solver, over it [-]; nothing where it is not known,
   /// and of a phase.
   std::vector<std::optional<double>> errors = {};
