@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from . import _native
 from ._calculations import checked, solve
+from ._calibration import Calibration, Files, calibration_of, paths_of, require_shares
 from ._progress import Progress
 from ._study import Study
 
@@ -41,6 +42,7 @@ class Assessment:
     samples: int
     boxes: int
     reference: _native.Result  #: the result with the median of each input
+    calibration: Calibration | None  #: the inputs as measurements show them
     warnings: list[str]
 
     def __getitem__(self, name: str) -> AssessedCurve:
@@ -49,25 +51,32 @@ class Assessment:
     def _repr_html_(self) -> str:
         tables = "".join(_table(curve) for curve in self.curves.values())
         warnings = "".join(f"<div>{html.escape(text)}</div>" for text in self.warnings)
-        return f"<div>{tables}<div>{self.samples} samples in {self.boxes} box(es)</div>{warnings}</div>"
+        found = "" if self.calibration is None else self.calibration._repr_html_()
+        return f"<div>{tables}<div>{self.samples} samples in {self.boxes} box(es)</div>{warnings}{found}</div>"
 
 
 def assess(study: Study, *, samples: int = 1000, boxes: int = 0, seed: int = 1, stage: str | None = None,
-           threads: int = 0, progress: Progress = None) -> Assessment:
+           measured: Files = (), modulus: str | None = None, noise: float | None = None,
+           model_error: float | None = None, threads: int = 0, progress: Progress = None) -> Assessment:
     """Carries the uncertainty of the inputs of a study through to its curves.
 
     Inputs that are not certain are distributions in the study, such as shear={"value": 5.8e9, "sd": 0.6e9}; samples:
     number of samples of all inputs; boxes: number of boxes where inputs change the box, 0 for as many as they need;
-    seed: of the samples; stage: the one that is assessed, the last one unless told. No file is written. Raises
-    InputError and NumericalError.
+    seed: of the samples; stage: the one that is assessed, the last one unless told. measured: the file or the files of
+    what was measured of the composite, from which the inputs are found; modulus, noise, model_error: as of calibrate().
+    No file is written. Raises InputError and NumericalError.
     """
+    require_shares(noise=noise, model_error=model_error)
     source = checked(study)
     asked = _native.DeckAssessment(study._deck_path, source.deck, study._directory, source.overrides, samples, boxes, seed)
     asked.require_stage(stage or "")
+    data = asked.measured(paths_of(measured), modulus, noise, model_error)
     solved = [solve(Study._of(one, study._deck_path or ""), threads=threads, progress=progress) for one in asked.studies]
-    found = asked.assess(solved, stage, threads)
+    found = asked.assess(solved, data, stage or "", threads)
     curves = [AssessedCurve(**one) for one in found.pop("curves")]
-    return Assessment(curves={curve.name: curve for curve in curves}, reference=solved[0], **found)
+    calibration = found.pop("calibration")
+    return Assessment(curves={curve.name: curve for curve in curves}, reference=solved[0],
+                      calibration=None if calibration is None else calibration_of(calibration), **found)
 
 
 def _table(curve: AssessedCurve) -> str:

@@ -76,12 +76,22 @@ def calibrate(results: _native.Result | Mapping[str, _native.Result], measured: 
         asked = [name if prior is None else f"{name}={prior}" for name, prior in unknowns.items()]
     else:
         asked = [unknowns] if isinstance(unknowns, str) else list(unknowns)
-    for argument, share in (("noise", noise), ("model_error", model_error)):
+    require_shares(noise=noise, model_error=model_error)
+    return calibration_of(_native.calibrate(composites, _data(measured, list(named)), asked, modulus, stage, noise,
+                                            model_error, samples))
+
+
+def calibration_of(entries: dict[str, Any]) -> Calibration:
+    """A calibration from what the library has found."""
+    estimates = {one["name"]: Estimate(**one) for one in entries.pop("estimates")}
+    return Calibration(estimates=estimates, **entries)
+
+
+def require_shares(**shares: float | None) -> None:
+    """Raises InputError for an argument that is no share between 0 and 1."""
+    for argument, share in shares.items():
         if share is not None and not 0.0 < share < 1.0:
             raise InputError(f"{argument}: expected a share between 0 and 1, got {share!r}")
-    found = _native.calibrate(composites, _data(measured, list(named)), asked, modulus, stage, noise, model_error, samples)
-    found["estimates"] = {one["name"]: Estimate(**one) for one in found["estimates"]}
-    return Calibration(**found)
 
 
 def _data(measured: Files | Mapping[str, Files], names: list[str]) -> list[tuple[int, str]]:
@@ -90,13 +100,14 @@ def _data(measured: Files | Mapping[str, Files], names: list[str]) -> list[tuple
         unknown = [name for name in measured if name not in names]
         if unknown:
             raise InputError(f"measured: no results are called {unknown[0]!r}; there are {', '.join(names)}")
-        return [(names.index(name), path) for name, files in measured.items() for path in _paths(files)]
+        return [(names.index(name), path) for name, files in measured.items() for path in paths_of(files)]
     if len(names) != 1:
         raise InputError(f"measured: expected files by the names of the results, {', '.join(names)}, got {measured!r}")
-    return [(0, path) for path in _paths(measured)]
+    return [(0, path) for path in paths_of(measured)]
 
 
-def _paths(files: Files) -> list[str]:
+def paths_of(files: Files) -> list[str]:
+    """The paths of one file or several."""
     if isinstance(files, (str, os.PathLike)):
         return [os.fspath(files)]
     return [os.fspath(file) for file in files]

@@ -17,7 +17,7 @@ from ._quantities import PathLike, Quantity, numbers
 class Coating(Table):
     """A layer of another material around each particle. thickness: [m]."""
 
-    def __init__(self, material: Material | str, *, thickness: Quantity, **keys: Any) -> None:
+    def __init__(self, material: Material | str, *, thickness: Quantity | Mapping[str, Any], **keys: Any) -> None:
         self.material = material
         self.thickness = thickness
         self.keys = keys
@@ -35,9 +35,9 @@ class Filler(Table):
     table such as {"aspect": 1.5}.
     """
 
-    def __init__(self, material: Material | str, *, fraction: float | str | None = None,
-                 diameter: Quantity | None = None, sizes: PathLike | Sequence[float] | Mapping[str, Any] | None = None,
-                 smallest: Quantity | None = None, largest: Quantity | None = None, gap: Quantity | None = None,
+    def __init__(self, material: Material | str, *, fraction: float | str | Mapping[str, Any] | None = None,
+                 diameter: Quantity | Mapping[str, Any] | None = None, sizes: PathLike | Sequence[float] | Mapping[str, Any] | None = None,
+                 smallest: Quantity | None = None, largest: Quantity | None = None, gap: Quantity | Mapping[str, Any] | None = None,
                  shape: Mapping[str, Any] | None = None, coating: Coating | None = None, **keys: Any) -> None:
         if diameter is not None and sizes is not None:
             raise InputError("Filler: expected diameter or sizes, not both")

@@ -16,6 +16,8 @@
 #include "breccia/deck/deck_assessment.hpp"
 #include "breccia/error.hpp"
 
+#include "calibrations.hpp"
+#include "deck/calibrated_inputs.hpp"
 #include "following.hpp"
 #include "solution.hpp"
 #include "views.hpp"
@@ -89,20 +91,39 @@ DeckAssessment assessment_of(const std::optional<std::filesystem::path>& deck, c
   return DeckAssessment::from_text(text, directory, overrides, options, origins);
 }
 
+/// What was measured of the composite of a deck; nothing where no file is named.
+MeasuredComposite measured_by(const DeckAssessment& deck, const std::vector<std::filesystem::path>& files,
+                              const std::optional<std::string>& modulus, std::optional<double> noise,
+                              std::optional<double> model_error) {
+  AskedObservations asked = {.data = {}, .modulus = modulus_named(modulus), .noise = noise};
+  for (const auto& file : files) asked.data.push_back({0, file});
+  return files.empty() ? MeasuredComposite{} : read_measured_composite(deck, asked, model_error);
+}
+
 py::dict assess_with(const DeckAssessment& deck, const std::vector<std::shared_ptr<Solution>>& solved,
-                     const std::optional<std::string>& stage, int threads) {
+                     const MeasuredComposite& measured, const std::string& stage, int threads) {
   std::vector<Responder> responders;
   for (const auto& solution : solved) responders.emplace_back(solution->responses, solution->content.materials);
   std::vector<StageFindings> reference;
   for (const auto& one : solved.front()->stages) reference.push_back(one.result);
-  return dict_of(calculate([&] {
-    return assess(deck.inputs(), deck.design(), deck.curves(responders, reference, stage.value_or(""), threads));
+  std::optional<Calibration> calibration;
+  auto entries = dict_of(calculate([&] {
+    const auto curves = deck.curves(responders, reference, stage, threads);
+    if (!measured.observations.empty()) calibration = calibrate_inputs(deck, curves, measured);
+    return assess(deck.inputs(), deck.design(), curves);
   }));
+  const auto name = stage.empty() ? reference.back().name : stage;
+  entries["calibration"] = py::none();
+  if (calibration) {
+    entries["calibration"] = calibration_entries({name}, measured.observations, *calibration, measured.notes);
+  }
+  return entries;
 }
 
 }  // namespace
 
 void bind_assessments(py::module_& module) {
+  py::class_<MeasuredComposite>(module, "MeasuredComposite");
   py::class_<DeckAssessment>(module, "DeckAssessment")
       .def(py::init(&assessment_of), py::arg("deck"), py::arg("text"), py::arg("directory"), py::arg("overrides"),
            py::arg("samples"), py::arg("boxes"), py::arg("seed"))
@@ -115,7 +136,8 @@ void bind_assessments(py::module_& module) {
                                return studies;
                              })
       .def("require_stage", &DeckAssessment::require_stage, py::arg("stage"))
-      .def("assess", &assess_with, py::arg("solved"), py::arg("stage"), py::arg("threads"));
+      .def("measured", &measured_by, py::arg("files"), py::arg("modulus"), py::arg("noise"), py::arg("model_error"))
+      .def("assess", &assess_with, py::arg("solved"), py::arg("measured"), py::arg("stage"), py::arg("threads"));
 }
 
 }  // namespace breccia::python

@@ -27,13 +27,6 @@ namespace py = pybind11;
 using Composites = std::vector<std::pair<std::string, std::shared_ptr<Solution>>>;
 using Data = std::vector<std::pair<std::size_t, std::filesystem::path>>;
 
-ModulusKind modulus_named(const std::optional<std::string>& word) {
-  if (!word) return ModulusKind::unspecified;
-  const auto kind = kind_of_word(*word);
-  if (kind && *kind != ModulusKind::other) return *kind;
-  throw InputError(fmt::format(R"(modulus: expected "shear", "young" or "bulk", got "{}")", *word));
-}
-
 Responder responder_of_solution(const std::string& name, const Solution& solution) {
   if (!solution.responses.empty()) return Responder(solution.responses, solution.content.materials);
   throw InputError(fmt::format(
@@ -54,13 +47,14 @@ py::dict dict_of(const Estimate& estimate) {
 }
 
 /// The measurements and their predictions as columns.
-py::dict columns_of(const FoundCalibration& found) {
+py::dict columns_of(const std::vector<std::string>& names, const std::vector<Observation>& observations,
+                    const Calibration& found) {
   std::vector<std::string> composites, moduli, curves;
   std::vector<double> at, measured, predicted, lower, upper, deviations;
-  for (std::size_t i = 0; i < found.observations.size(); ++i) {
-    const auto& observation = found.observations[i];
-    const auto& prediction = found.result.predictions[i];
-    composites.push_back(found.composites[observation.composite].name);
+  for (std::size_t i = 0; i < observations.size(); ++i) {
+    const auto& observation = observations[i];
+    const auto& prediction = found.predictions[i];
+    composites.push_back(names[observation.composite]);
     moduli.emplace_back(name_of(observation.modulus));
     curves.emplace_back(name_of(observation.curve));
     at.push_back(observation.at);
@@ -83,26 +77,6 @@ py::dict columns_of(const FoundCalibration& found) {
   return columns;
 }
 
-py::dict dict_of(const FoundCalibration& found) {
-  const auto& result = found.result;
-  py::list estimates;
-  for (const auto& estimate : result.estimates) estimates.append(dict_of(estimate));
-  py::dict entries;
-  entries["estimates"] = estimates;
-  entries["correlation"] = result.correlation;
-  entries["predictions"] = columns_of(found);
-  py::dict materials;
-  for (const auto& material : result.materials) materials[py::str(material.material.name)] = material.material;
-  entries["materials"] = materials;
-  entries["noise"] = result.noise * found.observations.front().deviation;
-  entries["independent_samples"] = result.independent_samples;
-  auto warnings = result.warnings;
-  warnings.insert(warnings.end(), found.notes.begin(), found.notes.end());
-  entries["warnings"] = warnings;
-  entries["remarks"] = result.remarks;
-  return entries;
-}
-
 py::dict calibrate_with(const Composites& composites, const Data& data, std::vector<std::string> unknowns,
                         const std::optional<std::string>& modulus, const std::optional<std::string>& stage,
                         std::optional<double> noise, std::optional<double> model_error, int samples) {
@@ -117,10 +91,40 @@ py::dict calibrate_with(const Composites& composites, const Data& data, std::vec
   asked.measured.noise = noise;
   asked.model_error = model_error;
   asked.samples = samples;
-  return dict_of(calculate([&asked] { return calibrate(asked); }));
+  const auto found = calculate([&asked] { return calibrate(asked); });
+  std::vector<std::string> names;
+  for (const auto& composite : found.composites) names.push_back(composite.name);
+  return calibration_entries(names, found.observations, found.result, found.notes);
 }
 
 }  // namespace
+
+ModulusKind modulus_named(const std::optional<std::string>& word) {
+  if (!word) return ModulusKind::unspecified;
+  const auto kind = kind_of_word(*word);
+  if (kind && *kind != ModulusKind::other) return *kind;
+  throw InputError(fmt::format(R"(modulus: expected "shear", "young" or "bulk", got "{}")", *word));
+}
+
+py::dict calibration_entries(const std::vector<std::string>& composites, const std::vector<Observation>& observations,
+                             const Calibration& found, const std::vector<std::string>& notes) {
+  py::list estimates;
+  for (const auto& estimate : found.estimates) estimates.append(dict_of(estimate));
+  py::dict entries;
+  entries["estimates"] = estimates;
+  entries["correlation"] = found.correlation;
+  entries["predictions"] = columns_of(composites, observations, found);
+  py::dict materials;
+  for (const auto& material : found.materials) materials[py::str(material.material.name)] = material.material;
+  entries["materials"] = materials;
+  entries["noise"] = found.noise * observations.front().deviation;
+  entries["independent_samples"] = found.independent_samples;
+  auto warnings = found.warnings;
+  warnings.insert(warnings.end(), notes.begin(), notes.end());
+  entries["warnings"] = warnings;
+  entries["remarks"] = found.remarks;
+  return entries;
+}
 
 void bind_calibrations(py::module_& module) {
   module.def("calibrate", &calibrate_with, py::arg("composites"), py::arg("data"), py::arg("unknowns"),

@@ -46,6 +46,23 @@ def test_solves_boxes():
     assert np.all(found["G"].total["stages.discs.filler.fraction"] >= 0)
 
 
+def test_finds_inputs_from_measurements(tmp_path):
+    truth = breccia.solve(study(33e9, times=1.5))["discs"]
+    time, modulus = truth.curve()
+    path = tmp_path / "g.csv"
+    path.write_text("time_s,shear_modulus_Pa\n" + "".join(f"{t},{g}\n" for t, g in zip(time[::5], modulus[::5])))
+    found = breccia.assess(study({"value": 30e9, "sd": 3e9}, times={"value": 1, "factor": 2}), measured=path, noise=0.01,
+                           model_error=0.01).calibration
+    times = found["materials.binder.factors.times"]
+    assert times.interval[0] < 1.5 < times.interval[1]
+    assert times.learned > 0.9
+    assert len(found.predictions["measured"]) == len(time[::5])
+    with pytest.raises(breccia.FileError, match="cannot read"):
+        breccia.assess(study({"value": 30e9, "sd": 3e9}), measured=tmp_path / "none.csv")
+    with pytest.raises(breccia.InputError, match="noise: expected a share"):
+        breccia.assess(study({"value": 30e9, "sd": 3e9}), measured=path, noise=2.0)
+
+
 @pytest.mark.parametrize("shear, keys, message", [
     (30e9, {}, "every input is certain"),
     ({"value": 30e9, "sd": 20e9}, {}, "expected less than a quarter"),

@@ -75,6 +75,9 @@ void read_gap(const Section& section, const Stage& stage, Filler& filler) {
   std::optional<Gap> gap;
   if (!section.has("gap")) {
     gap = Gap{default_gap_share * smallest, GapSource::default_share};
+  } else if (section.is_distribution("gap")) {
+    const double length = section.quantity("gap", Dimension::length, Range::not_negative());
+    if (!std::isnan(length)) gap = Gap{length, GapSource::length};
   } else if (const auto text = section.optional_text("gap")) {
     gap = parse_gap(*text, stage.cell_size() / 2.0, smallest);
     if (!gap) {

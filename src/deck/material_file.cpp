@@ -20,6 +20,9 @@ ShiftedMaterial material_of(const Deck& document, const std::string& name) {
     document.finish();
   }
   auto material = read_shifted_material(document.root(), name);
+  for (const auto& input : document.uncertain_inputs()) {
+    document.root().report("", fmt::format("{}: expected one value; distributions are for decks", input.name));
+  }
   document.finish();
   return material;
 }

@@ -126,7 +126,10 @@ DeckValue* find(DeckTable& table, std::string_view key) {
 }
 
 std::string joined(const std::string& path, std::string_view key) {
-  return path.empty() ? std::string(key) : fmt::format("{}.{}", path, key);
+  // As split_path() reads it.
+  const bool is_plain = key.find_first_of(". ") == std::string_view::npos;
+  const auto step = is_plain ? std::string(key) : fmt::format("\"{}\"", key);
+  return path.empty() ? step : fmt::format("{}.{}", path, step);
 }
 
 std::string element_name(const DeckValue& element, std::size_t index) {

@@ -69,7 +69,7 @@ void set_location(DeckTable& table, const Location& location);
 DeckValue* find(DeckTable& table, std::string_view key);
 const DeckValue* find(const DeckTable& table, std::string_view key);
 
-/// The steps of a path, joined: `materials.binder`.
+/// The steps of a path, joined: `materials.binder`, `materials."type 2.1"`.
 std::string joined(const std::string& path, std::string_view key);
 
 /// The name of an element of an array in a path: that of a table with a `name`, or else its index.

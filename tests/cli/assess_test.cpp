@@ -181,7 +181,7 @@ TEST(Assess, RefusesMistakes) {
   EXPECT_THAT(refusal({"--samples", "10"}), HasSubstr("--samples"));
   EXPECT_THAT(refusal({"--boxes", "1"}), HasSubstr("--boxes"));
   EXPECT_THAT(study.breccia("assess", {"--stage", "disks"}).errors,
-              HasSubstr("no stage \"disks\", did you mean \"discs\"?"));
+              HasSubstr(R"(no stage "disks", did you mean "discs"?)"));
 }
 
 }  // namespace

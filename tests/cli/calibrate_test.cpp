@@ -110,8 +110,8 @@ TEST_F(Calibrate, WritesMaterialsThatRespondTakes) {
 
 TEST_F(Calibrate, FindsASpectrumWithoutItsTimes) {
   const auto run =
-      calibrate({"--measured", "g.csv", "--unknown", "binder.spectrum={ from = \"10 us\", to = \"1 s\" }", "--unknown",
-                 "interphase.shear={ value = \"40 MPa\", sd = \"1 MPa\" }", "--out", "spectrum"});
+      calibrate({"--measured", "g.csv", "--unknown", R"(binder.spectrum={ from = "10 us", to = "1 s" })", "--unknown",
+                 R"(interphase.shear={ value = "40 MPa", sd = "1 MPa" })", "--out", "spectrum"});
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   const auto found = estimates("spectrum");
   EXPECT_EQ(found.rows(), 12U) << "two terms a decade, and the interphase";
@@ -186,18 +186,18 @@ TEST_F(Calibrate, RefusesAllMistakesAtOnce) {
                               "--unknown",  "binder.times={ value = 1 }",
                               "--unknown",  "binder.times=3",
                               "--unknown",  "binder.modulus={ value = 1, sd = 0.5 }",
-                              "--unknown",  "interphase.shear={ value = \"40 mm\", sd = \"1 MPa\" }",
+                              "--unknown",  R"(interphase.shear={ value = "40 mm", sd = "1 MPa" })",
                               "--unknown",  "binder.times={ from = 3, to = 1 }",
-                              "--unknown",  "binder.c2={ value = \"100 K\", factor = 1 }"});
+                              "--unknown",  R"(binder.c2={ value = "100 K", factor = 1 })"});
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_THAT(run.errors,
-              AllOf(HasSubstr("unknown: no material \"interfase\", did you mean \"interphase\"?"),
-                    HasSubstr("unknown: expected MATERIAL.NUMBER, such as binder.times, got \"binder\""),
-                    HasSubstr("unknown: binder has no \"tims\" that could be unknown, did you mean \"times\"?"),
+              AllOf(HasSubstr(R"(unknown: no material "interfase", did you mean "interphase"?)"),
+                    HasSubstr(R"(unknown: expected MATERIAL.NUMBER, such as binder.times, got "binder")"),
+                    HasSubstr(R"(unknown: binder has no "tims" that could be unknown, did you mean "times"?)"),
                     HasSubstr("binder.times: prior: expected exactly one of sd, factor, to"),
                     HasSubstr("binder.times: prior: expected what is known, as in { value ="),
                     HasSubstr("binder.modulus: prior.sd: expected less than a quarter of the distance"),
-                    HasSubstr("interphase.shear: prior.value: expected a pressure, got \"40 mm\""),
+                    HasSubstr(R"(interphase.shear: prior.value: expected a pressure, got "40 mm")"),
                     HasSubstr("binder.times: prior.to: expected two rising values, got 3 and 1"),
                     HasSubstr("binder.c2: prior.factor: expected a factor above 1, got 1")));
 }
@@ -217,7 +217,7 @@ TEST_F(Calibrate, RefusesWhatHasNoMeaning) {
   EXPECT_THAT(message({"--measured", "g.csv", "--unknown", "binder.times", "--noise", "2"}),
               HasSubstr("--noise: expected a percentage between 0 and 100"));
   EXPECT_THAT(message({"--measured", "nothing=g.csv", "--unknown", "binder.times"}),
-              HasSubstr("--measured: no results are called \"nothing\"; there are out"));
+              HasSubstr(R"(--measured: no results are called "nothing"; there are out)"));
   study->write("bulk.csv", "time_s,bulk_modulus_GPa\n0.001,5\n");
   EXPECT_THAT(message({"--measured", "bulk.csv", "--unknown", "binder.times"}),
               HasSubstr("stage discs has no reduced response under bulk"));
@@ -225,7 +225,7 @@ TEST_F(Calibrate, RefusesWhatHasNoMeaning) {
   EXPECT_THAT(message({"--measured", "prony.csv", "--unknown", "binder.times"}),
               HasSubstr("a Prony series is a fit; expected measured values"));
   EXPECT_THAT(message({"--measured", "g.csv", "--unknown", "binder.times", "--stage", "disks"}),
-              HasSubstr("no response of a stage \"disks\""));
+              HasSubstr(R"(no response of a stage "disks")"));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "breccia/deck/deck_assessment.hpp"
 
+#include "deck/material_file.hpp"
 #include "decks.hpp"
 
 namespace breccia {
@@ -26,7 +27,7 @@ std::string deck_with(const std::string& binder, const std::string& shear_of_hmx
          "shear = { equilibrium = \"1 MPa\", terms = [{ time = \"1 ms\", modulus = \"500 MPa\" }] }\n" +
          binder + "\n[materials.hmx]\ndensity = \"1.85 g/cm^3\"\nbulk = \"13.4 GPa\"\nshear = " + shear_of_hmx +
          "\n[[stages]]\nname = \"discs\"\nmatrix = \"binder\"\nbox = \"10 mm\"\ncells = 20\n"
-         "filler = { material = \"hmx\", fraction = " +
+         R"(filler = { material = "hmx", fraction = )" +
          fraction +
          ", sizes = { diameter = \"2 mm\" } }\npacking = { method = \"lubachevsky-stillinger\", seed = 1 }\n"
          "[tests]\ntimes = [\"10 us\", \"1 s\"]\nfields = \"none\"\n" +
@@ -69,7 +70,7 @@ TEST_F(UncertainDeck, AnElasticMaterialVariesOverItsDistribution) {
 
 TEST_F(UncertainDeck, ABinderVariesOverItsExtremes) {
   const auto read = study(deck_with(
-      "factors = { modulus = { value = 1, factor = 1.2 }, times = { value = 1, factor = 3 } }", "\"5.8 GPa\""));
+      "factors = { modulus = { value = 1, factor = 1.2 }, times = { value = 1, factor = 3 } }", R"("5.8 GPa")"));
   ASSERT_THAT(read.tests.varied, SizeIs(1));
   const auto& varied = read.tests.varied.front();
   EXPECT_EQ(varied.name, "binder");
@@ -80,14 +81,14 @@ TEST_F(UncertainDeck, ABinderVariesOverItsExtremes) {
 }
 
 TEST_F(UncertainDeck, FactorsChangeABinder) {
-  const auto read = study(deck_with("factors = { modulus = 2, times = 10 }", "\"5.8 GPa\""));
+  const auto read = study(deck_with("factors = { modulus = 2, times = 10 }", R"("5.8 GPa")"));
   const auto& binder = read.materials.front().material;
   EXPECT_DOUBLE_EQ(binder.shear.unrelaxed(), 1002e6);
   EXPECT_DOUBLE_EQ(binder.shear.terms().front().relaxation_time, 1e-2);
   EXPECT_DOUBLE_EQ(binder.bulk.equilibrium(), 3e9);
-  EXPECT_THAT(directory.mistakes(deck_with("factors = { moduli = 2 }", "\"5.8 GPa\"")),
-              HasSubstr("materials.binder.factors: unknown key \"moduli\", did you mean \"modulus\"?"));
-  EXPECT_THAT(directory.mistakes(deck_with("factors = { times = 0 }", "\"5.8 GPa\"")),
+  EXPECT_THAT(directory.mistakes(deck_with("factors = { moduli = 2 }", R"("5.8 GPa")")),
+              HasSubstr(R"(materials.binder.factors: unknown key "moduli", did you mean "modulus"?)"));
+  EXPECT_THAT(directory.mistakes(deck_with("factors = { times = 0 }", R"("5.8 GPa")")),
               HasSubstr("materials.binder.factors.times: expected a positive number, got 0"));
   EXPECT_THAT(directory.mistakes(deck_with("", "\"5.8 GPa\"\nfactors = { times = 2 }")),
               HasSubstr("materials.hmx.factors: hmx.times: the material does not relax"));
@@ -128,8 +129,32 @@ TEST_F(UncertainDeck, SolvesABoxForEachValueOfAGeometry) {
   EXPECT_NE(sweep.tasks[1].study.provenance.hash, sweep.tasks[2].study.provenance.hash);
 }
 
+TEST_F(UncertainDeck, NamesMayHaveDotsAndSpaces) {
+  auto text = deck_with("", R"({ value = "5.8 GPa", sd = "0.6 GPa" })");
+  text = test::replaced(text, "[materials.hmx]", R"([materials."type 2.1"])");
+  text = test::replaced(text, R"(material = "hmx")", R"(material = "type 2.1")");
+  const auto read = study(text);
+  EXPECT_EQ(read.uncertain.front().name, R"(materials."type 2.1".shear)");
+  ASSERT_THAT(read.tests.varied, SizeIs(1));
+  EXPECT_EQ(read.tests.varied.front().name, "type 2.1");
+}
+
+TEST_F(UncertainDeck, AGapIsALengthThatChangesTheBox) {
+  const auto text = test::replaced(deck_with("", "\"5.8 GPa\""), "sizes = {",
+                                   R"(gap = { value = "0.2 mm", sd = "0.02 mm" }, sizes = {)");
+  EXPECT_DOUBLE_EQ(study(text).stages.front().fillers.front().gap, 0.2e-3);
+  EXPECT_THAT(assessment(text).design().change_the_box, ElementsAre(true));
+}
+
+TEST_F(UncertainDeck, AMaterialFileIsCertain) {
+  const auto file = directory.written(
+      "soft.toml", "density = \"1 g/cm^3\"\nbulk = \"2 GPa\"\nshear = { value = \"1 MPa\", factor = 2 }\n");
+  EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(read_shifted_material_file(file)); }),
+              HasSubstr("shear: expected one value; distributions are for decks"));
+}
+
 TEST_F(UncertainDeck, RefusesWhatCannotBeAssessed) {
-  EXPECT_THAT(refusal(deck_with("", "\"5.8 GPa\"")), HasSubstr("deck.toml: every input is certain"));
+  EXPECT_THAT(refusal(deck_with("", R"("5.8 GPa")")), HasSubstr("deck.toml: every input is certain"));
   const std::string uncertain = R"({ value = "5.8 GPa", sd = "0.6 GPa" })";
   EXPECT_THAT(
       refusal(deck_with("", uncertain) + "[sweep]\n\"stages.*.packing.seed\" = [1, 2]\n"),
@@ -138,7 +163,7 @@ TEST_F(UncertainDeck, RefusesWhatCannotBeAssessed) {
               HasSubstr("an assessment takes the reduced responses of method"));
   EXPECT_THAT(refusal(deck_with("", R"({ value = "5.8 GPa", sd = "2 GPa" })")),
               HasSubstr("materials.hmx.shear.sd: expected less than a quarter"));
-  EXPECT_THAT(refusal(deck_with("", "\"5.8 GPa\"", "", "{ any = [0.5, 1.5] }")),
+  EXPECT_THAT(refusal(deck_with("", R"("5.8 GPa")", "", "{ any = [0.5, 1.5] }")),
               HasSubstr("stages.discs.filler.fraction: expected a number between 0 and 1"))
       << "each choice is read";
 }

@@ -102,18 +102,18 @@ TEST_F(UncertainValues, AValueAtACoordinateIsReadBackAsItIs) {
 }
 
 TEST_F(UncertainValues, ReportsMistakes) {
-  EXPECT_THAT(mistakes("modulus = { value = \"1 GPa\" }"),
+  EXPECT_THAT(mistakes(R"(modulus = { value = "1 GPa" })"),
               HasSubstr("modulus: expected exactly one of sd, factor, to"));
-  EXPECT_THAT(mistakes("modulus = { value = \"1 GPa\", sd = \"0.5 GPa\" }"),
+  EXPECT_THAT(mistakes(R"(modulus = { value = "1 GPa", sd = "0.5 GPa" })"),
               HasSubstr("modulus.sd: expected less than a quarter of the distance to the values that are not allowed"));
-  EXPECT_THAT(mistakes("modulus = { value = \"1 GPa\", sd = 0.1 }"), HasSubstr("modulus.sd: expected a pressure"));
-  EXPECT_THAT(mistakes("modulus = { value = 1, sd = \"0.1 GPa\" }"), HasSubstr("modulus.value: expected a pressure"));
-  EXPECT_THAT(mistakes("modulus = { sd = \"0.1 GPa\" }"), HasSubstr("modulus.value: missing"));
+  EXPECT_THAT(mistakes(R"(modulus = { value = "1 GPa", sd = 0.1 })"), HasSubstr("modulus.sd: expected a pressure"));
+  EXPECT_THAT(mistakes(R"(modulus = { value = 1, sd = "0.1 GPa" })"), HasSubstr("modulus.value: expected a pressure"));
+  EXPECT_THAT(mistakes(R"(modulus = { sd = "0.1 GPa" })"), HasSubstr("modulus.value: missing"));
   EXPECT_THAT(mistakes("number = { value = 1, factor = 0.5 }"), HasSubstr("number.factor: expected a factor above 1"));
   EXPECT_THAT(mistakes("number = { from = 3, to = 1 }"),
               HasSubstr("number.to: expected two rising values, got 3 and 1"));
-  EXPECT_THAT(mistakes("number = { from = 1, to = 3, scale = \"log\" }"), HasSubstr("number.scale: expected one of"));
-  EXPECT_THAT(mistakes("number = { value = 1, sd = 0.1, width = 3 }"), HasSubstr("number: unknown key \"width\""));
+  EXPECT_THAT(mistakes(R"(number = { from = 1, to = 3, scale = "log" })"), HasSubstr("number.scale: expected one of"));
+  EXPECT_THAT(mistakes("number = { value = 1, sd = 0.1, width = 3 }"), HasSubstr(R"(number: unknown key "width")"));
   EXPECT_THAT(mistakes("number = { value = { value = 1, sd = 0.1 }, sd = 0.1 }"),
               HasSubstr("number.value: expected a number, not a distribution within a distribution"));
   EXPECT_THAT(mistakes("share = { value = 0.5, factor = 2 }"),
