@@ -65,7 +65,7 @@ def breccia(*arguments):
     subprocess.run([BRECCIA, *map(str, arguments)], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
 
-def curve(scores, number):
+def curve(scores):
     """ln G at all times of a run with these scores of the two inputs."""
     shear, times = (f"{FACTORS[name] ** score:.17g}" for name, score in zip(FACTORS, scores))
     deck, out = RESULTS / "one.toml", RESULTS / "one"
@@ -112,8 +112,8 @@ def main():
     draw = random.Random(1)
     quarter = runs // 4
     scores_a, scores_b = ([[draw.gauss(0, 1) for _ in FACTORS] for _ in range(quarter)] for _ in range(2))
-    a, b = ([curve(scores, i) for i, scores in enumerate(many)] for many in (scores_a, scores_b))
-    mixed = [[curve([y[k] if k == i else x[k] for k in range(len(FACTORS))], 0) for x, y in zip(scores_a, scores_b)]
+    a, b = ([curve(scores) for scores in many] for many in (scores_a, scores_b))
+    mixed = [[curve([y[k] if k == i else x[k] for k in range(len(FACTORS))]) for x, y in zip(scores_a, scores_b)]
              for i in range(len(FACTORS))]
 
     print(f"{'time':>10}  {'within 95 %':>11}", *(f"{name:>44}" for name in FACTORS))

@@ -30,6 +30,7 @@ class AssessedCurve:
     whole: tuple[NDArray[np.float64], NDArray[np.float64]]  #: ends of 95 % with it; NaN where it is not known
     alone: dict[str, NDArray[np.float64]]  #: share of each input alone in the variance (first-order index)
     total: dict[str, NDArray[np.float64]]  #: its share with others (total index)
+    interactions: NDArray[np.float64]  #: share of all inputs together, beyond what each causes alone
     unexplained: NDArray[np.float64]  #: share of the variance that polynomials in the inputs do not predict
 
 

@@ -39,7 +39,7 @@ def is_number(value: Any) -> bool:
 def in_deck(key: str, value: Any) -> Any:
     """The value of a key as a deck has it: numbers that are quantities, also in tables and lists, as text with the
     unit; series and laws as tables."""
-    if isinstance(value, Mapping) and key in UNITS and set(value) <= _OF_A_DISTRIBUTION:
+    if isinstance(value, Mapping) and value and set(value) <= _OF_A_DISTRIBUTION:
         return {inner: entry if inner in ("factor", "scale") else in_deck(key, entry) for inner, entry in value.items()}
     if isinstance(value, Mapping):
         # The factors of a material have the names of its quantities.
@@ -66,7 +66,8 @@ def in_path(path: str, value: Any) -> Any:
     """The value of a key that is given by its path, "stages.0.box", as a deck has it. The tables of a sweep are left as
     they are: their ends belong to another key."""
     steps = [step for step in path.split(".") if not step.isdigit()]
-    return value if not steps or steps[0] == "sweep" else in_deck(steps[-1], value)
+    is_plain = not steps or steps[0] == "sweep" or "factors" in steps[:-1]
+    return value if is_plain else in_deck(steps[-1], value)
 
 
 def si(argument: str, value: Any, dimension: str) -> float:

@@ -63,6 +63,7 @@ py::dict dict_of(const AssessedCurve& curve, const std::vector<UncertainInput>& 
   entries["whole"] = ends_of(curve.whole);
   entries["alone"] = shares_of(curve.alone, inputs);
   entries["total"] = shares_of(curve.total, inputs);
+  entries["interactions"] = array_of(interactions_of(curve));
   entries["unexplained"] = array_of(curve.unexplained);
   return entries;
 }

@@ -1,5 +1,6 @@
 #include "breccia/assessment/calibrate_inputs.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -23,25 +24,28 @@ bool is_known(const Observation& observation, bool are_over_frequency) {
 }
 
 std::string mistake_in(const Observation& observation, const CurvesOfStudy& curves) {
-  const auto place =
-      curves.are_over_frequency ? fmt::format("{:.3g} rad/s", observation.at) : display_time(observation.at);
   if (!is_known(observation, curves.are_over_frequency)) {
-    return fmt::format("a measurement of the {} modulus, {}, at {}: expected {}", name_of(observation.modulus),
-                       name_of(observation.curve), place,
+    return fmt::format("measurements of the {} modulus, {}: expected {}", name_of(observation.modulus),
+                       name_of(observation.curve),
                        curves.are_over_frequency ? "dynamic moduli, as the study has them"
                                                  : "relaxation moduli in shear or bulk, as the study has them");
   }
   if (observation.modulus != ObservedModulus::shear && !curves.have_bulk) {
-    return fmt::format("a measurement of the {} modulus at {}: the study has no test in bulk (tests.loads)",
-                       name_of(observation.modulus), place);
+    return fmt::format("measurements of the {} modulus: the study has no test in bulk (tests.loads)",
+                       name_of(observation.modulus));
   }
   if (observation.temperature) {
-    return fmt::format("a measurement at {:.4g} K and {}: expected those at the temperature of the study",
-                       *observation.temperature, place);
+    return fmt::format("measurements at {:.4g} K: expected those at the temperature of the study",
+                       *observation.temperature);
   }
   constexpr double rounding = 1e-9;
   if (observation.at >= curves.first * (1.0 - rounding) && observation.at <= curves.last * (1.0 + rounding)) return "";
-  return fmt::format("a measurement at {}: outside of the curves of the study", place);
+  const auto in_words = [&](double place) {
+    return curves.are_over_frequency ? fmt::format("{:.3g} rad/s", place) : display_time(place);
+  };
+  return fmt::format("measurements outside of the curves of the study, {} to {}: change its {}, or leave them out",
+                     in_words(curves.first), in_words(curves.last),
+                     curves.are_over_frequency ? "frequencies" : "times");
 }
 
 }  // namespace
@@ -55,7 +59,9 @@ void require_observable(const std::vector<UncertainInput>& inputs, const std::ve
         "{}: measurements do not find one of several values; expected one value, or a distribution", input.name));
   }
   for (const auto& observation : observations) {
-    if (auto mistake = mistake_in(observation, curves); !mistake.empty()) mistakes.push_back(std::move(mistake));
+    auto mistake = mistake_in(observation, curves);
+    if (mistake.empty() || std::ranges::find(mistakes, mistake) != mistakes.end()) continue;
+    mistakes.push_back(std::move(mistake));
   }
   refuse_unless_empty(mistakes);
 }
@@ -71,13 +77,15 @@ Calibration calibrate_inputs(const std::vector<UncertainInput>& inputs, const As
     found.warnings.emplace_back(
         "the error of the model is not known and not in the intervals; state the error of the model");
   }
-  constexpr double far = 3.0;
-  for (const auto& estimate : found.estimates) {
-    if (std::abs(estimate.score) < far) continue;
-    found.warnings.push_back(fmt::format(
-        "{}: what was found is where only three of a thousand were expected: what is known of it is wrong, or "
-        "another input is",
-        estimate.name));
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const auto& estimate = found.estimates[i];
+    const double reach = design.coordinates.row(static_cast<Eigen::Index>(i)).cwiseAbs().maxCoeff();
+    if (std::abs(estimate.score) <= reach) continue;
+    found.warnings.push_back(
+        fmt::format("{}: what was found is beyond all {} that were solved: what is known of it is wrong, another input "
+                    "is, or there "
+                    "are too few",
+                    estimate.name, design.change_the_box[i] ? "boxes" : "samples"));
   }
   return found;
 }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -74,6 +75,21 @@ struct CrossValidatedFit {
   Eigen::VectorXd mean_square_errors;  ///< of the outputs
 };
 
+/// The deviations of a group from the fit to all others, for its residuals and its part Q of an orthonormal basis;
+/// nothing where the group alone determines a term. A group larger than the basis takes the smaller of two equal
+/// systems, (1 - Q Q')^-1 = 1 + Q (1 - Q' Q)^-1 Q'.
+std::optional<Eigen::MatrixXd> deviations_from_others(const Eigen::MatrixXd& basis, const Eigen::MatrixXd& residuals) {
+  constexpr double least = 1e-6;
+  const bool is_large = basis.rows() > basis.cols();
+  const auto size = std::min(basis.rows(), basis.cols());
+  const Eigen::MatrixXd product =
+      is_large ? Eigen::MatrixXd(basis.transpose() * basis) : Eigen::MatrixXd(basis * basis.transpose());
+  const Eigen::LDLT<Eigen::MatrixXd> others(Eigen::MatrixXd::Identity(size, size) - product);
+  if (others.vectorD().minCoeff() < least) return std::nullopt;
+  if (!is_large) return others.solve(residuals);
+  return residuals + basis * others.solve(basis.transpose() * residuals);
+}
+
 /// With the residual r of all samples and the part Q of an orthonormal basis that belongs to a group, the deviations of
 /// the group from the fit to all others are (1 - Q Q')^-1 r.
 CrossValidatedFit fit(const Eigen::MatrixXd& functions, const SampledOutputs& samples) {
@@ -87,17 +103,12 @@ CrossValidatedFit fit(const Eigen::MatrixXd& functions, const SampledOutputs& sa
   for (Eigen::Index i = 0; i < functions.rows(); ++i) groups[samples.groups[static_cast<std::size_t>(i)]].push_back(i);
   found.mean_square_errors = Eigen::VectorXd::Zero(values.cols());
   for (const auto& [group, rows] : groups) {
-    const Eigen::MatrixXd own = basis(rows, Eigen::all);
-    const auto size = own.rows();
-    // A group that alone determines a term has no prediction.
-    constexpr double least = 1e-6;
-    const Eigen::LDLT<Eigen::MatrixXd> others(Eigen::MatrixXd::Identity(size, size) - own * own.transpose());
-    if (others.vectorD().minCoeff() < least) {
+    const auto deviations = deviations_from_others(basis(rows, Eigen::all), residuals(rows, Eigen::all));
+    if (!deviations) {
       found.mean_square_errors.setConstant(std::numeric_limits<double>::infinity());
       return found;
     }
-    const Eigen::MatrixXd deviations = others.solve(Eigen::MatrixXd(residuals(rows, Eigen::all)));
-    found.mean_square_errors += deviations.cwiseAbs2().colwise().sum().transpose();
+    found.mean_square_errors += deviations->cwiseAbs2().colwise().sum().transpose();
   }
   found.mean_square_errors /= static_cast<double>(functions.rows());
   return found;
@@ -121,29 +132,30 @@ SampledOutputs followed_samples(const AssessmentDesign& design, const SampledCur
                             .values = is_phase ? curve.values : Eigen::MatrixXd(curve.values.array().log()),
                             .groups = design.box_of,
                             .are_of_group = design.change_the_box};
-  if (design.boxes.cols() == 1) {
-    // Without an error that samples share each is a group of its own.
-    for (std::size_t i = 0; i < samples.groups.size(); ++i) samples.groups[i] = i;
-  }
+  if (design.boxes.cols() > 1 && !design.has_all_boxes) return samples;
+  // Without an error that samples share, or other boxes that could have one, each is a group of its own.
+  for (std::size_t i = 0; i < samples.groups.size(); ++i) samples.groups[i] = i;
+  samples.are_of_group.assign(samples.are_of_group.size(), false);
   return samples;
 }
 
-PolynomialChaos::PolynomialChaos(const std::vector<UncertainInput>& inputs, const SampledOutputs& samples)
-    : inputs_(inputs) {
+PolynomialChaos::PolynomialChaos(std::vector<UncertainInput> inputs, const SampledOutputs& samples)
+    : inputs_(std::move(inputs)) {
   const auto count = static_cast<std::size_t>(samples.values.cols());
   const std::set<std::size_t> groups(samples.groups.begin(), samples.groups.end());
   const bool has_group_inputs = std::ranges::find(samples.are_of_group, true) != samples.are_of_group.end();
   double best = std::numeric_limits<double>::infinity();
   for (int degree = 0; degree <= highest_degree; ++degree) {
     for (int of_group = 0; of_group <= (has_group_inputs ? degree : 0); ++of_group) {
-      auto terms = terms_up_to(degree, has_group_inputs ? of_group : degree, samples.are_of_group);
+      auto terms = terms_up_to(degree, has_group_inputs ? of_group : degree, samples.are_of_group, count / 2);
+      if (terms.empty()) continue;
       // The parts of the terms in the inputs of groups are determined by the groups alone.
       std::set<Term> parts;
       for (auto part : terms) {
         for (std::size_t i = 0; i < part.size(); ++i) part[i] = samples.are_of_group[i] ? part[i] : 0;
         parts.insert(std::move(part));
       }
-      if (2 * terms.size() > count || (has_group_inputs && 3 * parts.size() > 2 * groups.size())) continue;
+      if (has_group_inputs && 3 * parts.size() > 2 * groups.size()) continue;
       auto found = fit(functions_at(terms, samples.coordinates), samples);
       const double error = whole_error(found, samples.values);
       if (!terms_.empty() && !(error < best)) continue;
@@ -157,7 +169,8 @@ PolynomialChaos::PolynomialChaos(const std::vector<UncertainInput>& inputs, cons
 }
 
 std::vector<PolynomialChaos::Term> PolynomialChaos::terms_up_to(int degree, int degree_of_group,
-                                                                const std::vector<bool>& are_of_group) const {
+                                                                const std::vector<bool>& are_of_group,
+                                                                std::size_t most) const {
   struct Partial {
     Term term;
     int left, left_of_group;
@@ -166,9 +179,9 @@ std::vector<PolynomialChaos::Term> PolynomialChaos::terms_up_to(int degree, int 
   for (std::size_t i = 0; i < inputs_.size(); ++i) {
     std::vector<Partial> longer;
     for (const auto& one : all) {
-      const int most = are_of_group[i] ? std::min(one.left, one.left_of_group) : one.left;
+      const int highest = are_of_group[i] ? std::min(one.left, one.left_of_group) : one.left;
       int function = 0;
-      for (int k = 0; k <= most; ++k) {
+      for (int k = 0; k <= highest; ++k) {
         const int functions = k == 0 ? 1 : functions_of_degree(inputs_[i], k);
         for (int f = 0; f < functions; ++f) {
           auto& next = longer.emplace_back(one);
@@ -179,8 +192,11 @@ std::vector<PolynomialChaos::Term> PolynomialChaos::terms_up_to(int degree, int 
       }
     }
     all = std::move(longer);
+    // Further inputs only add terms.
+    if (all.size() > most) return {};
   }
   std::vector<Term> terms;
+  terms.reserve(all.size());
   for (auto& one : all) terms.push_back(std::move(one.term));
   return terms;
 }

@@ -29,7 +29,7 @@ SampledOutputs followed_samples(const AssessmentDesign& design, const SampledCur
 /// groups, is that with the least error in predicting samples of a group from all others.
 class PolynomialChaos {
  public:
-  PolynomialChaos(const std::vector<UncertainInput>& inputs, const SampledOutputs& samples);
+  PolynomialChaos(std::vector<UncertainInput> inputs, const SampledOutputs& samples);
 
   /// The outputs (outputs x points) at coordinates of the inputs (inputs x points).
   [[nodiscard]] Eigen::MatrixXd at(const Eigen::MatrixXd& coordinates) const;
@@ -47,8 +47,9 @@ class PolynomialChaos {
   /// The function of each input that is a factor of a term, by input; 0 is the constant.
   using Term = std::vector<int>;
 
-  [[nodiscard]] std::vector<Term> terms_up_to(int degree, int degree_of_group,
-                                              const std::vector<bool>& are_of_group) const;
+  /// The terms up to a degree in all inputs and in those of groups; empty where there are more than `most`.
+  [[nodiscard]] std::vector<Term> terms_up_to(int degree, int degree_of_group, const std::vector<bool>& are_of_group,
+                                              std::size_t most) const;
   [[nodiscard]] Eigen::MatrixXd functions_at(const std::vector<Term>& terms, const Eigen::MatrixXd& coordinates) const;
   /// The sum of the squared coefficients of the terms that a function of the term accepts, over the variance.
   template <class Accepts>

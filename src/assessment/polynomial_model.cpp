@@ -66,17 +66,34 @@ PolynomialModel::PolynomialModel(const std::vector<UncertainInput>& inputs, cons
                            .unit = inputs[i].unit,
                            .prior = std::get<Distribution>(inputs[i].known)});
   }
-  double largest = 0.0;
+  double of_moduli = 0.0, of_phases = 0.0;
   for (auto& curve : curves_) {
     curve = where_observed(curve, observations_);
     const auto& fitted = polynomials_.emplace_back(inputs, followed_samples(design, curve));
+    auto& largest = curve.curve == ObservedCurve::phase ? of_phases : of_moduli;
     largest = std::max(largest, fitted.mean_square_errors().maxCoeff());
   }
-  const double deviation = std::sqrt(model_deviation * model_deviation + largest);
+  add_errors_of_phases(std::sqrt(of_phases));
+  const double deviation = std::sqrt(model_deviation * model_deviation + of_moduli);
   constexpr double nothing = 1e-6;
   if (!(deviation > nothing)) return;
   factor_ = components_.size();
   components_.push_back({.name = "model", .unknown = inputs.size(), .prior = LogNormal{1.0, 1.0 + deviation}});
+}
+
+/// An error of the phase [rad] is one of a loss modulus over tan(phase), and of a storage modulus times that.
+void PolynomialModel::add_errors_of_phases(double error) {
+  if (!(error > 0.0)) return;
+  const auto curves = curves_at(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(components_.size())));
+  for (auto& observation : observations_) {
+    const auto modulus = modulus_at(curves, ObservedModulus::shear, observation.at);
+    const double tangent = modulus.imag() / modulus.real();
+    double own = 0.0;
+    if (observation.curve == ObservedCurve::phase) own = error;
+    if (observation.curve == ObservedCurve::loss) own = error / tangent;
+    if (observation.curve == ObservedCurve::storage) own = error * tangent;
+    observation.deviation = std::hypot(observation.deviation, own);
+  }
 }
 
 const SampledCurve* PolynomialModel::curve_of(ObservedModulus modulus, ObservedCurve curve) const {

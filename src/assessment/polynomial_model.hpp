@@ -19,7 +19,8 @@ namespace breccia {
 /// are the inputs, then a factor by which the composite differs from its model at all times, where one is given.
 class PolynomialModel final : public PredictiveModel {
  public:
-  /// `model_deviation` is the relative standard deviation of the model, to which the error of the polynomials is added.
+  /// `model_deviation` is the relative standard deviation of the model, to which the error of the polynomials is
+  /// added; that of phases is added to the noise.
   /// Throws InputError as require_observable().
   PolynomialModel(const std::vector<UncertainInput>& inputs, const AssessmentDesign& design,
                   std::vector<SampledCurve> curves, std::vector<Observation> observations, double model_deviation);
@@ -34,6 +35,7 @@ class PolynomialModel final : public PredictiveModel {
   /// The values of all curves at their times or frequencies, by curve.
   using Curves = std::vector<Eigen::VectorXd>;
 
+  void add_errors_of_phases(double error);
   [[nodiscard]] const SampledCurve* curve_of(ObservedModulus modulus, ObservedCurve curve) const;
   [[nodiscard]] Curves curves_at(const Eigen::VectorXd& scores) const;
   [[nodiscard]] double interpolated(const Curves& curves, const SampledCurve& curve, double at) const;

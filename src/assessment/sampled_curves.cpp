@@ -108,6 +108,18 @@ class CurvesOfTest {
   std::vector<SampledCurve> curves_;
 };
 
+/// Throws NumericalError where a modulus is not positive, as where a sample has all but relaxed.
+void require_positive(const SampledCurve& curve) {
+  if (curve.curve == ObservedCurve::phase) return;
+  for (std::size_t i = 0; i < curve.at.size(); ++i) {
+    if (curve.values.row(static_cast<Eigen::Index>(i)).minCoeff() > 0.0) continue;
+    throw NumericalError(
+        fmt::format("{} at {:.3g} {} is not positive in a sample, which has all but relaxed: end the times of the "
+                    "tests earlier",
+                    curve.name, curve.at[i], is_over_frequency(curve.curve) ? "rad/s" : "s"));
+  }
+}
+
 }  // namespace
 
 std::vector<SampledCurve> sample_curves(const SampledStage& stage) {
@@ -121,8 +133,7 @@ std::vector<SampledCurve> sample_curves(const SampledStage& stage) {
   std::vector<Responder> boxes;
   for (const auto& box : stage.boxes) boxes.push_back(box.chain_of(reference.name));
   parallel::FirstException failure;
-  const int threads = parallel::threads_for(stage.threads);
-#pragma omp parallel for num_threads(threads) schedule(dynamic)
+#pragma omp parallel for num_threads(parallel::threads_for(stage.threads)) schedule(dynamic)
   for (std::size_t sample = 0; sample < samples; ++sample) {
     failure.run([&] {
       const auto results = boxes[stage.box_of[sample]].with(stage.materials[sample]).respond();
@@ -132,6 +143,7 @@ std::vector<SampledCurve> sample_curves(const SampledStage& stage) {
   failure.rethrow();
   std::vector<SampledCurve> curves;
   for (auto& test : tests) std::ranges::move(std::move(test).curves(), std::back_inserter(curves));
+  std::ranges::for_each(curves, require_positive);
   return curves;
 }
 

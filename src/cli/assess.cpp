@@ -25,6 +25,7 @@
 #include "cli/narration.hpp"
 #include "cli/sweep_summary.hpp"
 #include "deck/calibrated_inputs.hpp"
+#include "io/display.hpp"
 #include "parallel/session.hpp"
 #include "results/assessment_files.hpp"
 #include "results/calibration_files.hpp"
@@ -136,7 +137,7 @@ class Findings {
   void report(const MeasuredComposite& measured, const Calibration& found) {
     std::vector<std::string> texts;
     for (const auto& file : arguments_.measured) texts.push_back(file.string());
-    const auto directory = arguments_.run.results() / "calibrate";
+    const auto directory = arguments_.run.results() / "assess" / "measured";
     const auto stage =
         arguments_.stage.empty() ? deck_.sweep().tasks.front().study.stages.back().name : arguments_.stage;
     const auto source =
@@ -168,8 +169,9 @@ void run_assess(const AssessArguments& arguments) {
   deck.require_stage(arguments.stage);
   const auto measured = measured_by(deck, arguments);
   ProgressLine progress(run.quiet || !parallel::is_first());
-  progress.print(fmt::format("{}, {} inputs are not certain:\n{}", deck.sweep().tasks.front().study.title,
-                             deck.inputs().size(), table_of_inputs(deck.inputs(), deck.design().change_the_box)));
+  progress.print(fmt::format("{}, {}:\n{}", deck.sweep().tasks.front().study.title,
+                             display_count(deck.inputs().size(), "uncertain input"),
+                             table_of_inputs(deck.inputs(), deck.design().change_the_box)));
   solve_studies(deck.sweep(), arguments, progress);
   if (!parallel::is_first()) return;
   progress.update("assessment", 0.0, fmt::format("{} samples", deck.design().box_of.size()));
@@ -185,8 +187,7 @@ void run_assess(const AssessArguments& arguments) {
 
 void add_assess(CLI::App& application) {
   auto* command = application.add_subcommand(
-      "assess",
-      "carry the uncertainty of the inputs of a deck through: bands of its curves, and which input matters when");
+      "assess", "propagate the uncertain inputs of a deck: bands of its curves, and which input matters when");
   auto arguments = std::make_shared<AssessArguments>();
   auto& run = arguments->run;
   command->add_option("DECK", run.deck.deck, "the study, a TOML file with distributions")->required()->type_name("");
@@ -198,7 +199,7 @@ void add_assess(CLI::App& application) {
       ->type_name("KEY.PATH=VALUE")
       ->allow_extra_args(false);
   command->add_option("--samples", arguments->options.samples, "number of samples of all inputs (default: 1000)")
-      ->check(CLI::Range(100, 1'000'000).description(""))
+      ->check(CLI::Range(100, 100'000).description(""))
       ->type_name("N");
   command
       ->add_option("--boxes", arguments->options.boxes,
@@ -206,29 +207,32 @@ void add_assess(CLI::App& application) {
                    "in these inputs, 10 at least)")
       ->check(CLI::Range(2, 10'000).description(""))
       ->type_name("N");
-  command->add_option("--seed", arguments->options.seed, "seed of the samples (default: 1)")->type_name("N");
+  command->add_option("--seed", arguments->options.seed, "seed of the boxes and of the samples (default: 1)")
+      ->check(CLI::Range(0, 1 << 30).description(""))
+      ->type_name("N");
   command->add_option("--stage", arguments->stage, "the stage that is assessed (default: the last one)")
       ->type_name("NAME");
-  command
-      ->add_option("--measured", arguments->measured,
-                   "measured values of the composite, from which the inputs are found (docs/uncertainty.md); may be "
-                   "repeated")
-      ->expected(1)
-      ->take_all()
-      ->type_name("FILE");
+  auto* measured = command->add_option(
+      "--measured", arguments->measured,
+      "measured values of the composite, from which the inputs are found (docs/uncertainty.md); may be "
+      "repeated");
+  measured->expected(1)->take_all()->type_name("FILE");
   command
       ->add_option("--noise", arguments->noise,
                    "standard deviation of the measured values, as in \"2 %\" (default: as their deviations show)")
-      ->type_name("PERCENT");
+      ->type_name("PERCENT")
+      ->needs(measured);
   command
       ->add_option("--model-error", arguments->model_error,
                    "error of the moduli of the study, as in \"5 %\" (default: the largest that it states)")
-      ->type_name("PERCENT");
+      ->type_name("PERCENT")
+      ->needs(measured);
   command
       ->add_option("--modulus", arguments->modulus,
                    "kind of modulus that was measured, if the names of the columns do not say it")
       ->check(CLI::IsMember(modulus_kinds).description(""))
-      ->type_name("shear|young|bulk");
+      ->type_name("shear|young|bulk")
+      ->needs(measured);
   command->add_option("--out", run.directory, "directory for the results (default: results/<name of the deck>)")
       ->type_name("DIR");
   command->add_option("--threads", run.threads, "number of threads (default: as many as help)")

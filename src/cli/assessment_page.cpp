@@ -31,7 +31,7 @@ Json json_of(const AssessedCurve& curve, const AssessmentPage& page) {
   const double scale = is_phase ? 180.0 / std::numbers::pi : 1.0;
   const double of_abscissa = page.abscissa == Abscissa::frequency ? 0.5 / std::numbers::pi : 1.0;
   Json x = Json::array(), median = Json::array(), lower = Json::array(), upper = Json::array();
-  Json whole_lower = Json::array(), whole_upper = Json::array(), alone = Json::array();
+  Json whole_lower = Json::array(), whole_upper = Json::array(), alone = Json::array(), has_shares_at = Json::array();
   for (std::size_t i = 0; i < curve.at.size(); ++i) {
     x.push_back(of_abscissa * curve.at[i]);
     median.push_back(scale * curve.median[i]);
@@ -39,6 +39,7 @@ Json json_of(const AssessedCurve& curve, const AssessmentPage& page) {
     upper.push_back(scale * curve.of_inputs[i].upper);
     const auto& whole = curve.whole[i];
     whole_lower.push_back(whole ? Json(scale * whole->lower) : Json());
+    has_shares_at.push_back(has_shares(curve, i));
     whole_upper.push_back(whole ? Json(scale * whole->upper) : Json());
   }
   for (Eigen::Index input = 0; input < curve.alone.rows(); ++input) {
@@ -54,6 +55,8 @@ Json json_of(const AssessedCurve& curve, const AssessmentPage& page) {
           {"whole_lower", std::move(whole_lower)},
           {"whole_upper", std::move(whole_upper)},
           {"alone", std::move(alone)},
+          {"interactions", interactions_of(curve)},
+          {"has_shares", std::move(has_shares_at)},
           {"measured", measured_points(curve, page.measured)},
           {"unexplained", curve.unexplained}};
 }
@@ -84,7 +87,10 @@ std::string assessment_page(const AssessmentPage& page, const Assessment& assess
                       {"known", in_words(input)},
                       {"is_of_box", static_cast<bool>(page.change_the_box[i])}});
   }
-  for (const auto& curve : assessment.curves) curves.push_back(json_of(curve, page));
+  for (const auto& curve : assessment.curves) {
+    curves.push_back(json_of(curve, page));
+    curves.back()["decades"] = decades_of(curve, page.abscissa);
+  }
   Json content = {{"title", page.title},
                   {"version", BRECCIA_VERSION},
                   {"source", page.source},

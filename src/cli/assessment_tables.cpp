@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <numbers>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,6 +18,11 @@ namespace {
 std::string value_of(const AssessedCurve& curve, double value) {
   if (curve.unit == "Pa") return display(value, "Pa");
   return fmt::format("{:.3g} deg", value * 180.0 / std::numbers::pi);
+}
+
+/// A share in per cent, or "-" where shares mean nothing, in a column of some width.
+std::string share_in_words(bool is_shown, double share, std::size_t width) {
+  return fmt::format("{:>{}}", is_shown ? fmt::format("{:.0f} %", 100.0 * share) : "-", width);
 }
 
 std::string interval_of(const AssessedCurve& curve, const std::optional<Interval>& interval) {
@@ -54,18 +60,20 @@ std::string table_of_curve(const AssessedCurve& curve, const std::vector<Uncerta
       fmt::format("{}\n{:>10}  {:>10}  {:>22}  {:>22}", curve.name, abscissa == Abscissa::time ? "time" : "frequency",
                   "median", "95 % by the inputs", "and with the model");
   for (const auto& name : names) text += fmt::format("  {:>{}}", name, std::max(name.size(), narrowest));
-  text += inputs.size() > 1 ? "  together\n" : "\n";
+  text += inputs.size() > 1 ? "  interactions\n" : "\n";
+  const auto interactions = interactions_of(curve);
   for (const auto i : decades_of(curve, abscissa)) {
     text +=
         fmt::format("{:>10}  {:>10}  {:>22}  {:>22}", place_of(curve, i, abscissa), value_of(curve, curve.median[i]),
                     interval_of(curve, curve.of_inputs[i]), interval_of(curve, curve.whole[i]));
-    double together = 1.0;
+    const bool is_shown = has_shares(curve, i);
     for (std::size_t input = 0; input < names.size(); ++input) {
       const double share = curve.alone(static_cast<Eigen::Index>(input), static_cast<Eigen::Index>(i));
-      together -= share;
-      text += fmt::format("  {:>{}.0f} %", 100.0 * share, std::max(names[input].size(), narrowest) - 2);
+      text += "  " + share_in_words(is_shown, share, std::max(names[input].size(), narrowest));
     }
-    text += inputs.size() > 1 ? fmt::format("  {:>6.0f} %\n", 100.0 * std::max(together, 0.0)) : "\n";
+    text += inputs.size() > 1
+                ? "  " + share_in_words(is_shown, interactions[i], std::string_view("interactions").size()) + "\n"
+                : "\n";
   }
   return text;
 }

@@ -26,6 +26,7 @@ struct DeckAssessment::State {
   Study study = {};  ///< with the median of each input
   AssessmentDesign design = {};
   Sweep sweep = {};
+  std::vector<std::vector<NewMaterial>> materials = {};  ///< the materials of each sample that differ from the medians
 };
 
 namespace {
@@ -56,6 +57,96 @@ Study study_with(const Deck& document, std::vector<std::string> overrides, const
   return study;
 }
 
+bool is_in_a_stage(const Study& study, const std::string& material) {
+  return std::ranges::any_of(study.stages, [&](const Stage& stage) {
+    const auto materials = named_materials(stage);
+    return std::ranges::find(materials, material, &Material::name) != materials.end();
+  });
+}
+
+/// The lines of messages, each once and no more than a few.
+class DifferentLines {
+ public:
+  void add(const std::string& text) {
+    if (std::ranges::find(lines_, text) == lines_.end()) lines_.push_back(text);
+  }
+  void refuse() const {
+    constexpr std::size_t most = 10;
+    if (lines_.empty()) return;
+    const auto shown =
+        std::vector(lines_.begin(), lines_.begin() + static_cast<std::ptrdiff_t>(std::min(lines_.size(), most)));
+    throw InputError(fmt::format("{}", fmt::join(shown, "\n")));
+  }
+
+ private:
+  std::vector<std::string> lines_;
+};
+
+/// Whether the moduli of an elastic material are in the intervals over which it varies.
+bool is_within(const VariedMaterial& varied, const Material& material) {
+  constexpr double rounding = 1e-6;
+  const auto holds = [](const std::optional<ModulusInterval>& interval, double modulus) {
+    return !interval || (modulus >= interval->least * (1.0 - rounding) && modulus <= interval->most * (1.0 + rounding));
+  };
+  return !varied.others.empty() ||
+         (holds(varied.shear, material.shear.equilibrium()) && holds(varied.bulk, material.bulk.equilibrium()));
+}
+
+/// The materials of all samples. Throws InputError where one is no sound material, or is beyond what a deck lets vary.
+std::vector<std::vector<NewMaterial>> materials_of(const Deck& document, const Study& study,
+                                                   const AssessmentDesign& design) {
+  std::vector<std::vector<NewMaterial>> materials(static_cast<std::size_t>(design.coordinates.cols()));
+  DifferentLines mistakes;
+  for (const auto& varied : study.tests.varied) {
+    for (std::size_t sample = 0; sample < materials.size(); ++sample) {
+      std::vector<Setting> settings;
+      for (std::size_t i = 0; i < study.uncertain.size(); ++i) {
+        const auto& input = study.uncertain[i];
+        if (design.change_the_box[i] || material_of(input) != varied.name) continue;
+        settings.push_back(
+            setting_of(input, design.coordinates(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(sample))));
+      }
+      if (settings.empty()) continue;
+      try {
+        const auto material = material_with(document, varied.name, settings);
+        materials[sample].push_back(new_material(varied.name, material));
+        if (is_within(varied, material.material)) continue;
+        mistakes.add(
+            fmt::format("{}: tests.quasistatic.vary does not hold for all of the distribution of {}; without it "
+                        "the responses hold for all of it",
+                        document.path().string(), varied.name));
+      } catch (const InputError& error) {
+        mistakes.add(error.what());
+      }
+    }
+  }
+  mistakes.refuse();
+  return materials;
+}
+
+/// Throws InputError where the studies of the boxes differ in what varies, or in their curves.
+void require_alike(const Deck& document, const Sweep& sweep) {
+  const auto& first = sweep.tasks.front().study.tests;
+  DifferentLines mistakes;
+  for (const auto& task : sweep.tasks) {
+    const auto& tests = task.study.tests;
+    for (const auto& varied : first.varied) {
+      if (std::ranges::find(tests.varied, varied.name, &VariedMaterial::name) != tests.varied.end()) continue;
+      mistakes.add(
+          fmt::format("{}: {} varies with the median of each input, and not with the others: expected a "
+                      "material and a mixing that are certain",
+                      document.path().string(), varied.name));
+    }
+    const bool has_same_curves = tests.loads == first.loads && tests.boundaries == first.boundaries &&
+                                 tests.first_time == first.first_time && tests.last_time == first.last_time &&
+                                 tests.points_per_decade == first.points_per_decade &&
+                                 tests.by_frequency == first.by_frequency;
+    if (has_same_curves) continue;
+    mistakes.add(fmt::format("{}: expected loads, boundaries and times that are certain", document.path().string()));
+  }
+  mistakes.refuse();
+}
+
 /// Refuses decks that cannot be assessed.
 void require_assessable(const Deck& document, const Study& study) {
   std::vector<std::string> lines;
@@ -66,6 +157,12 @@ void require_assessable(const Deck& document, const Study& study) {
   if (document.unread_copy().root().has("sweep")) {
     lines.emplace_back("sweep: expected none; an input with several values is written { any = [1, 2, 3] }");
   }
+  for (const auto& input : study.uncertain) {
+    const auto material = material_of(input);
+    if (!material || is_in_a_stage(study, *material)) continue;
+    lines.push_back(fmt::format("{}: no stage has this material", input.name));
+  }
+  if (!main_shear(study.tests.loads)) lines.emplace_back("tests.loads: expected a shear, whose modulus is assessed");
   const auto& methods = study.tests.methods;
   if (std::ranges::find(methods, Method::quasistatic) == methods.end() ||
       study.tests.quasistatic.solver != Solver::reduced) {
@@ -133,9 +230,11 @@ std::unique_ptr<State> state_of(Deck document, const std::vector<std::string>& o
   std::vector<bool> change_the_box;
   for (const auto& input : study.uncertain) change_the_box.push_back(!is_answered_by_responses(input, study));
   auto design = design_samples(study.uncertain, change_the_box, options);
+  auto materials = materials_of(document, study, design);
   auto sweep = sweep_of(document, overrides, study, design);
-  return std::make_unique<State>(
-      State{std::move(document), overrides, std::move(study), std::move(design), std::move(sweep)});
+  require_alike(document, sweep);
+  return std::make_unique<State>(State{std::move(document), overrides, std::move(study), std::move(design),
+                                       std::move(sweep), std::move(materials)});
 }
 
 }  // namespace
@@ -174,35 +273,19 @@ void DeckAssessment::require_stage(const std::string& stage) const {
 std::vector<SampledCurve> DeckAssessment::curves(const std::vector<Responder>& solved,
                                                  const std::vector<StageFindings>& reference, const std::string& stage,
                                                  int threads) const {
-  const auto& design = state_->design;
-  const auto& inputs = state_->study.uncertain;
   if (solved.size() != state_->sweep.tasks.size()) {
     throw InputError(
         fmt::format("expected the responders of {} studies, got {}", state_->sweep.tasks.size(), solved.size()));
   }
-  // The materials of which an input is answered by responses.
-  std::vector<std::string> materials;
-  for (const auto& varied : state_->study.tests.varied) materials.push_back(varied.name);
   require_stage(stage);
   const auto& name = stage.empty() ? state_->study.stages.back().name : stage;
   const auto found = std::ranges::find(reference, name, &StageFindings::name);
   if (found == reference.end()) throw InputError(fmt::format("no results of stage {}", name));
   SampledStage sampled = {.reference = *found,
                           .boxes = {solved.begin() + (solved.size() > 1 ? 1 : 0), solved.end()},
-                          .box_of = design.box_of,
+                          .box_of = state_->design.box_of,
+                          .materials = state_->materials,
                           .threads = threads};
-  for (Eigen::Index sample = 0; sample < design.coordinates.cols(); ++sample) {
-    auto& of_sample = sampled.materials.emplace_back();
-    for (const auto& material : materials) {
-      std::vector<Setting> settings;
-      for (std::size_t i = 0; i < inputs.size(); ++i) {
-        if (design.change_the_box[i] || material_of(inputs[i]) != material) continue;
-        settings.push_back(setting_of(inputs[i], design.coordinates(static_cast<Eigen::Index>(i), sample)));
-      }
-      if (settings.empty()) continue;
-      of_sample.push_back(new_material(material, material_with(state_->document, material, settings)));
-    }
-  }
   return sample_curves(sampled);
 }
 

@@ -1,6 +1,7 @@
 #include "deck/uncertain_materials.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -23,28 +24,23 @@ std::vector<UncertainInput> inputs_of(const std::string& material, const std::ve
   return own;
 }
 
-/// The extreme values of an input, and all of its choices.
-std::vector<Setting> extremes_of(const UncertainInput& input) {
-  std::vector<double> coordinates = {-most_score, most_score};
-  if (const auto choices = choices_of(input); choices > 0) {
-    coordinates.clear();
-    for (std::size_t i = 0; i < choices; ++i) coordinates.push_back(static_cast<double>(i));
-  }
-  std::vector<Setting> settings;
-  for (const double coordinate : coordinates) settings.push_back({input.name, {}, {value_at(input, coordinate), {}}});
-  return settings;
+/// The extreme coordinates of an input, and all of its choices.
+std::vector<double> extremes_of(const UncertainInput& input) {
+  const auto choices = choices_of(input);
+  if (choices == 0) return {-most_score, most_score};
+  std::vector<double> all;
+  for (std::size_t i = 0; i < choices; ++i) all.push_back(static_cast<double>(i));
+  return all;
 }
 
-/// The material with all combinations of the extremes of its inputs, without those that no solid has; nothing where
-/// there are too many of them.
-std::vector<Material> extreme_materials(const Deck& document, const std::string& material,
-                                        const std::vector<UncertainInput>& inputs) {
+/// All combinations of the extremes of inputs; empty where there are too many of them.
+std::vector<std::vector<double>> extreme_combinations(const std::vector<UncertainInput>& inputs) {
   constexpr std::size_t most = 64;
-  std::vector<std::vector<Setting>> combinations = {{}};
+  std::vector<std::vector<double>> combinations = {{}};
   for (const auto& input : inputs) {
-    std::vector<std::vector<Setting>> longer;
+    std::vector<std::vector<double>> longer;
     for (const auto& combination : combinations) {
-      for (const auto& extreme : extremes_of(input)) {
+      for (const double extreme : extremes_of(input)) {
         longer.push_back(combination);
         longer.back().push_back(extreme);
       }
@@ -52,12 +48,34 @@ std::vector<Material> extreme_materials(const Deck& document, const std::string&
     combinations = std::move(longer);
     if (combinations.size() > most) return {};
   }
+  return combinations;
+}
+
+/// The material at coordinates of its inputs, with the scores of distributions multiplied by a factor.
+Material material_at(const Deck& document, const std::string& material, const std::vector<UncertainInput>& inputs,
+                     const std::vector<double>& coordinates, double factor) {
+  std::vector<Setting> settings;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const double coordinate = choices_of(inputs[i]) > 0 ? coordinates[i] : factor * coordinates[i];
+    settings.push_back({inputs[i].name, {}, {value_at(inputs[i], coordinate), {}}});
+  }
+  return material_with(document, material, settings).material;
+}
+
+/// The material with all combinations of the extremes of its inputs; where no solid has a combination, the one nearest
+/// to it that a solid has.
+std::vector<Material> extreme_materials(const Deck& document, const std::string& material,
+                                        const std::vector<UncertainInput>& inputs) {
+  constexpr std::array factors = {1.0, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2, 0.1};
   std::vector<Material> materials;
-  for (const auto& combination : combinations) {
-    try {
-      materials.push_back(material_with(document, material, combination).material);
-    } catch (const InputError&) {
-      continue;
+  for (const auto& coordinates : extreme_combinations(inputs)) {
+    for (const double factor : factors) {
+      try {
+        materials.push_back(material_at(document, material, inputs, coordinates, factor));
+        break;
+      } catch (const InputError&) {
+        continue;
+      }
     }
   }
   return materials;

@@ -163,9 +163,9 @@ const DeckValue& Section::first_choice(const std::string& key, const DeckValue& 
   for (const auto& one : array == nullptr ? std::vector<DeckValue>() : array->values) {
     if (auto scalar = detail::scalar_of(one)) choices.values.push_back(*std::move(scalar));
   }
-  if (choices.values.empty() || choices.values.size() < array->values.size()) {
+  if (choices.values.size() < 2 || choices.values.size() < array->values.size()) {
     state_->mistakes.push_back(
-        {all.location, fmt::format("{}.any: expected an array of values such as [1, 2]", path_of(key))});
+        {all.location, fmt::format("{}.any: expected an array of two values or more, such as [1, 2]", path_of(key))});
     return value;
   }
   remember(*state_, {path_of(key), "", std::move(choices)});
@@ -326,6 +326,13 @@ FileCache& Section::file_cache() const {
 
 std::filesystem::path Section::file(const std::string& key) const {
   const auto* value = require(key, "the name of a file");
+  // The other files that it may be belong to the deck, too.
+  const auto known = std::ranges::find(state_->uncertain_inputs, path_of(key), &UncertainInput::name);
+  if (known != state_->uncertain_inputs.end()) {
+    for (const auto& one : std::get<Choices>(known->known).values) {
+      if (const auto* const other = std::get_if<std::string>(&one)) static_cast<void>(file(key, *other));
+    }
+  }
   const auto name = value == nullptr ? std::nullopt : settle(*this, key, read_string(*value));
   return name ? file(key, *name) : std::filesystem::path();
 }

@@ -8,6 +8,14 @@
 namespace breccia {
 namespace {
 
+/// Whether a number of a distribution was not read, after a mistake was reported.
+struct LacksNumber {
+  bool operator()(const Normal& known) const { return std::isnan(known.mean) || std::isnan(known.deviation); }
+  bool operator()(const LogNormal& known) const { return std::isnan(known.median) || std::isnan(known.factor); }
+  bool operator()(const Uniform& known) const { return std::isnan(known.from) || std::isnan(known.to); }
+  bool operator()(const LogUniform& known) const { return std::isnan(known.from) || std::isnan(known.to); }
+};
+
 /// Reads the numbers of a distribution.
 class DistributionReader {
  public:
@@ -33,7 +41,7 @@ class DistributionReader {
     } else {
       table_.accept_all_keys();
     }
-    if (!found || std::isnan(median(*found))) return std::nullopt;
+    if (!found || std::visit(LacksNumber{}, *found)) return std::nullopt;
     const auto mistake = mistake_in(*found);
     if (mistake.empty()) return found;
     table_.report(form, mistake);
@@ -57,7 +65,7 @@ class DistributionReader {
   void refuse_far_tails(const Normal& normal) const {
     const double reach = most_score * normal.deviation;
     const double lower = normal.mean - reach, upper = normal.mean + reach;
-    if (lower >= range_.lower && upper <= range_.upper) return;
+    if (accepts(range_, lower) && accepts(range_, upper)) return;
     if (std::isnan(lower) || std::isnan(upper)) return;
     table_.report("sd",
                   "expected less than a quarter of the distance to the values that are not allowed; a number "

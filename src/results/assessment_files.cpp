@@ -155,18 +155,19 @@ std::string map_of(const AssessedCurve& curve, const std::vector<UncertainInput>
                   .shares = {}};
   const auto decades = decades_of(curve, abscissa);
   for (const auto i : decades) map.columns.push_back(place_of(curve, i, abscissa));
-  std::vector<double> together(decades.size(), 1.0);
   for (std::size_t input = 0; input < inputs.size(); ++input) {
     map.rows.push_back(short_name(inputs[input]));
     auto& shares = map.shares.emplace_back();
-    for (std::size_t d = 0; d < decades.size(); ++d) {
-      shares.push_back(curve.alone(static_cast<Eigen::Index>(input), static_cast<Eigen::Index>(decades[d])));
-      together[d] -= shares.back();
+    for (const auto i : decades) {
+      shares.push_back(curve.alone(static_cast<Eigen::Index>(input), static_cast<Eigen::Index>(i)));
     }
   }
-  map.rows.emplace_back("together");
-  for (auto& share : together) share = std::max(share, 0.0);
-  map.shares.push_back(std::move(together));
+  if (inputs.size() > 1) {
+    const auto interactions = interactions_of(curve);
+    map.rows.emplace_back("interactions");
+    auto& shares = map.shares.emplace_back();
+    for (const auto i : decades) shares.push_back(interactions[i]);
+  }
   return share_map(map);
 }
 
@@ -204,11 +205,17 @@ std::vector<std::string> write_assessment(const AssessmentDestination& destinati
     files.push_back(fmt::format("bands_{}.svg", file_name_of(curve)));
     files.push_back(fmt::format("sensitivity_{}.svg", file_name_of(curve)));
   }
+  // Those of an earlier assessment with other curves are removed.
+  auto possible = files;
+  for (const auto* name : {"G", "K", "K-G-3", "phase-of-G", "phase-of-K", "phase-of-K-G-3"}) {
+    possible.push_back(fmt::format("bands_{}.svg", name));
+    possible.push_back(fmt::format("sensitivity_{}.svg", name));
+  }
   const auto identity = fmt::format("{}\n{}", destination.source, fmt::join(destination.studies, "\n"));
   WholeResults results(destination.directory, {.command = "assess",
                                                .source = destination.source,
                                                .identity = content_hash(identity),
-                                               .files = files,
+                                               .files = possible,
                                                .overwrite = destination.overwrite});
   const auto& place = results.place();
   write_text(place / "report.html", destination.page);

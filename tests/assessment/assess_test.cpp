@@ -96,6 +96,48 @@ TEST(Assess, TakesAllCombinationsOfAFewChoices) {
   EXPECT_THAT(different, SizeIs(6));
 }
 
+TEST(Assess, FindsTheSharesOfChoicesOfBoxes) {
+  // Every box that there is was solved: polynomials take each of them as it is.
+  const Choices two = {{std::int64_t{1}, std::int64_t{2}}},
+                three = {{std::int64_t{1}, std::int64_t{2}, std::int64_t{3}}};
+  const std::vector<UncertainInput> inputs = {{"a", "", two}, {"b", "", three}};
+  const auto design = design_samples(inputs, {true, true}, {});
+  const std::vector<double> of_b = {-0.3, 0.1, 0.2};
+  SampledCurve curve = {.name = "G", .unit = "Pa", .at = {1.0}};
+  curve.values = Eigen::MatrixXd(1, design.coordinates.cols());
+  curve.reference = {1e6};
+  curve.errors = {std::nullopt};
+  for (Eigen::Index i = 0; i < design.coordinates.cols(); ++i) {
+    const double a = design.coordinates(0, i) == 0.0 ? -0.2 : 0.2;
+    curve.values(0, i) = 1e6 * std::exp(a + of_b[static_cast<std::size_t>(design.coordinates(1, i))]);
+  }
+  const auto found = assess(inputs, design, {curve});
+  const double of_a = 0.04, variance_of_b = (0.09 + 0.01 + 0.04) / 3.0;
+  EXPECT_NEAR(found.curves.front().alone(0, 0), of_a / (of_a + variance_of_b), 1e-9);
+  EXPECT_NEAR(found.curves.front().alone(1, 0), variance_of_b / (of_a + variance_of_b), 1e-9);
+  EXPECT_NEAR(interactions_of(found.curves.front())[0], 0.0, 1e-9);
+  EXPECT_NEAR(found.curves.front().of_inputs[0].upper / 1e6, std::exp(0.4), 1e-9);
+}
+
+TEST(Assess, TakesManyInputsWithoutMemoryForAllTheirPolynomials) {
+  std::vector<UncertainInput> inputs(20);
+  for (auto& input : inputs) input.known = Distribution(Normal{0.0, 1.0});
+  const auto design = design_samples(inputs, std::vector<bool>(inputs.size(), false), {.samples = 200});
+  SampledCurve curve = {.name = "G", .unit = "Pa", .at = {1.0}};
+  curve.values = Eigen::MatrixXd(1, design.coordinates.cols());
+  curve.reference = {1.0};
+  curve.errors = {std::nullopt};
+  for (Eigen::Index i = 0; i < design.coordinates.cols(); ++i)
+    curve.values(0, i) = std::exp(0.1 * design.coordinates(7, i));
+  EXPECT_NEAR(assess(inputs, design, {curve}).curves.front().alone(7, 0), 1.0, 1e-9);
+}
+
+TEST(Assess, NothingThatVariesHasNoInteractions) {
+  AssessedCurve curve;
+  curve.alone = curve.total = Eigen::MatrixXd::Zero(2, 1);
+  EXPECT_EQ(interactions_of(curve), std::vector{0.0});
+}
+
 TEST(Assess, SamplesTheCurvesOfASolvedStage) {
   // The moduli of the binder times a factor that all materials share change G by the same factor.
   const auto& composite = test::filled_binder();

@@ -46,7 +46,7 @@ TEST(Assess, CarriesTheUncertaintyOfMaterialsThrough) {
   const StudyDirectory study(uncertain_discs());
   const auto run = study.breccia("assess");
   ASSERT_EQ(run.exit_code, 0) << run.errors;
-  EXPECT_THAT(run.output, AllOf(HasSubstr("2 inputs are not certain"), HasSubstr("materials.interphase.shear"),
+  EXPECT_THAT(run.output, AllOf(HasSubstr("2 uncertain inputs"), HasSubstr("materials.interphase.shear"),
                                 HasSubstr("1000 samples\n"), HasSubstr("95 % by the inputs")));
   const auto bands = bands_of(study);
   const auto shares = sensitivity(study);
@@ -135,7 +135,7 @@ TEST(Assess, FindsTheInputsFromMeasurements) {
       study.breccia("assess", {"--overwrite", "--measured", "g.csv", "--noise", "1 %", "--model-error", "1 %"});
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   EXPECT_THAT(run.output, AllOf(HasSubstr("13 measured values of discs"), HasSubstr("materials.interphase.shear")));
-  const auto found = read_csv(study.result("calibrate/estimates.csv"), {"unknown", "unit"});
+  const auto found = read_csv(study.result("assess/measured/estimates.csv"), {"unknown", "unit"});
   ASSERT_EQ(found.rows(), 3U) << "two inputs, and the factor of the model";
   EXPECT_NEAR(found.numbers("value")[0], 1.5, 0.15);
   EXPECT_NEAR(found.numbers("value")[1] / 130e6, 1.0, 0.1);
@@ -180,6 +180,7 @@ TEST(Assess, RefusesMistakes) {
   EXPECT_THAT(refusal({"--set", "stages.discs.cells={ any = [16, 0] }"}), HasSubstr("stages.discs.cells: expected"));
   EXPECT_THAT(refusal({"--samples", "10"}), HasSubstr("--samples"));
   EXPECT_THAT(refusal({"--boxes", "1"}), HasSubstr("--boxes"));
+  EXPECT_THAT(refusal({"--noise", "2 %"}), HasSubstr("--measured"));
   EXPECT_THAT(study.breccia("assess", {"--stage", "disks"}).errors,
               HasSubstr(R"(no stage "disks", did you mean "discs"?)"));
 }

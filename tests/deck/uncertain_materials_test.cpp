@@ -153,6 +153,37 @@ TEST_F(UncertainDeck, AMaterialFileIsCertain) {
               HasSubstr("shear: expected one value; distributions are for decks"));
 }
 
+TEST_F(UncertainDeck, FindsMistakesOfSamplesBeforeAnythingIsSolved) {
+  EXPECT_THAT(refusal(deck_with("", R"({ value = "100 MPa", sd = "25 MPa" })")),
+              HasSubstr("materials.hmx.shear.sd: expected less than a quarter"))
+      << "four deviations below is no modulus";
+  const std::string uncertain = R"({ value = "5.8 GPa", sd = "0.6 GPa" })";
+  EXPECT_THAT(refusal(deck_with(
+                  "", uncertain,
+                  "mixing = \"series\"\nquasistatic = { vary = { hmx = { shear = [\"5 GPa\", \"6 GPa\"] } } }\n")),
+              HasSubstr("tests.quasistatic.vary does not hold for all of the distribution of hmx"));
+  EXPECT_THAT(refusal(deck_with("", uncertain,
+                                R"(mixing = { any = ["series", "flow"] })"
+                                "\n")),
+              HasSubstr("hmx varies with the median of each input, and not with the others"));
+  EXPECT_THAT(refusal(deck_with("", "\"5.8 GPa\"") +
+                      "[materials.glass]\ndensity = \"2 g/cm^3\"\nbulk = \"40 GPa\"\nshear = " + uncertain + "\n"),
+              HasSubstr("materials.glass.shear: no stage has this material"));
+}
+
+TEST_F(UncertainDeck, FilesOfAllChoicesBelongToTheDeck) {
+  directory.write("a.csv", "relaxation_time_s,modulus_Pa\n1e-3,5e8\n");
+  directory.write("b.csv", "relaxation_time_s,modulus_Pa\n1e-2,5e8\n");
+  const std::string terms = R"({ equilibrium = "1 MPa", terms = [{ time = "1 ms", modulus = "500 MPa" }] })";
+  const auto with = [&](const std::string& files) {
+    return test::replaced(deck_with("", "\"5.8 GPa\""), terms,
+                          R"({ equilibrium = "1 MPa", prony = { any = [)" + files + "] } }");
+  };
+  const auto read = study(with(R"("a.csv", "b.csv")"));
+  EXPECT_THAT(read.provenance.file_hashes, SizeIs(2)) << "another b.csv is another study";
+  EXPECT_THAT(refusal(with(R"("a.csv", "c.csv")")), HasSubstr("no such file"));
+}
+
 TEST_F(UncertainDeck, RefusesWhatCannotBeAssessed) {
   EXPECT_THAT(refusal(deck_with("", R"("5.8 GPa")")), HasSubstr("deck.toml: every input is certain"));
   const std::string uncertain = R"({ value = "5.8 GPa", sd = "0.6 GPa" })";

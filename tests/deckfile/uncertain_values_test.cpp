@@ -112,6 +112,8 @@ TEST_F(UncertainValues, ReportsMistakes) {
   EXPECT_THAT(mistakes("number = { value = 1, factor = 0.5 }"), HasSubstr("number.factor: expected a factor above 1"));
   EXPECT_THAT(mistakes("number = { from = 3, to = 1 }"),
               HasSubstr("number.to: expected two rising values, got 3 and 1"));
+  EXPECT_THAT(mistakes(R"(share = { from = 0, to = 0.5, scale = "logarithmic" })"),
+              HasSubstr("share.to: expected positive values of a logarithmic range, got 0"));
   EXPECT_THAT(mistakes(R"(number = { from = 1, to = 3, scale = "log" })"), HasSubstr("number.scale: expected one of"));
   EXPECT_THAT(mistakes("number = { value = 1, sd = 0.1, width = 3 }"), HasSubstr(R"(number: unknown key "width")"));
   EXPECT_THAT(mistakes("number = { value = { value = 1, sd = 0.1 }, sd = 0.1 }"),
@@ -120,8 +122,8 @@ TEST_F(UncertainValues, ReportsMistakes) {
               HasSubstr("share.factor: expected sd, or from and to, of a number that has a largest value"));
   EXPECT_THAT(mistakes("share = { value = 0.98, sd = 0.01 }"), HasSubstr("share.sd: expected less than a quarter"));
   EXPECT_THAT(mistakes("count = { value = 3, sd = 1 }"), HasSubstr("count: expected a positive integer, got a table"));
-  EXPECT_THAT(mistakes("count = { any = [] }"), HasSubstr("count.any: expected an array of values such as [1, 2]"));
-  EXPECT_THAT(mistakes("count = { any = 3 }"), HasSubstr("count.any: expected an array of values such as [1, 2]"));
+  EXPECT_THAT(mistakes("count = { any = [] }"), HasSubstr("count.any: expected an array of two values or more"));
+  EXPECT_THAT(mistakes("count = { any = 3 }"), HasSubstr("count.any: expected an array of two values or more"));
   EXPECT_THAT(mistakes("count = { any = [-1, 2] }"), HasSubstr("count: expected a positive integer, got -1"));
 }
 

@@ -28,6 +28,7 @@ struct AssessmentDesign {
   Eigen::MatrixXd boxes;             ///< coordinates (inputs x boxes); those of inputs that change no box are 0
   Eigen::MatrixXd coordinates;       ///< of the samples (inputs x samples)
   std::vector<std::size_t> box_of;   ///< index of the box of each sample
+  bool has_all_boxes = false;        ///< whether the boxes are all combinations of choices, so that no others exist
 };
 
 /// Latin hypercubes of the boxes and of the samples; all combinations of the boxes where these inputs have few choices.
@@ -55,6 +56,7 @@ struct SampledCurve {
 struct AssessedCurve {
   std::string name = {};
   std::string unit = {};
+  ObservedCurve curve = ObservedCurve::relaxation;
   std::vector<double> at = {};
   std::vector<double> reference = {};              ///< the curve with the median of each input
   std::vector<double> median = {};                 ///< the median of the curves
@@ -68,6 +70,14 @@ struct AssessedCurve {
   /// The share of the variance of the samples that the polynomials in the inputs do not predict.
   std::vector<double> unexplained = {};
 };
+
+/// Whether the shares of the inputs at a place of a curve mean something: the curves differ by more than 1 % there, and
+/// polynomials predict half of their variance at least.
+bool has_shares(const AssessedCurve& curve, std::size_t index);
+
+/// The share of the variance that inputs cause together, beyond what each causes alone, at each place of a curve; 0
+/// where nothing varies.
+std::vector<double> interactions_of(const AssessedCurve& curve);
 
 /// What the uncertainty of the inputs of a study makes of its results.
 struct Assessment {

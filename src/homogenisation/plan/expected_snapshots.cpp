@@ -51,7 +51,9 @@ double expected_snapshots(const Study& study, const Stage& stage) {
   snapshots = std::min(snapshots, static_cast<double>(path.size()));
   for (const auto& material : named_materials(stage)) {
     const auto varied = std::ranges::find(study.tests.varied, material.name, &VariedMaterial::name);
-    if (varied != study.tests.varied.end()) snapshots *= factor_of(varied->shear) * factor_of(varied->bulk);
+    if (varied == study.tests.varied.end()) continue;
+    snapshots *= factor_of(varied->shear) * factor_of(varied->bulk);
+    if (!varied->others.empty()) snapshots *= measured_costs::snapshots_of_others;
   }
   return snapshots;
 }

@@ -67,6 +67,9 @@ inline constexpr double share_of_iterations = 0.8;
 inline constexpr double snapshots = 3.5, snapshots_of_decade = 1.5, most_decades = 5.0;
 /// Snapshots of cubes over those of squares [-].
 inline constexpr double snapshots_of_cubes = 0.85;
+/// Factor of the number of snapshots where a material that relaxes may be others (VariedMaterial::others) [-].
+inline constexpr double snapshots_of_others = 1.5;
+
 /// Relative increase of the number of snapshots for each decade of an elastic modulus that varies (Tests::varied) [-].
 inline constexpr double snapshots_of_varied_decade = 0.85;
 

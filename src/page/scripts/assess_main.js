@@ -16,16 +16,6 @@ const axis = axes[assessment.abscissa];
 const quantityOf = (curve) => ({name: curve.name, title: curve.name, ...axis, unit: curve.unit});
 const placeText = (place) => display(place, axis.xUnit);
 
-/// The indices of the values nearest to whole decades of the abscissa.
-function decadesOf({x}) {
-  const nearest = new Map();
-  x.forEach((place, i) => {
-    const decade = Math.round(Math.log10(place)), distance = Math.abs(Math.log10(place) - decade);
-    if (distance < (nearest.get(decade)?.distance ?? 0.5)) nearest.set(decade, {i, distance});
-  });
-  return [...nearest.values()].filter(({distance}) => distance < 0.1).map(({i}) => i);
-}
-
 /// An interval of values as text; "not known" without its ends.
 function intervalText(lower, upper, quantity) {
   if (lower === null || upper === null) return "not known";
@@ -34,6 +24,7 @@ function intervalText(lower, upper, quantity) {
 
 /// The input that causes most of the variance at an index, with its share.
 function foremost(curve, i) {
+  if (!curve.has_shares[i]) return "nothing";
   const shares = curve.alone.map((share) => share[i]);
   const most = shares.indexOf(Math.max(...shares));
   return `${inputs[most].short} (${percent(shares[most])})`;
@@ -95,10 +86,9 @@ function drawBands(plot) {
 /// The shares of the inputs, one on the other, up to 100 %.
 function drawShares(plot) {
   const {curve} = shown;
-  const together = curve.x.map((_, i) => Math.max(0, 1 - curve.alone.reduce((sum, share) => sum + share[i], 0)));
   const parts = inputs.map((input, i) => [input.short, curve.alone[i], `hsl(${(205 + 83 * i) % 360}, 55%, ${isDark() ? 50 : 62}%)`]);
-  if (inputs.length > 1) parts.push(["together", together, currentInks().line]);
-  const traces = parts.map(([name, shares, fillcolor]) => ({x: curve.x, y: shares.map((share) => 100 * share),
+  if (inputs.length > 1) parts.push(["interactions", curve.interactions, currentInks().line]);
+  const traces = parts.map(([name, shares, fillcolor]) => ({x: curve.x, y: shares.map((share, i) => (curve.has_shares[i] ? 100 * share : 0)),
     type: "scatter", mode: "lines", stackgroup: "shares", name: plotText(name), fillcolor, line: {width: 0},
     text: shares.map((share) => percent(share)), hovertemplate: "%{text}"}));
   const quantity = {name: "shares", title: "share of the variance", ...axis, unit: "%"};
@@ -110,16 +100,16 @@ function drawShares(plot) {
 function showTables() {
   const {curve} = shown, quantity = quantityOf(curve);
   const heads = [axis.x, "median", "95 % by the inputs", "and with the model", ...inputs.map(({short}) => short)];
-  document.getElementById("value-table").replaceChildren(table(heads, decadesOf(curve).map((i) => [
+  document.getElementById("value-table").replaceChildren(table(heads, curve.decades.map((i) => [
     placeText(curve.x[i]), valueText(curve.median[i], quantity),
     intervalText(curve.inputs_lower[i], curve.inputs_upper[i], quantity),
     intervalText(curve.whole_lower[i], curve.whole_upper[i], quantity),
-    ...curve.alone.map((share) => percent(share[i]))])));
+    ...curve.alone.map((share) => (curve.has_shares[i] ? percent(share[i]) : "–"))])));
   const isKnown = curve.whole_lower.some((end) => end !== null);
   document.getElementById("band-note").textContent = "Band: 95 % of the curves by the inputs alone." +
     (isKnown ? " Dotted: with the error of grid, sample and solver that the run states." : "") +
     (curve.measured.length > 0 ? " Points: measured." : "");
-  const missed = Math.max(...curve.unexplained), note = document.getElementById("share-note");
+  const missed = Math.max(0, ...curve.unexplained.filter((_, i) => curve.has_shares[i])), note = document.getElementById("share-note");
   note.hidden = missed < 0.01;
   note.textContent = `Polynomials in the inputs leave up to ${percent(missed)} of the variance unexplained: shares below ` +
     "that mean nothing.";
