@@ -10,6 +10,7 @@
 
 #include "breccia/error.hpp"
 
+#include "assessment/preferred_boundary.hpp"
 #include "parallel/first_exception.hpp"
 #include "parallel/threads.hpp"
 #include "virtual_test/bulk_test.hpp"
@@ -18,9 +19,9 @@ namespace breccia {
 namespace {
 
 Boundary boundary_of(const StageFindings& stage) {
-  const auto is_periodic = [](const TestResult& test) { return test.id.boundary == Boundary::periodic; };
-  const auto periodic = std::ranges::find_if(stage.tests, is_periodic);
-  return periodic == stage.tests.end() ? stage.tests.front().id.boundary : Boundary::periodic;
+  std::vector<Boundary> tested;
+  for (const auto& test : stage.tests) tested.push_back(test.id.boundary);
+  return preferred_boundary(tested);
 }
 
 /// The loads whose moduli are assessed: the main shear, and bulk where it was tested.

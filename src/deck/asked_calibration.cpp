@@ -6,17 +6,17 @@
 
 #include <fmt/format.h>
 
+#include "assessment/preferred_boundary.hpp"
 #include "deck/unknowns.hpp"
 #include "io/collected_mistakes.hpp"
 
 namespace breccia {
 namespace {
 
-/// The boundary under which a stage was tested: periodic, or else the first.
 Boundary boundary_of(const StageResponses& stage) {
-  const auto is_periodic = [](const StageResponses::Entry& one) { return one.response.boundary == Boundary::periodic; };
-  const auto periodic = std::ranges::find_if(stage.entries, is_periodic);
-  return periodic == stage.entries.end() ? stage.entries.front().response.boundary : Boundary::periodic;
+  std::vector<Boundary> tested;
+  for (const auto& one : stage.entries) tested.push_back(one.response.boundary);
+  return preferred_boundary(tested);
 }
 
 /// The largest known error of the shear modulus of a stage over the times of its curves [-], with the distance of its
