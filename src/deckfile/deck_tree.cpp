@@ -126,8 +126,8 @@ DeckValue* find(DeckTable& table, std::string_view key) {
 }
 
 std::string joined(const std::string& path, std::string_view key) {
-  // As split_path() reads it.
-  const bool is_plain = key.find_first_of(". ") == std::string_view::npos;
+  // As split_path() reads it. The keys of a sweep are paths themselves.
+  const bool is_plain = path == "sweep" || key.find_first_of(". ") == std::string_view::npos;
   const auto step = is_plain ? std::string(key) : fmt::format("\"{}\"", key);
   return path.empty() ? step : fmt::format("{}.{}", path, step);
 }
