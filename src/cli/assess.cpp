@@ -77,6 +77,7 @@ std::vector<SampledCurve> curves_of(const DeckAssessment& deck, const AssessArgu
   const auto& tasks = deck.sweep().tasks;
   const auto directory = arguments.run.results();
   std::vector<Responder> solved;
+  solved.reserve(tasks.size());
   for (const auto& task : tasks) solved.push_back(read_responder(task.directory_in(directory)));
   const auto reference = read_stored_study(tasks.front().directory_in(directory)).stages;
   return deck.curves(solved, reference, arguments.stage, arguments.run.threads);

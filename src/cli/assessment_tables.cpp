@@ -55,6 +55,7 @@ std::string table_of_inputs(const std::vector<UncertainInput>& inputs, const std
 std::string table_of_curve(const AssessedCurve& curve, const std::vector<UncertainInput>& inputs, Abscissa abscissa) {
   constexpr std::size_t narrowest = 8;
   std::vector<std::string> names;
+  names.reserve(inputs.size());
   for (const auto& input : inputs) names.push_back(short_name(input));
   auto text =
       fmt::format("{}\n{:>10}  {:>10}  {:>22}  {:>22}", curve.name, abscissa == Abscissa::time ? "time" : "frequency",

@@ -31,6 +31,7 @@ namespace {
 /// A warning about inputs that are not certain, of which a study has one value each.
 std::string warning_on_uncertain(const std::vector<UncertainInput>& inputs) {
   std::vector<std::string> names;
+  names.reserve(inputs.size());
   for (const auto& input : inputs) names.push_back(input.name);
   return fmt::format("not certain: {}; these results are those with their medians, or with the first of their choices",
                      fmt::join(names, ", "));
