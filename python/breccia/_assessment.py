@@ -70,10 +70,10 @@ def assess(study: Study, *, samples: int = 1000, boxes: int = 0, seed: int = 1, 
     require_shares(noise=noise, model_error=model_error)
     source = checked(study)
     asked = _native.DeckAssessment(study._deck_path, source.deck, study._directory, source.overrides, samples, boxes, seed)
-    asked.require_stage(stage or "")
+    name = asked.stage_named(stage or "")
     data = asked.measured(paths_of(measured), modulus, noise, model_error)
     solved = [solve(Study._of(one, study._deck_path or ""), threads=threads, progress=progress) for one in asked.studies]
-    found = asked.assess(solved, data, stage or "", threads)
+    found = asked.assess(solved, data, name, threads)
     curves = [AssessedCurve(**one) for one in found.pop("curves")]
     calibration = found.pop("calibration")
     return Assessment(curves={curve.name: curve for curve in curves}, reference=solved[0],

@@ -113,10 +113,10 @@ py::dict assess_with(const DeckAssessment& deck, const std::vector<std::shared_p
     if (!measured.observations.empty()) calibration = calibrate_inputs(deck, curves, measured);
     return assess(deck.inputs(), deck.design(), curves);
   }));
-  const auto name = stage.empty() ? reference.back().name : stage;
   entries["calibration"] = py::none();
   if (calibration) {
-    entries["calibration"] = calibration_entries({name}, measured.observations, *calibration, measured.notes);
+    entries["calibration"] =
+        calibration_entries({deck.stage_named(stage)}, measured.observations, *calibration, measured.notes);
   }
   return entries;
 }
@@ -136,7 +136,7 @@ void bind_assessments(py::module_& module) {
                                }
                                return studies;
                              })
-      .def("require_stage", &DeckAssessment::require_stage, py::arg("stage"))
+      .def("stage_named", &DeckAssessment::stage_named, py::arg("name"))
       .def("measured", &measured_by, py::arg("files"), py::arg("modulus"), py::arg("noise"), py::arg("model_error"))
       .def("assess", &assess_with, py::arg("solved"), py::arg("measured"), py::arg("stage"), py::arg("threads"));
 }

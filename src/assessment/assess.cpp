@@ -17,11 +17,12 @@
 namespace breccia {
 namespace {
 
-std::vector<UncertainInput> inputs_that(bool change, const std::vector<bool>& change_the_box,
-                                        const std::vector<UncertainInput>& inputs) {
+/// The inputs that change the box.
+std::vector<UncertainInput> inputs_of_boxes(const std::vector<UncertainInput>& inputs,
+                                            const std::vector<bool>& change_the_box) {
   std::vector<UncertainInput> chosen;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
-    if (change_the_box[i] == change) chosen.push_back(inputs[i]);
+    if (change_the_box[i]) chosen.push_back(inputs[i]);
   }
   return chosen;
 }
@@ -91,7 +92,8 @@ void keep_within_samples(Eigen::MatrixXd& values, const Eigen::MatrixXd& samples
 
 AssessedCurve assessed(const std::vector<UncertainInput>& inputs, const AssessmentDesign& design,
                        const SampledCurve& curve, const PointsOfBands& points) {
-  const PolynomialChaos polynomials(inputs, followed_samples(design, curve));
+  const auto samples = followed_samples(design, curve);
+  const PolynomialChaos polynomials(inputs, samples);
   AssessedCurve found = {.name = curve.name,
                          .unit = curve.unit,
                          .curve = curve.curve,
@@ -101,7 +103,7 @@ AssessedCurve assessed(const std::vector<UncertainInput>& inputs, const Assessme
                          .alone = polynomials.first_order(),
                          .total = polynomials.total()};
   auto values = polynomials.at(points.coordinates);
-  if (design.boxes.cols() == 1) keep_within_samples(values, followed_samples(design, curve).values);
+  if (design.boxes.cols() == 1) keep_within_samples(values, samples.values);
   const auto in_unit = [&](double value) { return curve.curve == ObservedCurve::phase ? value : std::exp(value); };
   const auto variances = polynomials.variances();
   for (std::size_t i = 0; i < curve.at.size(); ++i) {
@@ -137,8 +139,7 @@ std::string warning_on(const AssessedCurve& curve) {
   if (worst <= most) return "";
   return fmt::format(
       "{}: polynomials in the inputs do not predict up to {:.0f} % of its variance, at {} (packings scatter, or there "
-      "are "
-      "too few boxes or samples): shares below that mean nothing there",
+      "are too few boxes or samples): shares below that mean nothing there",
       curve.name, 100.0 * worst,
       is_over_frequency(curve.curve) ? fmt::format("{:.3g} rad/s", curve.at[at]) : display_time(curve.at[at]));
 }
@@ -155,7 +156,7 @@ AssessmentDesign design_samples(const std::vector<UncertainInput>& inputs, const
     throw InputError(
         fmt::format("boxes: expected 2 or more, or 0 for as many as the inputs need, got {}", options.boxes));
   }
-  const auto box_inputs = inputs_that(true, change_the_box, inputs);
+  const auto box_inputs = inputs_of_boxes(inputs, change_the_box);
   const auto wanted = options.boxes > 0 ? static_cast<std::size_t>(options.boxes) : boxes_for(box_inputs);
   auto of_boxes = all_combinations(box_inputs, wanted);
   const bool has_all_boxes = !box_inputs.empty() && of_boxes.size() > 0;

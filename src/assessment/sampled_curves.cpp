@@ -18,12 +18,6 @@
 namespace breccia {
 namespace {
 
-Boundary boundary_of(const StageFindings& stage) {
-  std::vector<Boundary> tested;
-  for (const auto& test : stage.tests) tested.push_back(test.id.boundary);
-  return preferred_boundary(tested);
-}
-
 /// The loads whose moduli are assessed: the main shear, and bulk where it was tested.
 std::vector<TestLoad> loads_of(const StageFindings& stage) {
   std::vector<TestLoad> tested;
@@ -125,7 +119,7 @@ void require_positive(const SampledCurve& curve) {
 
 std::vector<SampledCurve> sample_curves(const SampledStage& stage) {
   const auto& reference = stage.reference;
-  const auto boundary = boundary_of(reference);
+  const auto boundary = preferred_boundary(reference.tests, [](const TestResult& test) { return test.id.boundary; });
   const auto samples = stage.box_of.size();
   std::vector<CurvesOfTest> tests;
   for (const auto load : loads_of(reference)) {

@@ -139,8 +139,7 @@ class Findings {
     std::vector<std::string> texts;
     for (const auto& file : arguments_.measured) texts.push_back(file.string());
     const auto directory = arguments_.run.results() / "assess" / "measured";
-    const auto stage =
-        arguments_.stage.empty() ? deck_.sweep().tasks.front().study.stages.back().name : arguments_.stage;
+    const auto stage = deck_.stage_named(arguments_.stage);
     const auto source =
         fmt::format("{}, with {}", source_of(arguments_, deck_.design().box_of.size()), fmt::join(texts, ", "));
     const auto files = write_calibration({.directory = directory,
@@ -167,7 +166,7 @@ void run_assess(const AssessArguments& arguments) {
   const auto& run = arguments.run;
   watch_for_interruption();
   const DeckAssessment deck(run.deck.deck, run.deck.overrides, arguments.options);
-  deck.require_stage(arguments.stage);
+  static_cast<void>(deck.stage_named(arguments.stage));  // refused before anything is solved
   const auto measured = measured_by(deck, arguments);
   ProgressLine progress(run.quiet || !parallel::is_first());
   progress.print(fmt::format("{}, {}:\n{}", deck.sweep().tasks.front().study.title,

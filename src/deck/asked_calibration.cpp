@@ -13,12 +13,6 @@
 namespace breccia {
 namespace {
 
-Boundary boundary_of(const StageResponses& stage) {
-  std::vector<Boundary> tested;
-  for (const auto& one : stage.entries) tested.push_back(one.response.boundary);
-  return preferred_boundary(tested);
-}
-
 /// The largest known error of the shear modulus of a stage over the times of its curves [-], with the distance of its
 /// finest grid, on which predictions are made, from the limit of several grids; nothing where no error is known.
 std::optional<double> error_of(const ObservedComposite& composite, const StageResponses& stage) {
@@ -42,7 +36,9 @@ ObservedComposite composite_of(const std::string& name, const Responder& respond
   const auto stage = asked.stage.empty() ? responder.stages().back().stage : asked.stage;
   const auto chain = responder.chain_of(stage);
   const auto& responses = *std::ranges::find(chain.stages(), stage, &StageResponses::stage);
-  ObservedComposite composite = {.name = name, .responder = chain, .stage = stage, .boundary = boundary_of(responses)};
+  const auto boundary =
+      preferred_boundary(responses.entries, [](const StageResponses::Entry& entry) { return entry.response.boundary; });
+  ObservedComposite composite = {.name = name, .responder = chain, .stage = stage, .boundary = boundary};
   const auto error = asked.model_error ? asked.model_error : error_of(composite, responses);
   composite.model_deviation = 0.5 * error.value_or(0.0);
   return composite;

@@ -262,12 +262,12 @@ const Sweep& DeckAssessment::sweep() const noexcept {
   return state_->sweep;
 }
 
-void DeckAssessment::require_stage(const std::string& stage) const {
-  if (stage.empty()) return;
+std::string DeckAssessment::stage_named(const std::string& name) const {
+  if (name.empty()) return state_->study.stages.back().name;
   std::vector<std::string> names;
-  for (const auto& one : state_->study.stages) names.push_back(one.name);
-  if (std::ranges::find(names, stage) != names.end()) return;
-  throw InputError(fmt::format("no stage \"{}\"{}", stage, suggestion(stage, names)));
+  for (const auto& stage : state_->study.stages) names.push_back(stage.name);
+  if (std::ranges::find(names, name) != names.end()) return name;
+  throw InputError(fmt::format("no stage \"{}\"{}", name, suggestion(name, names)));
 }
 
 std::vector<SampledCurve> DeckAssessment::curves(const std::vector<Responder>& solved,
@@ -277,8 +277,7 @@ std::vector<SampledCurve> DeckAssessment::curves(const std::vector<Responder>& s
     throw InputError(
         fmt::format("expected the responders of {} studies, got {}", state_->sweep.tasks.size(), solved.size()));
   }
-  require_stage(stage);
-  const auto& name = stage.empty() ? state_->study.stages.back().name : stage;
+  const auto name = stage_named(stage);
   const auto found = std::ranges::find(reference, name, &StageFindings::name);
   if (found == reference.end()) throw InputError(fmt::format("no results of stage {}", name));
   SampledStage sampled = {.reference = *found,

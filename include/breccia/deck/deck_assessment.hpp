@@ -38,8 +38,9 @@ class DeckAssessment {
   /// boxes after it.
   [[nodiscard]] const Sweep& sweep() const noexcept;
 
-  /// Throws InputError for a name that no stage has; an empty one is that of the last stage.
-  void require_stage(const std::string& stage) const;
+  /// The name of the stage that is assessed: that of the last one for an empty name. Throws InputError for a name that
+  /// no stage has.
+  [[nodiscard]] std::string stage_named(const std::string& name) const;
   /// The curves of a stage, for an empty name the last one, in all samples: from the responders of all studies, in
   /// their order, and the results of the stages of the first study. Throws InputError for a name that no stage has, and
   /// where a sample is no sound material; NotCovered where it is outside of what the studies have sampled.
