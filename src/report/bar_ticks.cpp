@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "io/display.hpp"
+#include "report/even_values.hpp"
 
 namespace breccia {
 namespace {
@@ -13,20 +14,8 @@ namespace {
 constexpr double rounding = 1e-9;
 
 std::vector<BarTick> even_ticks(double from, double to) {
-  constexpr double count = 5.0;
-  const double raw = (to - from) / count;
-  const double power = std::pow(10.0, std::floor(std::log10(raw)));
-  double step = 10.0 * power;
-  for (const double size : {5.0, 2.0, 1.0}) {
-    if (size * power >= raw * (1.0 - rounding)) step = size * power;
-  }
-  const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step) + rounding)));
   std::vector<BarTick> ticks;
-  for (double i = std::ceil(from / step - rounding); i * step <= to + rounding * step; ++i) {
-    // Adding 0 removes the sign of a negative zero.
-    const double value = i * step + 0.0;
-    ticks.push_back({(value - from) / (to - from), fmt::format("{:.{}f}", value, decimals)});
-  }
+  for (const auto& [value, label] : even_values(from, to)) ticks.push_back({(value - from) / (to - from), label});
   return ticks;
 }
 

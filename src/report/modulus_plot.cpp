@@ -10,9 +10,9 @@
 
 #include "breccia/error.hpp"
 
-#include "report/log_axis.hpp"
 #include "report/markup.hpp"
 #include "report/plot_area.hpp"
+#include "report/plot_axis.hpp"
 #include "report/plot_legend.hpp"
 #include "report/plot_pen.hpp"
 #include "report/plot_text.hpp"
@@ -28,17 +28,21 @@ constexpr double below_area = 68.0;  // labels at the ticks and the name of the 
 constexpr double below_legend = 14.0;
 constexpr double row_of_windows = 16.0;  // height of a row of their labels
 
-/// The points of a curve that logarithmic axes can show, and their values [s, unit of the plot].
-std::vector<PlotPoint> visible_points(const PlotCurve& curve, double unit) {
+/// Whether an axis can show a value.
+bool can_show(AxisScale scale, double value) {
+  return std::isfinite(value) && (scale == AxisScale::linear || value > 0.0);
+}
+
+/// The points of a curve that the axes of a plot can show, and their values [s, unit of the plot].
+std::vector<PlotPoint> visible_points(const ModulusPlot& plot, const PlotCurve& curve) {
   if (curve.times.size() != curve.moduli.size()) {
     throw InputError(fmt::format("plot: the curve \"{}\" has {} times but {} moduli", curve.label, curve.times.size(),
                                  curve.moduli.size()));
   }
-  const auto can_show = [](double x) { return x > 0.0 && std::isfinite(x); };
   std::vector<PlotPoint> points;
   for (std::size_t i = 0; i < curve.times.size(); ++i) {
-    if (can_show(curve.times[i]) && can_show(curve.moduli[i])) {
-      points.push_back({curve.times[i], curve.moduli[i] / unit});
+    if (can_show(plot.abscissa_scale, curve.times[i]) && can_show(AxisScale::logarithmic, curve.moduli[i])) {
+      points.push_back({curve.times[i], curve.moduli[i] / plot.unit_size});
     }
   }
   return points;
@@ -55,7 +59,7 @@ std::vector<VisibleCurve> visible_curves(const ModulusPlot& plot) {
   std::vector<VisibleCurve> curves;
   for (std::size_t i = 0; i < plot.curves.size(); ++i) {
     const auto& curve = plot.curves[i];
-    auto points = visible_points(curve, plot.unit_size);
+    auto points = visible_points(plot, curve);
     if (points.empty()) continue;
     curves.push_back({curve.label, pen_of(curve.style, curve.colour.value_or(i)), std::move(points)});
   }
@@ -120,7 +124,7 @@ std::string labels_of(const std::vector<Band>& bands, const PlotArea& area) {
                      labels);
 }
 
-/// Logarithmic axes that show all curves, with room for the labels of the windows above them.
+/// Axes that show all curves, with room for the labels of the windows above them.
 struct Layout {
   PlotArea area;
   std::vector<Band> bands;
@@ -128,7 +132,7 @@ struct Layout {
 
 Layout layout_of(const ModulusPlot& plot, const std::vector<VisibleCurve>& curves) {
   auto smallest = PlotPoint{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  auto largest = PlotPoint{0.0, 0.0};
+  auto largest = PlotPoint{-smallest.x, 0.0};
   for (const auto& curve : curves) {
     for (const auto& [time, modulus] : curve.points) {
       smallest = {std::min(smallest.x, time), std::min(smallest.y, modulus)};
@@ -136,7 +140,9 @@ Layout layout_of(const ModulusPlot& plot, const std::vector<VisibleCurve>& curve
     }
   }
   const double top = plot.title.empty() ? above_area : title_above_area;
-  PlotArea area{left_of_area, right_of_area, top, top + height_of_area, log_axis(smallest.x, largest.x), {}};
+  auto abscissa =
+      plot.abscissa_scale == AxisScale::linear ? linear_axis(smallest.x, largest.x) : log_axis(smallest.x, largest.x);
+  PlotArea area{left_of_area, right_of_area, top, top + height_of_area, std::move(abscissa), {}};
   auto bands = bands_of(plot.windows, area);
 
   constexpr double widening = 1.3;
@@ -179,13 +185,13 @@ std::string modulus_plot(const ModulusPlot& plot) {
   const auto legend = legend_of(curves);
   const double top_of_legend = area.bottom + below_area;
   const double height = top_of_legend + legend.height() + below_legend;
+  const auto ordinate = plot.unit.empty() ? plot.quantity : fmt::format("{} / {}", plot.quantity, plot.unit);
   return fmt::format(
              "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:g} {:g}\" font-family=\"sans-serif\" "
              "font-size=\"{:g}\">\n<rect width=\"{:g}\" height=\"{:g}\" fill=\"#ffffff\"/>\n",
              picture_width, height, plot_font_size, picture_width, height) +
-         drawn_bands(bands, area) + grid_of(area) + labels_of(bands, area) +
-         axes_of(area, plot.abscissa, fmt::format("{} / {}", plot.quantity, plot.unit)) + drawn_curves(curves, area) +
-         drawn_title(plot.title, area) + legend.drawn_at(top_of_legend) + "</svg>\n";
+         drawn_bands(bands, area) + grid_of(area) + labels_of(bands, area) + axes_of(area, plot.abscissa, ordinate) +
+         drawn_curves(curves, area) + drawn_title(plot.title, area) + legend.drawn_at(top_of_legend) + "</svg>\n";
 }
 
 }  // namespace breccia

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "report/plot_axis.hpp"
+
 namespace breccia {
 
 /// The style of a curve in a plot.
@@ -33,18 +35,19 @@ struct PlotWindow {
 };
 
 /// A plot of moduli against time on logarithmic axes. With other labels on the axes it can show compliances, or moduli
-/// against frequency.
+/// against frequency or, on a linear axis, against a fraction.
 struct ModulusPlot {
   std::string title;
   std::vector<PlotCurve> curves;
   std::vector<PlotWindow> windows = {};
   std::string quantity = "Relaxation modulus";
-  std::string unit = "MPa";  ///< unit of the axis
+  std::string unit = "MPa";  ///< unit of the axis; empty without one
   double unit_size = 1e6;    ///< that unit in the SI unit of the values
   std::string abscissa = "Time / s";
+  AxisScale abscissa_scale = AxisScale::logarithmic;
 };
 
-/// SVG of a plot. Points that logarithmic axes cannot show (time or modulus not positive and finite) are left out.
+/// SVG of a plot. Points that its axes cannot show (not finite, or not positive on a logarithmic axis) are left out.
 /// Throws InputError if a curve has not as many moduli as times or if no point is left.
 std::string modulus_plot(const ModulusPlot& plot);
 

@@ -1,7 +1,5 @@
 #include "report/plot_area.hpp"
 
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "report/plot_text.hpp"
@@ -12,10 +10,6 @@ namespace {
 constexpr double long_tick = 10.0, short_tick = 5.0;
 constexpr double exponent_size = 0.8;  // size of an exponent as a share of the size of the label
 constexpr double x_of_name = 24.0;     // position of the name of the ordinate, left of the longest labels
-
-double share_along(const LogAxis& axis, double value) {
-  return std::log(value / axis.begin) / std::log(axis.end / axis.begin);
-}
 
 double length_of(const Tick& tick) {
   return tick.label.empty() ? short_tick : long_tick;
@@ -34,11 +28,11 @@ std::string label_of(const Tick& tick, double x, double y, std::string_view anch
 }  // namespace
 
 double PlotArea::x(double value) const {
-  return left + share_along(abscissa, value) * width();
+  return left + abscissa.share(value) * width();
 }
 
 double PlotArea::y(double value) const {
-  return bottom - share_along(ordinate, value) * height();
+  return bottom - ordinate.share(value) * height();
 }
 
 std::string grid_of(const PlotArea& area) {

@@ -3,19 +3,18 @@
 #include <string>
 #include <string_view>
 
-#include "report/log_axis.hpp"
+#include "report/plot_axis.hpp"
 
 namespace breccia {
 
-/// The rectangle of a plot within its axes, which are both logarithmic. Lengths are in units of the drawing, with y
-/// downwards.
+/// The rectangle of a plot within its axes. Lengths are in units of the drawing, with y downwards.
 struct PlotArea {
   double left = 0.0;
   double right = 0.0;
   double top = 0.0;
   double bottom = 0.0;
-  LogAxis abscissa;
-  LogAxis ordinate;
+  PlotAxis abscissa;
+  PlotAxis ordinate;
 
   [[nodiscard]] double width() const { return right - left; }
   [[nodiscard]] double height() const { return bottom - top; }

@@ -1,10 +1,13 @@
-#include "report/log_axis.hpp"
+#include "report/plot_axis.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include <fmt/format.h>
+
+#include "report/even_values.hpp"
 
 namespace breccia {
 
@@ -21,9 +24,14 @@ Tick labelled_tick(double at, int digit, int exponent, bool is_power) {
 
 }  // namespace
 
-LogAxis log_axis(double smallest, double largest, double margin) {
+double PlotAxis::share(double value) const {
+  if (scale == AxisScale::linear) return (value - begin) / (end - begin);
+  return std::log(value / begin) / std::log(end / begin);
+}
+
+PlotAxis log_axis(double smallest, double largest, double margin) {
   const double widening = std::sqrt(std::max(1.0, 4.0 * smallest / largest));
-  LogAxis axis{smallest / margin / widening, largest * margin * widening, {}};
+  PlotAxis axis{smallest / margin / widening, largest * margin * widening, AxisScale::logarithmic, {}};
 
   const double decades = std::log10(axis.end / axis.begin);
   const bool labels_two_and_five = decades <= 2.0;
@@ -42,6 +50,14 @@ LogAxis log_axis(double smallest, double largest, double margin) {
       axis.ticks.push_back(labelled ? labelled_tick(at, digit, exponent, powers) : Tick{at, "", ""});
     }
   }
+  return axis;
+}
+
+PlotAxis linear_axis(double smallest, double largest) {
+  PlotAxis axis{smallest, largest, AxisScale::linear, {}};
+  const double rounding = 1e-3 * (largest - smallest);  // keeps ticks that lie on the ends
+  for (auto& [value, label] : even_values(smallest - rounding, largest + rounding))
+    axis.ticks.push_back({value, std::move(label), ""});
   return axis;
 }
 
