@@ -8,7 +8,8 @@ import {data, study} from "./data.js";
 import {chooser, element} from "./elements.js";
 import {drawFigure, layoutOf, saveFigure, tracesOf} from "./figure.js";
 import {csvOf, fileName, save} from "./files.js";
-import {liveChoices, spectrumButtons} from "./material_choice.js";
+import {fitted, freeNumbers, misfitText} from "./live_fit.js";
+import {liveChoices, showSpectrum, spectrumButtons} from "./material_choice.js";
 import {axes, instantText, quantities} from "./names.js";
 import {display, percent} from "./numbers.js";
 import {own} from "./records.js";
@@ -51,11 +52,29 @@ export function liveFigure(curves) {
     return drawFigure(plot, traces, layoutOf(shown, [...live, ...ofRun, ...measured]));
   };
 
+  const resultsWith = (changed) => respond(study, data.responses, Object.fromEntries(study.materials.map((material) =>
+    [material.name, material.name === changed.material.name ? changedMaterial(changed) : material])));
+  /// What was measured of G, over time or over frequency as the study has it, and the predicted curves of that.
+  const fittedQuantity = study.frequencies_Hz === undefined ? "shear" : "dynamic";
+  const measuredModuli = curves.filter((curve) => curve.role === "measured" && curve.quantity === fittedQuantity);
+  const predictedModuli = (some) => curvesOfResults(some).filter((curve) => curve.quantity === fittedQuantity);
+
   const compute = () => {
-    results = respond(study, data.responses, Object.fromEntries(study.materials.map((material) =>
-      [material.name, material.name === state.material.name ? changedMaterial(state) : material])));
+    results = resultsWith(state);
     showRefusals(results);
+    const misfit = misfitText(predictedModuli(results), measuredModuli);
+    document.getElementById("live-misfit").textContent = misfit === "" ? "" : `Deviation from what was measured: ${misfit}.`;
     return draw();
+  };
+  const fit = () => {
+    const numbers = freeNumbers(state);
+    const found = numbers && fitted(numbers, (spectrum) => predictedModuli(resultsWith({...state, spectrum})), measuredModuli);
+    if (found === undefined) return;
+    state.spectrum = found.spectrum;
+    showSpectrum(state, found.spectrum);
+    compute();
+    document.getElementById("live-misfit").append(` Fitted${found.text === "" ? "" : `: ${found.text}`}. ` +
+      "breccia calibrate finds such numbers with their intervals.");
   };
 
   const name = () => `${study.title} live`;
@@ -63,6 +82,10 @@ export function liveFigure(curves) {
     element("button", {onclick: () => save(fileName(name(), "csv"), csvOf(onAxis(liveCurves()), shownQuantity()),
       "text/csv")}, "These curves as CSV"),
     element("button", {onclick: () => saveFigure(plot, name(), draw)}, "This figure as SVG"));
+  if (measuredModuli.length > 0) {
+    document.getElementById("live-buttons").append(
+      element("button", {id: "fit-measured", onclick: fit}, "Fit this material to what was measured"));
+  }
   const select = chooser("live-quantity", "quantity", offered.map((one) => [one, one.title]), (chosen) => {
     quantity = chosen;
     draw();

@@ -24,12 +24,12 @@ export function liveChoices(candidates, state, compute) {
 }
 
 /// Whether a range of moduli [Pa] is wider than that of a single sampled modulus (sampledRange in response.js).
-function isWide([least, most]) {
+export function isWide([least, most]) {
   return most > 1.3 * least;
 }
 
 /// Whether the material is elastic, and the responses of its boxes have been sampled for other moduli of it.
-function hasModuliToMove({ranges, shear, bulk}) {
+export function hasModuliToMove({ranges, shear, bulk}) {
   return ranges !== undefined && shear.terms.length === 0 && bulk.terms.length === 0 &&
     (isWide(ranges.shear) || isWide(ranges.bulk));
 }
@@ -121,6 +121,24 @@ function constantsOf(law, changed) {
     field("temperature of the run / °C", (value) => { law.reference_K = law.temperature_K = value + zeroCelsius; }));
 }
 
+/// Shows a spectrum that was found for the material of the state, where the reader would have given it: the slider of a
+/// modulus, or the text of the spectrum.
+export function showSpectrum({material}, spectrum) {
+  const slider = document.getElementById("shear-modulus");
+  if (material.shear.terms.length === 0 && slider !== null) {
+    slider.value = Math.log10(spectrum.equilibrium_Pa);
+    slider.nextElementSibling.textContent = display(spectrum.equilibrium_Pa, "Pa");
+  } else {
+    document.getElementById("spectrum-text").value = spectrumText(spectrum);
+  }
+}
+
+/// A spectrum as readSpectrum() reads it.
+function spectrumText({terms, equilibrium_Pa}) {
+  const rows = terms.map((term) => `${term.relaxation_time_s},${term.modulus_Pa}`);
+  return ["relaxation_time_s,modulus_Pa", ...rows, ...(equilibrium_Pa > 0 ? [`inf,${equilibrium_Pa}`] : [])].join("\n");
+}
+
 /// The buttons below the text of the spectrum.
 export function spectrumButtons(state, compute) {
   const text = document.getElementById("spectrum-text");
@@ -139,10 +157,7 @@ export function spectrumButtons(state, compute) {
       }
     }}, "Take it"),
     element("button", {onclick: () => {
-      const {terms, equilibrium_Pa} = state.material.shear;
-      const rows = terms.map((term) => `${term.relaxation_time_s},${term.modulus_Pa}`);
-      text.value = ["relaxation_time_s,modulus_Pa", ...rows, ...(equilibrium_Pa > 0 ? [`inf,${equilibrium_Pa}`] : [])]
-        .join("\n");
+      text.value = spectrumText(state.material.shear);
       take(undefined);
     }}, "That of the run"),
     complaint);
