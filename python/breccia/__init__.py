@@ -25,6 +25,7 @@ if _says_nothing:
 from ._assessment import AssessedCurve, Assessment, assess
 from ._calculations import pack, plan, respond, run, solve
 from ._calibration import Calibration, Estimate, calibrate
+from ._design import FoundInput, find
 from ._errors import Error, FileError, InputError, Interrupted, NumericalError
 from ._exports import Isochrone, export, isochrone
 from ._fits import master_curve, read_measured, read_sweeps
@@ -59,11 +60,11 @@ from ._study import Measurement, Study, Tests, read_study, read_sweep
 
 __all__ = [
     "AssessedCurve", "Assessment", "Calibration", "Coating", "ComplexEngineeringModuli", "ComplexModuli", "CreepCompliance", "CreepFit", "EngineeringModuli",
-    "Error", "Estimate", "FileError", "Filler", "Image",
+    "Error", "Estimate", "FileError", "Filler", "FoundInput", "Image",
     "InputError", "Interrupted", "Isochrone", "MasterCurve", "Material", "Measurement", "Microstructure",
     "NumericalError", "Packing", "Plan", "PronySeries", "RelaxationFit", "Result", "Solid", "Stage", "StagePlan",
     "StageResult", "Study", "TestPlan", "TestResult", "Tests", "WilliamsLandelFerry",
-    "assess", "calibrate", "export", "fit", "fit_creep", "fit_dynamic", "isochrone", "master_curve", "pack", "plan", "quantity",
+    "assess", "calibrate", "export", "find", "fit", "fit_creep", "fit_dynamic", "isochrone", "master_curve", "pack", "plan", "quantity",
     "read_measured", "read_results", "read_study", "read_sweep", "read_sweep_results", "read_sweeps", "respond", "run",
     "solve",
 ]

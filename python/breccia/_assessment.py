@@ -68,8 +68,7 @@ def assess(study: Study, *, samples: int = 1000, boxes: int = 0, seed: int = 1, 
     No file is written. Raises InputError and NumericalError.
     """
     require_shares(noise=noise, model_error=model_error)
-    source = checked(study)
-    asked = _native.DeckAssessment(study._deck_path, source.deck, study._directory, source.overrides, samples, boxes, seed)
+    asked = deck_assessment(study, samples, boxes, seed)
     name = asked.stage_named(stage or "")
     data = asked.measured(paths_of(measured), modulus, noise, model_error)
     solved = [solve(Study._of(one, study._deck_path or ""), threads=threads, progress=progress) for one in asked.studies]
@@ -78,6 +77,12 @@ def assess(study: Study, *, samples: int = 1000, boxes: int = 0, seed: int = 1, 
     calibration = found.pop("calibration")
     return Assessment(curves={curve.name: curve for curve in curves}, reference=solved[0],
                       calibration=None if calibration is None else calibration_of(calibration), **found)
+
+
+def deck_assessment(study: Study, samples: int, boxes: int, seed: int) -> _native.DeckAssessment:
+    """The assessment of a study whose inputs are not all certain."""
+    source = checked(study)
+    return _native.DeckAssessment(study._deck_path, source.deck, study._directory, source.overrides, samples, boxes, seed)
 
 
 def _table(curve: AssessedCurve) -> str:

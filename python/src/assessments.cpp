@@ -18,6 +18,7 @@
 
 #include "calibrations.hpp"
 #include "deck/calibrated_inputs.hpp"
+#include "deck/sought_input.hpp"
 #include "following.hpp"
 #include "solution.hpp"
 #include "views.hpp"
@@ -101,15 +102,46 @@ MeasuredComposite measured_by(const DeckAssessment& deck, const std::vector<std:
   return files.empty() ? MeasuredComposite{} : read_measured_composite(deck, asked, model_error);
 }
 
-py::dict assess_with(const DeckAssessment& deck, const std::vector<std::shared_ptr<Solution>>& solved,
-                     const MeasuredComposite& measured, const std::string& stage, int threads) {
+std::vector<StageFindings> findings_of(const Solution& solution) {
+  std::vector<StageFindings> findings;
+  for (const auto& one : solution.stages) findings.push_back(one.result);
+  return findings;
+}
+
+/// The curves of a stage in all samples of a deck, from the solutions of its studies.
+std::vector<SampledCurve> curves_of(const DeckAssessment& deck, const std::vector<std::shared_ptr<Solution>>& solved,
+                                    const std::string& stage, int threads) {
   std::vector<Responder> responders;
   for (const auto& solution : solved) responders.emplace_back(solution->responses, solution->content.materials);
-  std::vector<StageFindings> reference;
-  for (const auto& one : solved.front()->stages) reference.push_back(one.result);
+  return deck.curves(responders, findings_of(*solved.front()), stage, threads);
+}
+
+FoundDesign find_with(const DeckAssessment& deck, const std::vector<std::shared_ptr<Solution>>& solved,
+                      const SoughtInput& sought, const std::string& stage, int threads) {
+  return calculate([&] { return find_input(deck, curves_of(deck, solved, stage, threads), sought); });
+}
+
+/// What the composite has over the range that was searched.
+py::dict points_of(const FoundDesign& design) {
+  std::vector<double> inputs, values, lower, upper;
+  for (const auto& [input, value, interval] : design.points) {
+    inputs.push_back(input);
+    values.push_back(value);
+    lower.push_back(interval.lower);
+    upper.push_back(interval.upper);
+  }
+  py::dict entries;
+  entries["inputs"] = array_of(inputs);
+  entries["values"] = array_of(values);
+  entries["band"] = py::make_tuple(array_of(lower), array_of(upper));
+  return entries;
+}
+
+py::dict assess_with(const DeckAssessment& deck, const std::vector<std::shared_ptr<Solution>>& solved,
+                     const MeasuredComposite& measured, const std::string& stage, int threads) {
   std::optional<Calibration> calibration;
   auto entries = dict_of(calculate([&] {
-    const auto curves = deck.curves(responders, reference, stage, threads);
+    const auto curves = curves_of(deck, solved, stage, threads);
     if (!measured.observations.empty()) calibration = calibrate_inputs(deck, curves, measured);
     return assess(deck.inputs(), deck.design(), curves);
   }));
@@ -125,6 +157,13 @@ py::dict assess_with(const DeckAssessment& deck, const std::vector<std::shared_p
 
 void bind_assessments(py::module_& module) {
   py::class_<MeasuredComposite>(module, "MeasuredComposite");
+  py::class_<SoughtInput>(module, "SoughtInput");
+  py::class_<FoundDesign>(module, "FoundDesign")
+      .def_property_readonly("value", [](const FoundDesign& design) { return plain_text(design.value); })
+      .def_property_readonly("interval",
+                             [](const FoundDesign& design) { return py::make_tuple(design.lower, design.upper); })
+      .def_property_readonly("points", &points_of)
+      .def_readonly("warnings", &FoundDesign::warnings);
   py::class_<DeckAssessment>(module, "DeckAssessment")
       .def(py::init(&assessment_of), py::arg("deck"), py::arg("text"), py::arg("directory"), py::arg("overrides"),
            py::arg("samples"), py::arg("boxes"), py::arg("seed"))
@@ -138,7 +177,22 @@ void bind_assessments(py::module_& module) {
                              })
       .def("stage_named", &DeckAssessment::stage_named, py::arg("name"))
       .def("measured", &measured_by, py::arg("files"), py::arg("modulus"), py::arg("noise"), py::arg("model_error"))
-      .def("assess", &assess_with, py::arg("solved"), py::arg("measured"), py::arg("stage"), py::arg("threads"));
+      .def("assess", &assess_with, py::arg("solved"), py::arg("measured"), py::arg("stage"), py::arg("threads"))
+      .def("sought", &read_sought_input, py::arg("key"), py::arg("condition"), py::arg("model_error"))
+      .def("find", &find_with, py::arg("solved"), py::arg("sought"), py::arg("stage"), py::arg("threads"))
+      .def(
+          "study_with",
+          [](const DeckAssessment& deck, const SoughtInput& sought, const FoundDesign& design) {
+            return std::make_shared<Study>(deck.study_with(sought.index, design.value));
+          },
+          py::arg("sought"), py::arg("found"))
+      .def(
+          "value_of",
+          [](const DeckAssessment& deck, const std::shared_ptr<Solution>& solved, const std::string& stage,
+             const SoughtInput& sought) {
+            return value_of_study(findings_of(*solved), deck.stage_named(stage), sought.condition);
+          },
+          py::arg("solved"), py::arg("stage"), py::arg("sought"));
 }
 
 }  // namespace breccia::python

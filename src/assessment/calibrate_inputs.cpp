@@ -25,14 +25,13 @@ bool is_known(const Observation& observation, bool are_over_frequency) {
 
 std::string mistake_in(const Observation& observation, const CurvesOfStudy& curves) {
   if (!is_known(observation, curves.are_over_frequency)) {
-    return fmt::format("measurements of the {} modulus, {}: expected {}", name_of(observation.modulus),
+    return fmt::format("{} modulus ({}): expected {}, as the study has it", name_of(observation.modulus),
                        name_of(observation.curve),
-                       curves.are_over_frequency ? "dynamic moduli, as the study has them"
-                                                 : "relaxation moduli in shear or bulk, as the study has them");
+                       curves.are_over_frequency ? "a dynamic modulus at a frequency"
+                                                 : "a relaxation modulus in shear or bulk at a time");
   }
   if (observation.modulus != ObservedModulus::shear && !curves.have_bulk) {
-    return fmt::format("measurements of the {} modulus: the study has no test in bulk (tests.loads)",
-                       name_of(observation.modulus));
+    return fmt::format("{} modulus: the study has no test in bulk (tests.loads)", name_of(observation.modulus));
   }
   if (observation.temperature) {
     return fmt::format("measurements at {:.4g} K: expected those at the temperature of the study",
@@ -43,7 +42,7 @@ std::string mistake_in(const Observation& observation, const CurvesOfStudy& curv
   const auto in_words = [&](double place) {
     return curves.are_over_frequency ? fmt::format("{:.3g} rad/s", place) : display_time(place);
   };
-  return fmt::format("measurements outside of the curves of the study, {} to {}: change its {}, or leave them out",
+  return fmt::format("expected values within the curves of the study, {} to {}: change its {}, or leave the others out",
                      in_words(curves.first), in_words(curves.last),
                      curves.are_over_frequency ? "frequencies" : "times");
 }
@@ -56,7 +55,8 @@ void require_observable(const std::vector<UncertainInput>& inputs, const std::ve
   for (const auto& input : inputs) {
     if (choices_of(input) == 0) continue;
     mistakes.push_back(fmt::format(
-        "{}: measurements do not find one of several values; expected one value, or a distribution", input.name));
+        "{}: no polynomial leads from one of several values to another; expected one value, or a distribution",
+        input.name));
   }
   for (const auto& observation : observations) {
     auto mistake = mistake_in(observation, curves);
@@ -74,8 +74,7 @@ Calibration calibrate_inputs(const std::vector<UncertainInput>& inputs, const As
                                .curvature = Eigen::MatrixXd::Zero(0, model.size())};
   auto [middle, found] = find_scores(model, prior, options);
   if (!(model_deviation > 0.0)) {
-    found.warnings.emplace_back(
-        "the error of the model is not known and not in the intervals; state the error of the model");
+    found.warnings.emplace_back(unknown_model_error);
   }
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const auto& estimate = found.estimates[i];

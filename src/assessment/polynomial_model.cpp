@@ -8,24 +8,10 @@
 
 #include "breccia/assessment/calibrate_inputs.hpp"
 
-#include "assessment/observed_value.hpp"
+#include "assessment/curve_values.hpp"
 
 namespace breccia {
 namespace {
-
-/// The curve between two neighbours: their indices and the share of the second.
-struct Between {
-  Eigen::Index first, second;
-  double share;
-};
-
-/// Where a time or a frequency lies among those of a curve, on a logarithmic axis.
-Between between(const std::vector<double>& at, double place) {
-  const auto above = std::ranges::upper_bound(at, place);
-  const auto second = std::clamp<std::ptrdiff_t>(above - at.begin(), 1, std::ssize(at) - 1);
-  const double low = at[static_cast<std::size_t>(second - 1)], high = at[static_cast<std::size_t>(second)];
-  return {second - 1, second, std::clamp(std::log(place / low) / std::log(high / low), 0.0, 1.0)};
-}
 
 /// A curve at those of its times or frequencies alone that observations lie between.
 SampledCurve where_observed(const SampledCurve& curve, const std::vector<Observation>& observations) {
@@ -57,7 +43,7 @@ PolynomialModel::PolynomialModel(const std::vector<UncertainInput>& inputs, cons
   const auto& first = curves_.front();
   require_observable(inputs, observations_,
                      {.are_over_frequency = is_over_frequency(first.curve),
-                      .have_bulk = curve_of(ObservedModulus::bulk, first.curve) != nullptr,
+                      .have_bulk = curve_of(curves_, ObservedModulus::bulk, first.curve) != nullptr,
                       .first = first.at.front(),
                       .last = first.at.back()});
   for (std::size_t i = 0; i < inputs.size(); ++i) {
@@ -84,9 +70,9 @@ PolynomialModel::PolynomialModel(const std::vector<UncertainInput>& inputs, cons
 /// An error of the phase [rad] is one of a loss modulus over tan(phase), and of a storage modulus times that.
 void PolynomialModel::add_errors_of_phases(double error) {
   if (!(error > 0.0)) return;
-  const auto curves = curves_at(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(components_.size())));
+  const auto values = values_at(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(components_.size())));
   for (auto& observation : observations_) {
-    const auto modulus = modulus_at(curves, ObservedModulus::shear, observation.at);
+    const auto modulus = modulus_at(curves_, values, ObservedModulus::shear, observation.at);
     const double tangent = modulus.imag() / modulus.real();
     double own = 0.0;
     if (observation.curve == ObservedCurve::phase) own = error;
@@ -96,62 +82,21 @@ void PolynomialModel::add_errors_of_phases(double error) {
   }
 }
 
-const SampledCurve* PolynomialModel::curve_of(ObservedModulus modulus, ObservedCurve curve) const {
-  const auto found = std::ranges::find_if(
-      curves_, [&](const SampledCurve& one) { return one.modulus == modulus && one.curve == curve; });
-  return found == curves_.end() ? nullptr : &*found;
-}
-
-PolynomialModel::Curves PolynomialModel::curves_at(const Eigen::VectorXd& scores) const {
+CurveValues PolynomialModel::values_at(const Eigen::VectorXd& scores) const {
   const auto inputs = static_cast<Eigen::Index>(components_.size() - (factor_ ? 1 : 0));
   // Beyond the scores that were sampled polynomials say nothing.
   const Eigen::MatrixXd coordinates = scores.head(inputs).cwiseMax(-most_score).cwiseMin(most_score);
-  Curves curves;
-  for (const auto& polynomials : polynomials_) curves.emplace_back(polynomials.at(coordinates).col(0));
-  return curves;
-}
-
-double PolynomialModel::interpolated(const Curves& curves, const SampledCurve& curve, double at) const {
-  const auto& values = curves[static_cast<std::size_t>(&curve - curves_.data())];
-  const auto [first, second, share] = between(curve.at, at);
-  const double value = std::lerp(values[first], values[second], share);
-  return curve.curve == ObservedCurve::phase ? value : std::exp(value);
-}
-
-std::complex<double> PolynomialModel::modulus_at(const Curves& curves, ObservedModulus modulus, double at) const {
-  if (const auto* const absolute = curve_of(modulus, ObservedCurve::absolute)) {
-    return std::polar(interpolated(curves, *absolute, at),
-                      interpolated(curves, *curve_of(modulus, ObservedCurve::phase), at));
-  }
-  return interpolated(curves, *curve_of(modulus, ObservedCurve::relaxation), at);
-}
-
-double PolynomialModel::predicted(const Curves& curves, const Observation& observation) const {
-  const auto shear = modulus_at(curves, ObservedModulus::shear, observation.at);
-  std::complex<double> bulk = 0.0;
-  if (observation.modulus != ObservedModulus::shear) {
-    const auto& tested = *curve_of(ObservedModulus::bulk, curves_.front().curve);
-    bulk = modulus_at(curves, ObservedModulus::bulk, observation.at) - tested.share_of_shear * shear;
-  }
-  const auto modulus = observed_modulus(observation.modulus, shear, bulk).value;
-  switch (observation.curve) {
-    case ObservedCurve::loss:
-      return modulus.imag();
-    case ObservedCurve::absolute:
-      return std::abs(modulus);
-    case ObservedCurve::phase:
-      return std::arg(modulus);
-    default:
-      return modulus.real();
-  }
+  CurveValues values;
+  for (const auto& polynomials : polynomials_) values.emplace_back(polynomials.at(coordinates).col(0));
+  return values;
 }
 
 Eigen::VectorXd PolynomialModel::predictions(const Eigen::VectorXd& scores) const {
-  const auto curves = curves_at(scores);
+  const auto curve_values = values_at(scores);
   Eigen::VectorXd values(static_cast<Eigen::Index>(observations_.size()));
   for (std::size_t i = 0; i < observations_.size(); ++i) {
     auto& value = values[static_cast<Eigen::Index>(i)];
-    value = predicted(curves, observations_[i]);
+    value = observed_value(curves_, curve_values, observations_[i]);
     if (!factor_ || observations_[i].curve == ObservedCurve::phase) continue;
     value *= value_at_score(components_[*factor_].prior, scores[static_cast<Eigen::Index>(*factor_)]);
   }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <complex>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "breccia/assessment/assess.hpp"
 #include "breccia/assessment/observation.hpp"
 
+#include "assessment/curve_values.hpp"
 #include "assessment/polynomial_chaos.hpp"
 #include "assessment/predictive_model.hpp"
 
@@ -32,16 +32,8 @@ class PolynomialModel final : public PredictiveModel {
   [[nodiscard]] Eigen::MatrixXd jacobian(const Eigen::VectorXd& scores) const override;
 
  private:
-  /// The values of all curves at their times or frequencies, by curve.
-  using Curves = std::vector<Eigen::VectorXd>;
-
   void add_errors_of_phases(double error);
-  [[nodiscard]] const SampledCurve* curve_of(ObservedModulus modulus, ObservedCurve curve) const;
-  [[nodiscard]] Curves curves_at(const Eigen::VectorXd& scores) const;
-  [[nodiscard]] double interpolated(const Curves& curves, const SampledCurve& curve, double at) const;
-  /// G, or K where the load bulk was tested.
-  [[nodiscard]] std::complex<double> modulus_at(const Curves& curves, ObservedModulus modulus, double at) const;
-  [[nodiscard]] double predicted(const Curves& curves, const Observation& observation) const;
+  [[nodiscard]] CurveValues values_at(const Eigen::VectorXd& scores) const;
 
   std::vector<UnknownComponent> components_;
   std::vector<SampledCurve> curves_;

@@ -115,31 +115,62 @@ void require_positive(const SampledCurve& curve) {
   }
 }
 
+/// The method whose results are taken: the quasi-static one, or else the dynamic one.
+Method method_of(const std::vector<TestResult>& tests) {
+  const auto is_quasistatic = [](const TestResult& test) { return test.id.method == Method::quasistatic; };
+  return std::ranges::any_of(tests, is_quasistatic) ? Method::quasistatic : Method::dynamic;
+}
+
+/// The moduli of a stage that are assessed, by its test of each.
+class CurvesOfStage {
+ public:
+  CurvesOfStage(const StageFindings& stage, std::size_t samples)
+      : boundary_(preferred_boundary(stage.tests, [](const TestResult& test) { return test.id.boundary; })),
+        method_(method_of(stage.tests)) {
+    for (const auto load : loads_of(stage)) {
+      tests_.emplace_back(load, preferred_test(stage.tests, load, boundary_, method_), stage.dimensions, samples);
+    }
+  }
+
+  void take(std::size_t sample, const std::vector<TestResult>& results) {
+    for (auto& test : tests_) test.take(sample, preferred_test(results, test.load(), boundary_, method_));
+  }
+  [[nodiscard]] std::vector<SampledCurve> curves() && {
+    std::vector<SampledCurve> curves;
+    for (auto& test : tests_) std::ranges::move(std::move(test).curves(), std::back_inserter(curves));
+    std::ranges::for_each(curves, require_positive);
+    return curves;
+  }
+
+ private:
+  Boundary boundary_;
+  Method method_;
+  std::vector<CurvesOfTest> tests_;
+};
+
 }  // namespace
 
 std::vector<SampledCurve> sample_curves(const SampledStage& stage) {
-  const auto& reference = stage.reference;
-  const auto boundary = preferred_boundary(reference.tests, [](const TestResult& test) { return test.id.boundary; });
   const auto samples = stage.box_of.size();
-  std::vector<CurvesOfTest> tests;
-  for (const auto load : loads_of(reference)) {
-    tests.emplace_back(load, preferred_test(reference.tests, load, boundary), reference.dimensions, samples);
-  }
+  CurvesOfStage curves(stage.reference, samples);
   std::vector<Responder> boxes;
-  for (const auto& box : stage.boxes) boxes.push_back(box.chain_of(reference.name));
+  for (const auto& box : stage.boxes) boxes.push_back(box.chain_of(stage.reference.name));
   parallel::FirstException failure;
 #pragma omp parallel for num_threads(parallel::threads_for(stage.threads)) schedule(dynamic)
   for (std::size_t sample = 0; sample < samples; ++sample) {
     failure.run([&] {
       const auto results = boxes[stage.box_of[sample]].with(stage.materials[sample]).respond();
-      for (auto& test : tests) test.take(sample, preferred_test(results.back().tests, test.load(), boundary));
+      curves.take(sample, results.back().tests);
     });
   }
   failure.rethrow();
-  std::vector<SampledCurve> curves;
-  for (auto& test : tests) std::ranges::move(std::move(test).curves(), std::back_inserter(curves));
-  std::ranges::for_each(curves, require_positive);
-  return curves;
+  return std::move(curves).curves();
+}
+
+std::vector<SampledCurve> curves_of(const StageFindings& stage) {
+  CurvesOfStage curves(stage, 1);
+  curves.take(0, stage.tests);
+  return std::move(curves).curves();
 }
 
 }  // namespace breccia

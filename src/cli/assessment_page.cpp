@@ -6,8 +6,10 @@
 
 #include "cli/assessment_tables.hpp"
 #include "cli/calibration_tables.hpp"
+#include "io/display.hpp"
 #include "page/page.hpp"
 #include "results/assessment_files.hpp"
+#include "results/curve_places.hpp"
 
 namespace breccia::cli {
 namespace {
@@ -89,7 +91,7 @@ std::string assessment_page(const AssessmentPage& page, const Assessment& assess
   }
   for (const auto& curve : assessment.curves) {
     curves.push_back(json_of(curve, page));
-    curves.back()["decades"] = decades_of(curve, page.abscissa);
+    curves.back()["decades"] = decades_of(curve.at, page.abscissa);
   }
   Json content = {{"title", page.title},
                   {"version", BRECCIA_VERSION},

@@ -11,6 +11,7 @@
 #include "cli/calibration_tables.hpp"
 #include "io/display.hpp"
 #include "results/assessment_files.hpp"
+#include "results/curve_places.hpp"
 
 namespace breccia::cli {
 namespace {
@@ -63,10 +64,10 @@ std::string table_of_curve(const AssessedCurve& curve, const std::vector<Uncerta
   for (const auto& name : names) text += fmt::format("  {:>{}}", name, std::max(name.size(), narrowest));
   text += inputs.size() > 1 ? "  interactions\n" : "\n";
   const auto interactions = interactions_of(curve);
-  for (const auto i : decades_of(curve, abscissa)) {
-    text +=
-        fmt::format("{:>10}  {:>10}  {:>22}  {:>22}", place_of(curve, i, abscissa), value_of(curve, curve.median[i]),
-                    interval_of(curve, curve.of_inputs[i]), interval_of(curve, curve.whole[i]));
+  for (const auto i : decades_of(curve.at, abscissa)) {
+    text += fmt::format("{:>10}  {:>10}  {:>22}  {:>22}", place_in_words(curve.at[i], abscissa),
+                        value_of(curve, curve.median[i]), interval_of(curve, curve.of_inputs[i]),
+                        interval_of(curve, curve.whole[i]));
     const bool is_shown = has_shares(curve, i);
     for (std::size_t input = 0; input < names.size(); ++input) {
       const double share = curve.alone(static_cast<Eigen::Index>(input), static_cast<Eigen::Index>(i));

@@ -33,11 +33,6 @@ struct InWords {
 
 }  // namespace
 
-std::string number_in_words(double value, const std::string& unit) {
-  if (unit == "Pa" || unit == "m" || unit == "s") return display(value, unit);
-  return fmt::format("{}{}{}", three_digits(value), unit.empty() ? "" : " ", unit);
-}
-
 std::string in_words(const Distribution& distribution, const std::string& unit) {
   return std::visit(InWords{unit}, distribution);
 }

@@ -7,9 +7,6 @@
 
 namespace breccia::cli {
 
-/// A value with three digits and its unit: "5.84 GPa", "0.31".
-std::string number_in_words(double value, const std::string& unit);
-
 /// What is known of a number a priori in words: "5.84 GPa +- 600 MPa", "1, within a factor 10", "0 to 0.5".
 std::string in_words(const Distribution& distribution, const std::string& unit);
 

@@ -52,8 +52,10 @@ void add_commands(CLI::App& application) {
   cli::add_check(application);
   cli::add_run(application);
   cli::add_report(application);
+  cli::add_compare(application);
   cli::add_respond(application);
   cli::add_assess(application);
+  cli::add_find(application);
   cli::add_calibrate(application);
   cli::add_pack(application);
   cli::add_stages(application);

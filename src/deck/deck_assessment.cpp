@@ -262,6 +262,18 @@ const Sweep& DeckAssessment::sweep() const noexcept {
   return state_->sweep;
 }
 
+Study DeckAssessment::study_with(std::size_t input, const Scalar& value) const {
+  auto overrides = state_->overrides;
+  const auto& name = inputs().at(input).name;
+  const Location location = {.option = overrides.emplace_back(fmt::format("{}={}", name, toml_text(value)))};
+  auto changed = state_->document.unread_copy();
+  changed.set({name, location, {value, location}});
+  auto study = resolve(changed);
+  changed.finish();
+  add_hashes(changed, overrides, study);
+  return study;
+}
+
 std::string DeckAssessment::stage_named(const std::string& name) const {
   if (name.empty()) return state_->study.stages.back().name;
   std::vector<std::string> names;

@@ -115,6 +115,10 @@ std::string Deck::content_with_first(std::size_t count, std::string_view array,
   return detail::content_of({{}, std::move(root)});
 }
 
+std::vector<std::pair<std::string, std::string>> Deck::values() const {
+  return detail::values_of(state_->root);
+}
+
 std::vector<std::filesystem::path> Deck::files() const {
   return {state_->files.begin(), state_->files.end()};
 }

@@ -200,6 +200,9 @@ class Deck {
   /// The content without several top-level keys, and with only the first `count` elements of one top-level array.
   [[nodiscard]] std::string content_with_first(std::size_t count, std::string_view array,
                                                std::span<const std::string_view> left_out) const;
+  /// The paths of all values, overrides included, with their texts, in the order of the deck: `stages.composite.cells`,
+  /// `60`. An array without tables is one value.
+  [[nodiscard]] std::vector<std::pair<std::string, std::string>> values() const;
   /// The top-level table. Sections are valid as long as the deck exists.
   [[nodiscard]] Section root() const;
   /// All mistakes found so far, including the unknown keys of all tables that were accessed.

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <toml++/toml.h>
 
 #include "breccia/error.hpp"
@@ -85,6 +87,38 @@ std::string description_of(const std::string& text, const toml::parse_error& err
   if (typographic.empty()) return std::string(error.description());
   return fmt::format("the character {} is no quote of TOML: write \" in its place", typographic);
 }
+
+/// Collects the values of a deck with their paths.
+class ValuesOfDeck {
+ public:
+  void add_entries(const std::string& path, const DeckTable& table) {
+    for (const auto& entry : table.entries) add(joined(path, entry.key), entry.value);
+  }
+  [[nodiscard]] std::vector<std::pair<std::string, std::string>> all() && { return std::move(values_); }
+
+ private:
+  void add(const std::string& path, const DeckValue& value) {
+    const auto is_table = [](const DeckValue& one) { return kind_of(one) == Kind::table; };
+    if (const auto* table = std::get_if<DeckTable>(&value.content)) {
+      add_entries(path, *table);
+      return;
+    }
+    const auto* array = std::get_if<DeckArray>(&value.content);
+    if (array == nullptr) {
+      values_.emplace_back(path, content_of(value));
+    } else if (std::ranges::any_of(array->values, is_table)) {
+      for (std::size_t i = 0; i < array->values.size(); ++i) {
+        add(joined(path, element_name(array->values[i], i)), array->values[i]);
+      }
+    } else {
+      std::vector<std::string> texts;
+      for (const auto& element : array->values) texts.push_back(content_of(element));
+      values_.emplace_back(path, fmt::format("[{}]", fmt::join(texts, ", ")));
+    }
+  }
+
+  std::vector<std::pair<std::string, std::string>> values_;
+};
 
 }  // namespace
 
@@ -174,6 +208,12 @@ std::string content_of(const DeckValue& value) {
     return "{" + text + "}";
   }
   return "date";
+}
+
+std::vector<std::pair<std::string, std::string>> values_of(const DeckTable& table) {
+  ValuesOfDeck values;
+  values.add_entries("", table);
+  return std::move(values).all();
 }
 
 std::string shown(const DeckValue& value) {

@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -82,6 +83,9 @@ std::optional<Scalar> scalar_of(const DeckValue& value);
 
 /// The text of a value with all its elements, without comments and spaces.
 std::string content_of(const DeckValue& value);
+
+/// The paths of all values in a table, with their texts. An array without tables is one value.
+std::vector<std::pair<std::string, std::string>> values_of(const DeckTable& table);
 
 /// A value for a message: `"3.6 um"`, `3.6`, `a table`.
 std::string shown(const DeckValue& value);

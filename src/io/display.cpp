@@ -58,6 +58,11 @@ std::string display(double value, std::string_view unit, int digits) {
   return fmt::format("{:.15g} {}{}", shown, prefix, unit);
 }
 
+std::string number_in_words(double value, std::string_view unit, int digits) {
+  if (unit == "Pa" || unit == "m" || unit == "s") return display(value, unit, digits);
+  return fmt::format("{:g}{}{}", rounded(value, digits), unit.empty() ? "" : " ", unit);
+}
+
 std::string three_digits(double value) {
   constexpr int digits = 3;
   return fmt::format("{:g}", rounded(value, digits));

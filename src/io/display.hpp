@@ -21,6 +21,9 @@ PrefixedNumber with_prefix(double value, int digits = 3);
 /// The unit of the value must be one that can have a prefix ("m", "s", "Pa").
 std::string display(double value, std::string_view unit, int digits = 3);
 
+/// A value of an input in its SI unit, or without one: "5.84 GPa", "293 K", "0.31".
+std::string number_in_words(double value, std::string_view unit, int digits = 3);
+
 /// A number rounded to three digits, in the shortest form: "1000", "0.0123", "1e+06".
 std::string three_digits(double value);
 

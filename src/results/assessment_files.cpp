@@ -10,13 +10,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "breccia/virtual_test/curve.hpp"
-
-#include "io/display.hpp"
 #include "io/text_file.hpp"
 #include "io/whole_results.hpp"
 #include "report/modulus_plot.hpp"
 #include "report/share_map.hpp"
+#include "results/curve_places.hpp"
 #include "results/test_columns.hpp"
 #include "tables/csv.hpp"
 
@@ -24,11 +22,6 @@ namespace breccia {
 namespace {
 
 constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
-
-/// The place of a value of a curve on the axis of its abscissa: a time [s], a frequency [Hz].
-double axis_value(const AssessedCurve& curve, std::size_t index, Abscissa abscissa) {
-  return abscissa == Abscissa::time ? curve.at[index] : curve.at[index] / (2.0 * std::numbers::pi);
-}
 
 std::string column_of_places(Abscissa abscissa) {
   return abscissa == Abscissa::time ? "time_s" : "angular_frequency_rad_per_s";
@@ -128,7 +121,7 @@ std::string plot_of(const AssessedCurve& curve, Abscissa abscissa) {
   }
   if (abscissa == Abscissa::frequency) plot.abscissa = "Frequency / Hz";
   std::vector<double> places;
-  for (std::size_t i = 0; i < curve.at.size(); ++i) places.push_back(axis_value(curve, i, abscissa));
+  for (std::size_t i = 0; i < curve.at.size(); ++i) places.push_back(axis_value(curve.at[i], abscissa));
   const auto add = [&](const std::string& label, PlotStyle style, std::size_t colour, const auto& value) {
     PlotCurve drawn = {.label = label, .times = {}, .moduli = {}, .style = style, .colour = colour};
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -153,8 +146,8 @@ std::string map_of(const AssessedCurve& curve, const std::vector<UncertainInput>
                   .rows = {},
                   .columns = {},
                   .shares = {}};
-  const auto decades = decades_of(curve, abscissa);
-  for (const auto i : decades) map.columns.push_back(place_of(curve, i, abscissa));
+  const auto decades = decades_of(curve.at, abscissa);
+  for (const auto i : decades) map.columns.push_back(place_in_words(curve.at[i], abscissa));
   for (std::size_t input = 0; input < inputs.size(); ++input) {
     map.rows.push_back(short_name(inputs[input]));
     auto& shares = map.shares.emplace_back();
@@ -175,27 +168,6 @@ std::string map_of(const AssessedCurve& curve, const std::vector<UncertainInput>
 
 std::string short_name(const UncertainInput& input) {
   return input.name.substr(input.name.find('.') + 1);
-}
-
-std::vector<std::size_t> decades_of(const AssessedCurve& curve, Abscissa abscissa) {
-  std::vector<std::size_t> indices;
-  const double first = axis_value(curve, 0, abscissa), last = axis_value(curve, curve.at.size() - 1, abscissa);
-  for (const double place : logarithmic_times({first, last}, 1)) {
-    std::size_t nearest = 0;
-    for (std::size_t i = 1; i < curve.at.size(); ++i) {
-      const auto distance = [&](std::size_t one) {
-        return std::abs(std::log(axis_value(curve, one, abscissa) / place));
-      };
-      if (distance(i) < distance(nearest)) nearest = i;
-    }
-    if (indices.empty() || indices.back() != nearest) indices.push_back(nearest);
-  }
-  return indices;
-}
-
-std::string place_of(const AssessedCurve& curve, std::size_t index, Abscissa abscissa) {
-  const double value = axis_value(curve, index, abscissa);
-  return abscissa == Abscissa::time ? display_time(value) : display(value, "Hz");
 }
 
 std::vector<std::string> write_assessment(const AssessmentDestination& destination, const Assessment& assessment,

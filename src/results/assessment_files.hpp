@@ -22,12 +22,6 @@ struct AssessmentDestination {
 /// The name of an input without the first step of its path: "hmx.shear".
 std::string short_name(const UncertainInput& input);
 
-/// The indices of the values of a curve that are nearest to whole decades of time, or of frequency in Hz.
-std::vector<std::size_t> decades_of(const AssessedCurve& curve, Abscissa abscissa);
-
-/// The time or the frequency of a value of a curve as text: "10 ns", "1 kHz".
-std::string place_of(const AssessedCurve& curve, std::size_t index, Abscissa abscissa);
-
 /// Writes `report.html`, `bands.csv`, `sensitivity.csv`, `inputs.csv`, for each curve `bands_<curve>.svg` and
 /// `sensitivity_<curve>.svg`, and `assess.json`, with the origin, to a directory, which is created if it is missing.
 /// Returns the names of the files. Throws InputError if that would replace files that Breccia did not write or, without

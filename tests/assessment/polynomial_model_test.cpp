@@ -118,11 +118,11 @@ TEST(PolynomialModel, RefusesAllMistakesAtOnce) {
                                 0.0);
   });
   EXPECT_THAT(message,
-              AllOf(HasSubstr("b: measurements do not find one of several values"),
-                    HasSubstr("measurements of the young modulus, relaxation: expected relaxation"),
+              AllOf(HasSubstr("b: no polynomial leads from one of several values to another"),
+                    HasSubstr("young modulus (relaxation): expected a relaxation modulus in shear or bulk at a time"),
                     HasSubstr("measurements at 300 K: expected"), HasSubstr("has no test in bulk (tests.loads)"),
-                    HasSubstr("measurements outside of the curves of the study, 1 ms to 100 ms"),
-                    HasSubstr("measurements of the shear modulus, storage")));
+                    HasSubstr("expected values within the curves of the study, 1 ms to 100 ms"),
+                    HasSubstr("shear modulus (storage)")));
 }
 
 TEST(CalibrateInputs, FindsTheInputsOfALinearModel) {

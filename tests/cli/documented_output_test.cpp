@@ -77,6 +77,10 @@ TEST(Documentation, TheTutorialQuotesWhatIsPrinted) {
   follow(root / "docs" / "tutorial.md");
 }
 
+TEST(Documentation, ThePageOnDesignQuotesWhatIsPrinted) {
+  follow(root / "docs" / "design.md");
+}
+
 TEST(Documentation, TheTutorialOfImagesQuotesWhatIsPrinted) {
   follow(root / "docs" / "tutorial-image.md");
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -37,6 +38,10 @@ class DeckAssessment {
   /// The studies to solve: the deck with the median of each input and, where some inputs change the box, those of the
   /// boxes after it.
   [[nodiscard]] const Sweep& sweep() const noexcept;
+
+  /// The study of the deck with a value for one of the inputs, by its index, and the median of each other. Throws
+  /// InputError where the value makes a mistake.
+  [[nodiscard]] Study study_with(std::size_t input, const Scalar& value) const;
 
   /// The name of the stage that is assessed: that of the last one for an empty name. Throws InputError for a name that
   /// no stage has.

@@ -1,0 +1,59 @@
+"""The value of an input by which a composite has what is wanted."""
+
+from __future__ import annotations
+
+import html
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _native
+from ._assessment import deck_assessment
+from ._calculations import solve
+from ._calibration import require_shares
+from ._progress import Progress
+from ._study import Study
+
+
+@dataclass(frozen=True)
+class FoundInput:
+    """What find() has found, in SI units."""
+
+    value: str  #: with the medians of the other inputs, to four digits, as a deck has it: "0.5073", "1.312e+08 Pa"
+    interval: tuple[float | None, float | None]  #: ends of 95 %; None for an end beyond the range that was searched
+    inputs: NDArray[np.float64]  #: values over the range of the input
+    values: NDArray[np.float64]  #: what the composite has with these, and the medians of the other inputs
+    band: tuple[NDArray[np.float64], NDArray[np.float64]]  #: ends of 95 % of that
+    reached: float  #: what the study with the value has
+    result: _native.Result  #: the result of that study
+    warnings: list[str]
+
+    def _repr_html_(self) -> str:
+        lower, upper = ("beyond the range" if end is None else f"{end:.4g}" for end in self.interval)
+        warnings = "".join(f"<div>{html.escape(text)}</div>" for text in self.warnings)
+        return (f"<div><b>{html.escape(self.value)}</b> (95 %: {lower} to {upper}); the study with it has "
+                f"{self.reached:.4g}</div>{warnings}")
+
+
+def find(study: Study, key: str, so_that: str, *, samples: int = 1000, boxes: int = 0, seed: int = 1,
+         stage: str | None = None, model_error: float | None = None, threads: int = 0,
+         progress: Progress = None) -> FoundInput:
+    """Finds the value of an input by which a composite has what is wanted.
+
+    key: the input, the path of a value in the deck of the study or its last steps, such as "fraction"; in the study it
+    is a range to search, such as {"from": 0.4, "to": 0.6}, beside which other inputs may be uncertain; so_that: the
+    condition, such as "G(1 ms) = 3 GPa" or "tan_delta(10 Hz) = 0.3"; model_error: error of the moduli of the study as a
+    share, the one that it states unless told; samples, boxes, seed, stage: as of assess(). No file is written. Raises
+    InputError, also where no value serves and where several do, and NumericalError.
+    """
+    require_shares(model_error=model_error)
+    asked = deck_assessment(study, samples, boxes, seed)
+    name = asked.stage_named(stage or "")
+    sought = asked.sought(key, so_that, model_error)
+    options = {"threads": threads, "progress": progress}
+    solved = [solve(Study._of(one, study._deck_path or ""), **options) for one in asked.studies]
+    found = asked.find(solved, sought, name, threads)
+    result = solve(Study._of(asked.study_with(sought, found), study._deck_path or ""), **options)
+    return FoundInput(value=found.value, interval=found.interval, **found.points, reached=asked.value_of(result, name, sought),
+                      result=result, warnings=found.warnings)

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "breccia/assessment/assess.hpp"
+#include "breccia/assessment/calibrate_inputs.hpp"
+#include "breccia/assessment/observation.hpp"
+#include "breccia/study/tests.hpp"
+
+namespace breccia {
+
+/// The curves that tests will have.
+CurvesOfStudy curves_of(const Tests& tests);
+
+/// The largest error that a study states of what was observed [-]; 0 where one of these is not known.
+double stated_error(const std::vector<SampledCurve>& curves, const std::vector<Observation>& observations);
+
+}  // namespace breccia
