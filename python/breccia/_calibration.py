@@ -90,7 +90,7 @@ def calibration_of(entries: dict[str, Any]) -> Calibration:
 def require_shares(**shares: float | None) -> None:
     """Raises InputError for an argument that is no share between 0 and 1."""
     for argument, share in shares.items():
-        if share is not None and not 0.0 < share < 1.0:
+        if share is not None and not (isinstance(share, (int, float)) and 0.0 < share < 1.0):
             raise InputError(f"{argument}: expected a share between 0 and 1, got {share!r}")
 
 

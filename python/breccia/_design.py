@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import html
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +12,7 @@ from . import _native
 from ._assessment import deck_assessment
 from ._calculations import solve
 from ._calibration import require_shares
+from ._errors import InputError
 from ._progress import Progress
 from ._study import Study
 
@@ -20,19 +21,20 @@ from ._study import Study
 class FoundInput:
     """What find() has found, in SI units."""
 
-    value: str  #: with the medians of the other inputs, to four digits, as a deck has it: "0.5073", "1.312e+08 Pa"
-    interval: tuple[float | None, float | None]  #: ends of 95 %; None for an end beyond the range that was searched
-    inputs: NDArray[np.float64]  #: values over the range of the input
-    values: NDArray[np.float64]  #: what the composite has with these, and the medians of the other inputs
-    band: tuple[NDArray[np.float64], NDArray[np.float64]]  #: ends of 95 % of that
+    value: float  #: with the medians of the other inputs
+    text: str  #: the value to four digits, as a deck has it: "0.5073", "131.2 MPa"
+    interval: tuple[float, float]  #: ends of 95 %; infinite for an end beyond the range that was searched
+    inputs: NDArray[np.float64] = field(repr=False)  #: values over the range of the input
+    values: NDArray[np.float64] = field(repr=False)  #: what the composite has with these, and the medians of the others
+    band: tuple[NDArray[np.float64], NDArray[np.float64]] = field(repr=False)  #: ends of 95 % of that
     reached: float  #: what the study with the value has
-    result: _native.Result  #: the result of that study
+    result: _native.Result = field(repr=False)  #: the result of that study
     warnings: list[str]
 
     def _repr_html_(self) -> str:
-        lower, upper = ("beyond the range" if end is None else f"{end:.4g}" for end in self.interval)
+        lower, upper = self.interval
         warnings = "".join(f"<div>{html.escape(text)}</div>" for text in self.warnings)
-        return (f"<div><b>{html.escape(self.value)}</b> (95 %: {lower} to {upper}); the study with it has "
+        return (f"<div><b>{html.escape(self.text)}</b> (95 %: {lower:.4g} to {upper:.4g}); the study with it has "
                 f"{self.reached:.4g}</div>{warnings}")
 
 
@@ -48,6 +50,9 @@ def find(study: Study, key: str, so_that: str, *, samples: int = 1000, boxes: in
     InputError, also where no value serves and where several do, and NumericalError.
     """
     require_shares(model_error=model_error)
+    for argument, text in {"key": key, "so_that": so_that}.items():
+        if not isinstance(text, str):
+            raise InputError(f"{argument}: expected a text, got {text!r}")
     asked = deck_assessment(study, samples, boxes, seed)
     name = asked.stage_named(stage or "")
     sought = asked.sought(key, so_that, model_error)
@@ -55,5 +60,7 @@ def find(study: Study, key: str, so_that: str, *, samples: int = 1000, boxes: in
     solved = [solve(Study._of(one, study._deck_path or ""), **options) for one in asked.studies]
     found = asked.find(solved, sought, name, threads)
     result = solve(Study._of(asked.study_with(sought, found), study._deck_path or ""), **options)
-    return FoundInput(value=found.value, interval=found.interval, **found.points, reached=asked.value_of(result, name, sought),
-                      result=result, warnings=found.warnings)
+    reached = asked.value_of(result, name, sought)
+    doubt = asked.doubt_on(sought, found, reached)
+    return FoundInput(value=found.value, text=asked.text_of(sought, found), interval=found.interval, **found.points,
+                      reached=reached, result=result, warnings=found.warnings + ([doubt] if doubt else []))

@@ -159,7 +159,7 @@ void bind_assessments(py::module_& module) {
   py::class_<MeasuredComposite>(module, "MeasuredComposite");
   py::class_<SoughtInput>(module, "SoughtInput");
   py::class_<FoundDesign>(module, "FoundDesign")
-      .def_property_readonly("value", [](const FoundDesign& design) { return plain_text(design.value); })
+      .def_readonly("value", &FoundDesign::value)
       .def_property_readonly("interval",
                              [](const FoundDesign& design) { return py::make_tuple(design.lower, design.upper); })
       .def_property_readonly("points", &points_of)
@@ -183,9 +183,22 @@ void bind_assessments(py::module_& module) {
       .def(
           "study_with",
           [](const DeckAssessment& deck, const SoughtInput& sought, const FoundDesign& design) {
-            return std::make_shared<Study>(deck.study_with(sought.index, design.value));
+            return std::make_shared<Study>(
+                deck.study_with(sought.index, rounded_value(deck.inputs()[sought.index], design.value)));
           },
           py::arg("sought"), py::arg("found"))
+      .def(
+          "text_of",
+          [](const DeckAssessment& deck, const SoughtInput& sought, const FoundDesign& design) {
+            return plain_text(rounded_value(deck.inputs()[sought.index], design.value));
+          },
+          py::arg("sought"), py::arg("found"))
+      .def(
+          "doubt_on",
+          [](const DeckAssessment& /*deck*/, const SoughtInput& sought, const FoundDesign& design, double reached) {
+            return doubt_on(design, sought.condition, reached);
+          },
+          py::arg("sought"), py::arg("found"), py::arg("reached"))
       .def(
           "value_of",
           [](const DeckAssessment& deck, const std::shared_ptr<Solution>& solved, const std::string& stage,

@@ -105,20 +105,23 @@ def test_finds_an_input_as_the_command_does(tmp_path):
     found = breccia.find(sought, "fraction", "G(1 ms) = 350 MPa", boxes=5, model_error=0.02)
     assert found.inputs[0] == pytest.approx(0.25, rel=1e-3) and found.inputs[-1] == pytest.approx(0.4, rel=1e-3)
     assert np.all(found.band[0] < found.values) and np.all(found.values < found.band[1])
-    assert np.interp(float(found.value), found.inputs, found.values) == pytest.approx(350e6, rel=2e-3)
+    assert np.interp(found.value, found.inputs, found.values) == pytest.approx(350e6, rel=2e-3)
     assert found.reached == pytest.approx(350e6, rel=0.1)
-    assert found.value in found._repr_html_()
+    assert found.interval[0] < found.value < found.interval[1]
+    assert found.text in found._repr_html_() and found.text in repr(found)
     deck = tmp_path / "deck.toml"
     deck.write_text(sought.deck)
     printed = subprocess.run([os.environ["BRECCIA_COMMAND"], "find", "fraction", deck, "--so-that", "G(1 ms) = 350 MPa",
                               "--boxes", "5", "--model-error", "2 %", "--out", tmp_path / "out"], check=True,
                              capture_output=True, text=True).stdout
-    assert f"stages.discs.filler.fraction  {found.value}  (95 %" in printed
+    assert f"stages.discs.filler.fraction  {found.text}  (95 %" in printed
 
 
 def test_find_says_what_can_be_had():
     sought = study(times={"from": 0.5, "to": 2.0})
     with pytest.raises(breccia.InputError, match="no materials.binder.factors.times from 0.5 to 2 makes"):
         breccia.find(sought, "times", "G(1 ms) = 350 GPa")
+    with pytest.raises(breccia.InputError, match="so_that: expected a text"):
+        breccia.find(sought, "times", 350e6)
     with pytest.raises(breccia.InputError, match="model_error"):
         breccia.find(sought, "times", "G(1 ms) = 350 MPa", model_error=2.0)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -9,6 +10,7 @@
 
 #include "assessment/found_scores.hpp"
 #include "assessment/polynomial_model.hpp"
+#include "assessment/remarks.hpp"
 #include "io/collected_mistakes.hpp"
 #include "io/display.hpp"
 
@@ -40,9 +42,9 @@ std::string mistake_in(const Observation& observation, const CurvesOfStudy& curv
   constexpr double rounding = 1e-9;
   if (observation.at >= curves.first * (1.0 - rounding) && observation.at <= curves.last * (1.0 + rounding)) return "";
   const auto in_words = [&](double place) {
-    return curves.are_over_frequency ? fmt::format("{:.3g} rad/s", place) : display_time(place);
+    return curves.are_over_frequency ? display(place / (2.0 * std::numbers::pi), "Hz") : display_time(place);
   };
-  return fmt::format("expected values within the curves of the study, {} to {}: change its {}, or leave the others out",
+  return fmt::format("outside of the curves of the study, {} to {}: change its {}, or leave such values out",
                      in_words(curves.first), in_words(curves.last),
                      curves.are_over_frequency ? "frequencies" : "times");
 }
@@ -54,9 +56,8 @@ void require_observable(const std::vector<UncertainInput>& inputs, const std::ve
   std::vector<std::string> mistakes;
   for (const auto& input : inputs) {
     if (choices_of(input) == 0) continue;
-    mistakes.push_back(fmt::format(
-        "{}: no polynomial leads from one of several values to another; expected one value, or a distribution",
-        input.name));
+    mistakes.push_back(
+        fmt::format("{}: any of several values; expected one value, or a distribution over a range", input.name));
   }
   for (const auto& observation : observations) {
     auto mistake = mistake_in(observation, curves);

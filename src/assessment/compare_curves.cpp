@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
 #include <fmt/format.h>
@@ -38,17 +37,26 @@ double value_at(const SampledCurve& curve, const Between& place) {
   return std::exp(std::lerp(std::log(first), std::log(second), place.share));
 }
 
-/// The curves of one name of all composites at the times of the first that all have; none where they share no time.
+/// The curves of one name of all composites at the times of the first that all have, and at the ends of what all have;
+/// at none where they share no time.
 ComparedCurve side_by_side(const std::vector<const SampledCurve*>& curves) {
   const auto& first = *curves.front();
-  ComparedCurve compared = {.name = first.name, .unit = first.unit, .curve = first.curve};
+  ComparedCurve compared = {.name = first.name,
+                            .unit = first.unit,
+                            .modulus = first.modulus,
+                            .share_of_shear = first.share_of_shear,
+                            .curve = first.curve};
   double begin = 0.0, end = std::numeric_limits<double>::infinity();
   for (const auto* curve : curves) {
-    begin = std::max(begin, curve->at.front() * (1.0 - rounding));
-    end = std::min(end, curve->at.back() * (1.0 + rounding));
+    begin = std::max(begin, curve->at.front());
+    end = std::min(end, curve->at.back());
   }
-  std::ranges::copy_if(first.at, std::back_inserter(compared.at),
-                       [&](double place) { return place >= begin && place <= end; });
+  if (begin > end * (1.0 + rounding)) return compared;
+  compared.at.push_back(begin);
+  for (const double place : first.at) {
+    if (place > begin * (1.0 + rounding) && place < end * (1.0 - rounding)) compared.at.push_back(place);
+  }
+  if (end > begin * (1.0 + rounding)) compared.at.push_back(end);
   compared.values = Eigen::MatrixXd(std::ssize(compared.at), std::ssize(curves));
   for (std::size_t composite = 0; composite < curves.size(); ++composite) {
     auto& errors = compared.errors.emplace_back();
@@ -94,9 +102,10 @@ ComparedCurves compare_curves(const std::vector<std::vector<SampledCurve>>& comp
     }
   }
   if (!compared.curves.empty()) return compared;
-  throw InputError(fmt::format("the results have no curve in common: the first has {}, the last {}",
-                               fmt::join(names_of(composites.front()), ", "),
-                               fmt::join(names_of(composites.back()), ", ")));
+  std::vector<std::string> all;
+  for (const auto& curves : composites) all.push_back(fmt::format("{}", fmt::join(names_of(curves), ", ")));
+  throw InputError(
+      fmt::format("the results have no curve in common; they have, in their order: {}", fmt::join(all, "; ")));
 }
 
 CurveDifference difference_from_first(const ComparedCurve& curve, std::size_t composite, std::size_t place) {
@@ -109,26 +118,40 @@ CurveDifference difference_from_first(const ComparedCurve& curve, std::size_t co
   return difference;
 }
 
-MeasuredDeviation deviation_from(const std::vector<Observation>& measured, const std::vector<SampledCurve>& curves) {
+std::vector<Observation> comparable_values(const std::vector<Observation>& measured,
+                                           const std::vector<SampledCurve>& curves) {
   const auto& first = curves.front();
-  const CurvesOfStudy known = {.are_over_frequency = is_over_frequency(first.curve),
-                               .have_bulk = curve_of(curves, ObservedModulus::bulk, first.curve) != nullptr,
-                               .first = first.at.front(),
-                               .last = first.at.back()};
-  std::vector<Observation> within;
-  std::ranges::copy_if(measured, std::back_inserter(within), [&](const Observation& one) {
-    return one.at >= known.first * (1.0 - rounding) && one.at <= known.last * (1.0 + rounding);
-  });
-  require_observable({}, within, known);
-  if (within.empty()) throw InputError("no measured value is within the curves");
+  require_observable({}, measured,
+                     {.are_over_frequency = is_over_frequency(first.curve),
+                      .have_bulk = curve_of(curves, ObservedModulus::bulk, first.curve) != nullptr,
+                      .first = 0.0,
+                      .last = std::numeric_limits<double>::infinity()});
+  std::vector<Observation> values;
+  for (const auto& one : measured) {
+    if (one.curve != ObservedCurve::storage && one.curve != ObservedCurve::loss) {
+      values.push_back(one);
+      continue;
+    }
+    if (one.curve == ObservedCurve::loss) continue;
+    const auto loss = std::ranges::find_if(measured, [&](const Observation& other) {
+      return other.curve == ObservedCurve::loss && other.modulus == one.modulus && other.at == one.at;
+    });
+    if (loss == measured.end()) continue;
+    auto absolute = one;
+    absolute.curve = ObservedCurve::absolute;
+    absolute.value = std::hypot(one.value, loss->value);
+    values.push_back(absolute);
+  }
+  return values;
+}
+
+MeasuredDeviation deviation_from(const std::vector<Observation>& measured, const std::vector<SampledCurve>& curves) {
   const auto values = values_of_sample(curves, 0);
-  MeasuredDeviation deviation = {.is_over_frequency = known.are_over_frequency,
-                                 .count = within.size(),
-                                 .least = std::numeric_limits<double>::infinity(),
-                                 .most = 0.0};
-  for (const auto& one : within) {
+  MeasuredDeviation deviation = {
+      .count = measured.size(), .least = std::numeric_limits<double>::infinity(), .most = 0.0};
+  for (const auto& one : measured) {
     const double ratio = observed_value(curves, values, one) / one.value;
-    deviation.rms += std::pow(std::log(ratio), 2) / static_cast<double>(within.size());
+    deviation.rms += std::pow(std::log(ratio), 2) / static_cast<double>(measured.size());
     if (ratio < deviation.least) {
       deviation.least = ratio;
       deviation.at_least = one.at;

@@ -71,14 +71,15 @@ bool changes_sign(const Eigen::VectorXd& gaps, Eigen::Index place) {
   return (gaps[place] < 0.0) != (gaps[place + 1] < 0.0);
 }
 
-/// The score nearest to another at which gaps along a grid change their sign; infinite where they do not, on the side
-/// where they would with further scores. `rises` says whether they rise with the score.
-double nearest_root(const Eigen::VectorXd& grid, const Eigen::VectorXd& gaps, double score, bool rises) {
-  double nearest = (gaps[0] < 0.0) == rises ? infinity : -infinity;
-  for (Eigen::Index i = 0; i + 1 < grid.size(); ++i) {
+/// The score nearest to another at which gaps along a grid change their sign; where they do not, infinite beyond that
+/// end of the grid at which the gap is smaller.
+double nearest_root(const Eigen::VectorXd& grid, const Eigen::VectorXd& gaps, double score) {
+  const auto last = gaps.size() - 1;
+  double nearest = std::abs(gaps[last]) < std::abs(gaps[0]) ? infinity : -infinity;
+  for (Eigen::Index i = 0; i < last; ++i) {
     if (!changes_sign(gaps, i)) continue;
     const double root = std::lerp(grid[i], grid[i + 1], gaps[i] / (gaps[i] - gaps[i + 1]));
-    if (std::abs(root - score) < std::abs(nearest - score)) nearest = root;
+    if (std::isinf(nearest) || std::abs(root - score) < std::abs(nearest - score)) nearest = root;
   }
   return nearest;
 }
@@ -123,14 +124,14 @@ FoundInput find_input(const std::vector<UncertainInput>& inputs, std::size_t sou
   }
   if (found.scores.empty()) return found;
 
-  const bool rises = gap.at(medians, found.scores.front() - 1e-3) < 0.0;
   Eigen::VectorXd roots(draws.cols());
   for (Eigen::Index draw = 0; draw < draws.cols(); ++draw) {
-    roots[draw] = nearest_root(grid, drawn_gaps.col(draw), found.scores.front(), rises);
+    roots[draw] = nearest_root(grid, drawn_gaps.col(draw), found.scores.front());
   }
   const auto ends = spread_of(roots).interval;
-  if (std::isfinite(ends.lower)) found.lower = ends.lower;
-  if (std::isfinite(ends.upper)) found.upper = ends.upper;
+  found.lower = ends.lower;
+  found.upper = ends.upper;
+  found.without = roots.array().isInf().cast<double>().mean();
   return found;
 }
 

@@ -24,8 +24,4 @@ struct SampledStage {
 /// has no shear, NotCovered where a sample is outside of what a box has sampled.
 std::vector<SampledCurve> sample_curves(const SampledStage& stage);
 
-/// The curves that a stage was solved for, one sample each: as those of sample_curves(), by the dynamic method where
-/// there is no other. Throws InputError where the stage has no shear.
-std::vector<SampledCurve> curves_of(const StageFindings& stage);
-
 }  // namespace breccia

@@ -101,6 +101,7 @@ class Findings {
 void run_assess(const AssessArguments& arguments) {
   watch_for_interruption();
   const auto deck = read_assessed_deck(arguments.deck);
+  static_cast<void>(deck.stage_named(arguments.deck.stage));  // refused before anything is solved
   const auto measured = measured_by(deck, arguments);
   ProgressLine progress(arguments.deck.run.quiet || !parallel::is_first());
   solve_studies(deck, arguments.deck, progress);

@@ -65,9 +65,7 @@ void add_assessed_deck(CLI::App& command, AssessedDeck& arguments) {
 }
 
 DeckAssessment read_assessed_deck(const AssessedDeck& arguments) {
-  DeckAssessment deck(arguments.run.deck.deck, arguments.run.deck.overrides, arguments.options);
-  static_cast<void>(deck.stage_named(arguments.stage));
-  return deck;
+  return {arguments.run.deck.deck, arguments.run.deck.overrides, arguments.options};
 }
 
 void solve_unless_complete(const Study& study, const std::filesystem::path& directory, const RunOptions& options,

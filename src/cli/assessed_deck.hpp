@@ -25,7 +25,7 @@ struct AssessedDeck {
 /// Adds DECK, --set, --samples, --boxes, --seed, --stage, --out, --threads, --overwrite and --quiet.
 void add_assessed_deck(CLI::App& command, AssessedDeck& arguments);
 
-/// The assessment of the deck. Throws InputError for all its mistakes, and for a stage that it does not have.
+/// The assessment of the deck. Throws InputError for all its mistakes.
 DeckAssessment read_assessed_deck(const AssessedDeck& arguments);
 
 /// Solves a study in a directory, unless its complete results are there. Those of another one are replaced only with

@@ -1,5 +1,8 @@
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <utility>
@@ -8,9 +11,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "breccia/assessment/stage_curves.hpp"
 #include "breccia/error.hpp"
 
-#include "assessment/sampled_curves.hpp"
 #include "cli/command.hpp"
 #include "cli/compared_tables.hpp"
 #include "cli/modulus_kinds.hpp"
@@ -34,48 +37,76 @@ struct CompareArguments {
   bool overwrite = false;
 };
 
-/// A result as it is compared.
+/// A result that was read: its record, its deck and the stage that is compared.
 struct ReadResult {
-  std::string stage;
-  std::vector<SampledCurve> curves;
-  std::string hash;
+  std::string name;
+  StudyRecord record;
+  StageFindings stage;
 };
 
-/// The stage of this name; the last one for an empty name.
-const StageFindings& stage_of(const std::vector<StageFindings>& stages, const std::string& name) {
-  if (name.empty()) return stages.back();
-  std::vector<std::string> names;
-  for (const auto& stage : stages) {
-    if (stage.name == name) return stage;
-    names.push_back(stage.name);
+/// The tested stage of this name; without a name the last stage of the study.
+const StageFindings& stage_of(const StoredStudy& study, const StudyRecord& record, const std::string& name) {
+  const auto& wanted = name.empty() ? record.stages.back() : name;
+  const auto found = std::ranges::find(study.stages, wanted, &StageFindings::name);
+  if (found != study.stages.end() && !found->tests.empty()) return *found;
+  if (std::ranges::find(record.stages, wanted) == record.stages.end()) {
+    throw InputError(fmt::format("no stage \"{}\"{}", wanted, suggestion(wanted, record.stages)));
   }
-  throw InputError(fmt::format("no stage \"{}\"{}", name, suggestion(name, names)));
+  throw InputError(fmt::format("stage {} is not tested yet: go on with `breccia run --resume`", wanted));
 }
 
 ReadResult read_result(const std::filesystem::path& directory, const std::string& stage) {
   const auto study = read_stored_study(directory);
+  const auto record = read_study_record(directory);
   try {
-    const auto& chosen = stage_of(study.stages, stage);
-    return {chosen.name, curves_of(chosen), read_study_record(directory).hash};
+    return {directory.string(), record, stage_of(study, record, stage)};
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", directory.string(), error.what()));
   }
 }
 
-Deck deck_of(const std::filesystem::path& directory) {
-  const auto record = read_study_record(directory);
-  return Deck::from_text(record.deck_text, "study", directory, record.overrides);
+/// The values in which the decks differ, and the data files. A sweep, of which a result is one task, is left out.
+std::vector<DeckDifference> differences_of(const std::vector<ReadResult>& results) {
+  std::vector<Deck> decks;
+  for (const auto& result : results) {
+    decks.push_back(Deck::from_text(result.record.deck_text, "study", ".", result.record.overrides));
+  }
+  auto differences = deck_differences(decks);
+  std::erase_if(differences, [](const DeckDifference& one) { return one.path.starts_with("sweep."); });
+  std::vector<FilesOfDeck> files;
+  for (const auto& result : results) {
+    auto& own = files.emplace_back();
+    for (const auto& [name, hash] : result.record.file_hashes) own.emplace_back(name, hash);
+  }
+  for (auto& difference : file_differences(files)) differences.push_back(std::move(difference));
+  return differences;
 }
 
-/// A number with its sign, in per cent: "+12 %".
+/// The kind of tests that all results have, the preferred one of the first. Throws InputError where there is none.
+TestKind shared_kind(const std::vector<ReadResult>& results) {
+  std::vector<std::string> boundaries;
+  for (const auto& kind : kinds_of(results.front().stage)) {
+    const auto has_it = [&](const ReadResult& result) {
+      const auto kinds = kinds_of(result.stage);
+      return std::ranges::find(kinds, kind) != kinds.end();
+    };
+    if (std::ranges::all_of(results, has_it)) return kind;
+  }
+  for (const auto& result : results) {
+    const auto kind = kinds_of(result.stage).front();
+    boundaries.push_back(fmt::format("{} has {}, {}", result.name, name_of(kind.boundary), name_of(kind.method)));
+  }
+  throw InputError(fmt::format("the results share no boundary and method: {}", fmt::join(boundaries, "; ")));
+}
+
+/// A ratio as a deviation in per cent: "+12 %".
 std::string percent_from_one(double ratio) {
   return fmt::format("{:+.0f} %", 100.0 * (ratio - 1.0));
 }
 
 /// How far a result is from what was measured.
-std::string deviation_in_words(const MeasuredDeviation& deviation) {
-  const auto abscissa = deviation.is_over_frequency ? Abscissa::frequency : Abscissa::time;
-  return fmt::format("{} values, {:.0f} % rms, from {} at {} to {} at {}", deviation.count, 100.0 * deviation.rms,
+std::string deviation_in_words(const MeasuredDeviation& deviation, Abscissa abscissa) {
+  return fmt::format("{:.0f} % rms, from {} at {} to {} at {}", 100.0 * (std::exp(deviation.rms) - 1.0),
                      percent_from_one(deviation.least), place_in_words(deviation.at_least, abscissa),
                      percent_from_one(deviation.most), place_in_words(deviation.at_most, abscissa));
 }
@@ -95,8 +126,16 @@ std::vector<Observation> measured_by(const CompareArguments& arguments, std::vec
 struct Asked {
   explicit Asked(const CompareArguments& arguments) {
     CollectedMistakes mistakes;
+    std::vector<std::filesystem::path> places;
     for (const auto& directory : arguments.results) {
-      mistakes.collect([&] { results.push_back(read_result(directory, arguments.stage)); });
+      mistakes.collect([&] {
+        results.push_back(read_result(directory, arguments.stage));
+        const auto place = std::filesystem::canonical(directory);
+        if (std::ranges::find(places, place) != places.end()) {
+          throw InputError(fmt::format("{} is given twice", directory.string()));
+        }
+        places.push_back(place);
+      });
     }
     mistakes.collect([&] { measured = measured_by(arguments, notes); });
     mistakes.refuse();
@@ -107,12 +146,19 @@ struct Asked {
   std::vector<std::string> notes;
 };
 
-/// How far each result is from what was measured, a line each.
-std::string table_of_measured(const std::vector<Observation>& measured, const std::vector<ReadResult>& results) {
+/// How far each result is from the measured values within the times or frequencies of a compared curve, a line each.
+std::string table_of_measured(const std::vector<Observation>& measured,
+                              const std::vector<std::vector<SampledCurve>>& curves, const ComparedCurve& compared) {
   if (measured.empty()) return "";
-  std::string text = "\nComputed over measured\n";
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    text += fmt::format("  {}: {}\n", letter_of(i), deviation_in_words(deviation_from(measured, results[i].curves)));
+  const auto abscissa = is_over_frequency(compared.curve) ? Abscissa::frequency : Abscissa::time;
+  const double first = compared.at.front(), last = compared.at.back();
+  std::vector<Observation> within;
+  std::ranges::copy_if(measured, std::back_inserter(within),
+                       [&](const Observation& one) { return one.at >= first && one.at <= last; });
+  auto text = fmt::format("\nComputed over measured, {} of {} values, from {} to {}\n", within.size(), measured.size(),
+                          place_in_words(first, abscissa), place_in_words(last, abscissa));
+  for (std::size_t i = 0; !within.empty() && i < curves.size(); ++i) {
+    text += fmt::format("  {}: {}\n", letter_of(i), deviation_in_words(deviation_from(within, curves[i]), abscissa));
   }
   return text;
 }
@@ -124,30 +170,57 @@ std::string tables_of(const ComparedCurves& compared) {
   if (text.find(within_errors) != std::string::npos) {
     text += fmt::format("{}: the errors that the results state explain the difference\n", within_errors);
   }
+  if (lacks_errors(compared.curves.front())) {
+    text += "a ratio without +-: the results do not state all of their errors\n";
+  }
   return text;
 }
 
-void run_compare(const CompareArguments& arguments) {
-  auto asked = Asked(arguments);
-  ComparedResults compared = {.measured = std::move(asked.measured)};
-  std::vector<Deck> decks;
-  std::vector<std::vector<SampledCurve>> curves;
-  std::string identity, legend;
-  for (std::size_t i = 0; i < asked.results.size(); ++i) {
-    compared.names.push_back(arguments.results[i].string());
-    decks.push_back(deck_of(arguments.results[i]));
-    curves.push_back(asked.results[i].curves);
-    identity += asked.results[i].hash + "\n";
-    legend += fmt::format("{} = {}, {}\n", letter_of(i), compared.names.back(), asked.results[i].stage);
+std::string legend_of(const std::vector<ReadResult>& results, const TestKind& kind) {
+  std::string text;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const auto& [name, record, stage] = results[i];
+    text += fmt::format("{} = {}, {}, {}{}{}\n", letter_of(i), name, stage.name, name_of(kind.boundary),
+                        kind.method == Method::dynamic ? ", dynamic" : "",
+                        record.is_complete ? "" : " (not complete: `breccia run --resume` goes on)");
   }
-  compared.decks = deck_differences(decks);
-  compared.curves = compare_curves(curves);
-  const auto of_measured = table_of_measured(compared.measured, asked.results);
-  std::vector<std::string> files;
-  if (!arguments.out.empty()) files = write_compared({arguments.out, identity, arguments.overwrite}, compared);
+  return text;
+}
 
-  fmt::print("{}\n{}\n{}{}{}", legend, compared.decks.empty() ? "The decks are the same." : "The decks differ in",
-             table_of_decks(compared.decks), tables_of(compared.curves), of_measured);
+/// What the decks differ in.
+std::string decks_in_words(const std::vector<ReadResult>& results, const std::vector<DeckDifference>& differences) {
+  const auto has_none = [](const ReadResult& result) { return result.record.deck_text.empty(); };
+  if (std::ranges::any_of(results, has_none)) return "Not all of the results have a deck.\n";
+  if (differences.empty()) return "The decks are the same.\n";
+  return "The decks differ in\n" + table_of_decks(differences);
+}
+
+/// What a comparison is of, so that it can be told from others.
+std::string identity_of(const CompareArguments& arguments, const std::vector<ReadResult>& results) {
+  auto identity = fmt::format("stage {}, modulus {}\n", arguments.stage, arguments.modulus);
+  for (const auto& result : results) identity += fmt::format("{} {}\n", result.name, result.record.hash);
+  for (const auto& file : arguments.measured) identity += fmt::format("measured {}\n", file.string());
+  return identity;
+}
+
+void run_compare(const CompareArguments& arguments) {
+  const Asked asked(arguments);
+  const auto kind = shared_kind(asked.results);
+  ComparedResults compared = {.decks = differences_of(asked.results)};
+  std::vector<std::vector<SampledCurve>> curves;
+  for (const auto& result : asked.results) {
+    compared.names.push_back(result.name);
+    curves.push_back(curves_of(result.stage, kind));
+  }
+  compared.curves = compare_curves(curves);
+  compared.measured = comparable_values(asked.measured, curves.front());
+  const auto of_measured = table_of_measured(compared.measured, curves, compared.curves.curves.front());
+  std::vector<std::string> files;
+  if (!arguments.out.empty()) {
+    files = write_compared({arguments.out, identity_of(arguments, asked.results), arguments.overwrite}, compared);
+  }
+  fmt::print("{}\n{}{}{}", legend_of(asked.results, kind), decks_in_words(asked.results, compared.decks),
+             tables_of(compared.curves), of_measured);
   for (const auto& note : asked.notes) fmt::print("note: {}\n", note);
   if (!compared.curves.left_out.empty()) {
     fmt::print("note: not all results have {}\n", fmt::join(compared.curves.left_out, ", "));

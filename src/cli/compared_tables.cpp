@@ -21,8 +21,8 @@ std::string value_in_words(const ComparedCurve& curve, double value) {
 std::string difference_in_words(const ComparedCurve& curve, const CurveDifference& difference) {
   const auto& [value, error] = difference;
   if (curve.curve == ObservedCurve::phase) return fmt::format("{:+.2g} deg", value * 180.0 / std::numbers::pi);
-  if (!error) return fmt::format("{:.3f}", value);
-  const auto ratio = fmt::format("{:.3f} +- {:.3f}", value, value * *error);
+  if (!error) return fmt::format("{:#.4g}", value);
+  const auto ratio = fmt::format("{:#.4g} +- {:.2g}", value, value * *error);
   return difference.is_beyond_error() ? ratio : fmt::format("{} {}", ratio, within_errors);
 }
 
@@ -50,6 +50,16 @@ std::string table_of_decks(const std::vector<DeckDifference>& differences) {
     text += '\n';
   }
   return text;
+}
+
+bool lacks_errors(const ComparedCurve& curve) {
+  if (curve.curve == ObservedCurve::phase) return false;
+  for (std::size_t result = 1; result < curve.errors.size(); ++result) {
+    for (std::size_t i = 0; i < curve.at.size(); ++i) {
+      if (!difference_from_first(curve, result, i).error) return true;
+    }
+  }
+  return false;
 }
 
 std::string table_of_compared(const ComparedCurve& curve) {

@@ -3,7 +3,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -16,6 +15,7 @@
 #include "cli/interruption.hpp"
 #include "cli/narration.hpp"
 #include "deck/sought_input.hpp"
+#include "io/collected_mistakes.hpp"
 #include "io/display.hpp"
 #include "parallel/session.hpp"
 #include "results/design_files.hpp"
@@ -32,15 +32,23 @@ struct FindArguments {
 };
 
 /// An end of the interval of an input, or the end of the range beyond which it is.
-std::string end_in_words(const std::optional<double>& end, double end_of_range, const std::string& unit) {
-  return end ? number_in_words(*end, unit) : "beyond " + number_in_words(end_of_range, unit);
+std::string end_in_words(double end, const FoundDesign& design, const std::string& unit) {
+  constexpr int digits = 4;
+  if (std::isfinite(end)) return number_in_words(end, unit, digits);
+  if (end > 0.0) return "above " + number_in_words(design.points.back().input, unit);
+  return "below " + number_in_words(design.points.front().input, unit);
 }
 
 /// The value that was found, with its interval.
 std::string found_in_words(const UncertainInput& input, const FoundDesign& design) {
-  return fmt::format("{}  {}  (95 %: {} to {})", input.name, plain_text(design.value),
-                     end_in_words(design.lower, design.points.front().input, input.unit),
-                     end_in_words(design.upper, design.points.back().input, input.unit));
+  auto text =
+      fmt::format("{}  {}  (95 %{}: {} to {})", input.name, plain_text(rounded_value(input, design.value)),
+                  design.has_model_error ? "" : " without the error of the model",
+                  end_in_words(design.lower, design, input.unit), end_in_words(design.upper, design, input.unit));
+  if (design.without > 0.0) {
+    text += fmt::format("\n  in {:.2g} % of the cases no value of the range serves", 100.0 * design.without);
+  }
+  return text;
 }
 
 /// What a study has of the quantity of a condition, beside what was wanted.
@@ -54,49 +62,76 @@ std::string reached_in_words(const Condition& condition, double reached) {
   return fmt::format("{}, {}", value_in_words(condition, reached), more);
 }
 
-/// Writes what was searched.
-void write(const DeckAssessment& deck, const FindArguments& arguments, const SoughtInput& sought,
-           const FoundDesign& design, const std::filesystem::path& directory) {
+/// Writes what was searched. Returns the names of the files.
+std::vector<std::string> write(const DeckAssessment& deck, const FindArguments& arguments, const SoughtInput& sought,
+                               const FoundDesign& design, double reached) {
   const auto& input = deck.inputs()[sought.index];
   const auto& condition = sought.condition;
-  write_design(
-      {.directory = directory,
-       .source = fmt::format("{}, {} for {}", source_of(deck, arguments.deck), input.name, arguments.condition),
+  const auto error = arguments.model_error.empty() ? "" : ", error of the model " + arguments.model_error;
+  return write_design(
+      {.directory = arguments.deck.run.results() / "find",
+       .source = fmt::format("{}, {} for {}{}: {}", source_of(deck, arguments.deck), input.name, arguments.condition,
+                             error, plain_text(rounded_value(input, design.value))),
        .studies = hashes_of(deck)},
-      {.input = input.name,
-       .input_unit = input.unit,
+      {.input = input,
        .quantity = condition.quantity,
        .quantity_unit = std::string(unit_of(condition)),
        .wanted = as_written(condition, condition.wanted.value),
+       .value = design.value,
+       .interval = {design.lower, design.upper},
+       .reached = reached,
        .points = design.points});
+}
+
+/// What is sought. Throws InputError for all mistakes in the options at once.
+SoughtInput read_sought(const DeckAssessment& deck, const FindArguments& arguments) {
+  SoughtInput sought;
+  CollectedMistakes mistakes;
+  mistakes.collect([&] { static_cast<void>(deck.stage_named(arguments.deck.stage)); });
+  std::optional<double> model_error;
+  mistakes.collect([&] { model_error = option_share("--model-error", arguments.model_error); });
+  mistakes.collect([&] { sought = read_sought_input(deck, arguments.key, arguments.condition, model_error); });
+  mistakes.refuse();
+  return sought;
+}
+
+/// The value that the first process has found, on all of them.
+double found_value(const FoundDesign& design) {
+  return std::stod(parallel::text_of_first(fmt::format("{:.17g}", design.value)));
 }
 
 void run_find(const FindArguments& arguments) {
   watch_for_interruption();
   const auto deck = read_assessed_deck(arguments.deck);
-  const auto sought =
-      read_sought_input(deck, arguments.key, arguments.condition, option_share("--model-error", arguments.model_error));
-  ProgressLine progress(arguments.deck.run.quiet || !parallel::is_first());
-  solve_studies(deck, arguments.deck, progress);
-  const auto design = find_input(deck, curves_of(deck, arguments.deck, progress), sought);
+  const auto sought = read_sought(deck, arguments);
   const auto& input = deck.inputs()[sought.index];
-  for (const auto& warning : design.warnings) progress.warn(warning);
-  progress.print(fmt::format("\n{}:\n  {}\n", arguments.condition, found_in_words(input, design)));
+  const bool is_first = parallel::is_first();
+  ProgressLine progress(arguments.deck.run.quiet || !is_first);
+  solve_studies(deck, arguments.deck, progress);
+  FoundDesign design;
+  if (is_first) {
+    design = find_input(deck, curves_of(deck, arguments.deck, progress), sought);
+    for (const auto& warning : design.warnings) progress.warn(warning);
+    progress.print(fmt::format("\n{}:\n  {}\n", arguments.condition, found_in_words(input, design)));
+  }
 
   // The study with this value shows how near a composite comes to what was wanted.
-  const auto directory = arguments.deck.run.results() / "find";
-  if (parallel::is_first()) write(deck, arguments, sought, design, directory);
-  const auto study = deck.study_with(sought.index, design.value);
+  const auto value = rounded_value(input, found_value(design));
+  const auto directory = arguments.deck.run.results() / "find" / "study";
   auto options = arguments.deck.run.options();
   options.resume = true;
   options.overwrite = true;
-  solve_unless_complete(study, directory / "study", options, progress);
-  const double reached = value_of_study(read_stored_study(directory / "study").stages,
-                                        deck.stage_named(arguments.deck.stage), sought.condition);
-  progress.print(fmt::format("The study with {} has {}: {}", plain_text(design.value), sought.condition.quantity,
+  solve_unless_complete(deck.study_with(sought.index, value), directory, options, progress);
+  if (!is_first) return;
+  const double reached =
+      value_of_study(read_stored_study(directory).stages, deck.stage_named(arguments.deck.stage), sought.condition);
+  const auto files = write(deck, arguments, sought, design, reached);
+  const auto doubt = doubt_on(design, sought.condition, reached);
+  if (!doubt.empty()) progress.warn(doubt);
+  progress.print(fmt::format("The study with {} has {}: {}", plain_text(value), sought.condition.quantity,
                              reached_in_words(sought.condition, reached)));
-  progress.print(
-      fmt::format("Results are in {}: find.csv, find.svg, and those of the study in study", directory.string()));
+  progress.print(fmt::format("Results are in {}: {}, and those of the study in study", directory.parent_path().string(),
+                             fmt::join(files, ", ")));
 }
 
 }  // namespace

@@ -60,6 +60,16 @@ double positive(std::string_view text, Dimension dimension) {
   throw InputError(fmt::format("expected {}, got \"{}\"", described(Range::positive(), dimension), text));
 }
 
+/// The text with ' in place of the primes that pages and papers have.
+std::string with_plain_primes(std::string text) {
+  for (const auto& [prime, plain] : {std::pair("″", "''"), std::pair("′", "'")}) {
+    for (auto at = text.find(prime); at != std::string::npos; at = text.find(prime)) {
+      text.replace(at, std::string_view(prime).size(), plain);
+    }
+  }
+  return text;
+}
+
 double place_of(const NamedQuantity& quantity, std::string_view text) {
   if (!is_over_frequency(quantity.curve)) return positive(text, Dimension::time);
   return 2.0 * std::numbers::pi * positive(text, Dimension::frequency);
@@ -78,7 +88,8 @@ double value_of(const NamedQuantity& quantity, const std::string& text) {
 
 }  // namespace
 
-Condition read_condition(const std::string& text) {
+Condition read_condition(const std::string& written) {
+  const auto text = with_plain_primes(written);
   const auto opening = text.find('('), closing = text.find(')'), sign = text.find('=');
   const bool is_whole = opening < closing && closing < sign && sign != std::string::npos &&
                         detail::trimmed(text.substr(closing + 1, sign - closing - 1)).empty();

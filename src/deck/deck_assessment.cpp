@@ -31,13 +31,13 @@ struct DeckAssessment::State {
 
 namespace {
 
-std::string override_of(const UncertainInput& input, double coordinate) {
-  return fmt::format("{}={}", input.name, toml_text(value_at(input, coordinate)));
+std::string override_of(const UncertainInput& input, const Scalar& value) {
+  return fmt::format("{}={}", input.name, toml_text(value));
 }
 
-Setting setting_of(const UncertainInput& input, double coordinate) {
-  const Location location = {.option = override_of(input, coordinate)};
-  return {input.name, location, {value_at(input, coordinate), location}};
+Setting setting_of(const UncertainInput& input, const Scalar& value) {
+  const Location location = {.option = override_of(input, value)};
+  return {input.name, location, {value, location}};
 }
 
 /// The study of a deck with values for some of its inputs, and the mistakes that these make.
@@ -46,9 +46,9 @@ Study study_with(const Deck& document, std::vector<std::string> overrides, const
   auto changed = document.unread_copy();
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     if (!chosen[i]) continue;
-    const double coordinate = coordinates[static_cast<Eigen::Index>(i)];
-    changed.set(setting_of(inputs[i], coordinate));
-    overrides.push_back(override_of(inputs[i], coordinate));
+    const auto value = value_at(inputs[i], coordinates[static_cast<Eigen::Index>(i)]);
+    changed.set(setting_of(inputs[i], value));
+    overrides.push_back(override_of(inputs[i], value));
   }
   auto study = resolve(changed);
   const auto own = changed.mistakes();
@@ -103,8 +103,8 @@ std::vector<std::vector<NewMaterial>> materials_of(const Deck& document, const S
       for (std::size_t i = 0; i < study.uncertain.size(); ++i) {
         const auto& input = study.uncertain[i];
         if (design.change_the_box[i] || material_of(input) != varied.name) continue;
-        settings.push_back(
-            setting_of(input, design.coordinates(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(sample))));
+        const double coordinate = design.coordinates(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(sample));
+        settings.push_back(setting_of(input, value_at(input, coordinate)));
       }
       if (settings.empty()) continue;
       try {
@@ -152,7 +152,8 @@ void require_assessable(const Deck& document, const Study& study) {
   std::vector<std::string> lines;
   if (study.uncertain.empty()) {
     lines.emplace_back(
-        R"(every input is certain; expected a distribution, as in shear = { value = "5.8 GPa", sd = "0.6 GPa" })");
+        R"(every input is certain; expected a distribution, as in shear = { value = "5.8 GPa", sd = "0.6 GPa" }, )"
+        "or a range, as in fraction = { from = 0.4, to = 0.6 }");
   }
   if (document.unread_copy().root().has("sweep")) {
     lines.emplace_back("sweep: expected none; an input with several values is written { any = [1, 2, 3] }");
@@ -264,10 +265,9 @@ const Sweep& DeckAssessment::sweep() const noexcept {
 
 Study DeckAssessment::study_with(std::size_t input, const Scalar& value) const {
   auto overrides = state_->overrides;
-  const auto& name = inputs().at(input).name;
-  const Location location = {.option = overrides.emplace_back(fmt::format("{}={}", name, toml_text(value)))};
+  overrides.push_back(override_of(inputs().at(input), value));
   auto changed = state_->document.unread_copy();
-  changed.set({name, location, {value, location}});
+  changed.set(setting_of(inputs().at(input), value));
   auto study = resolve(changed);
   changed.finish();
   add_hashes(changed, overrides, study);

@@ -1,15 +1,17 @@
 #include "deck/sought_input.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "breccia/assessment/stage_curves.hpp"
 #include "breccia/error.hpp"
 
 #include "assessment/curve_values.hpp"
-#include "assessment/sampled_curves.hpp"
+#include "assessment/remarks.hpp"
 #include "deck/curves_of_study.hpp"
 #include "io/collected_mistakes.hpp"
 #include "io/display.hpp"
@@ -41,12 +43,22 @@ std::string in_words(const UncertainInput& input, double value) {
   return number_in_words(value, input.unit);
 }
 
-/// The value at a score, to four digits, as a deck has it: 0.5073, "131.2 MPa".
-Scalar rounded_value(const UncertainInput& input, double score) {
-  constexpr int digits = 4;
-  const double value = value_at_score(std::get<Distribution>(input.known), score);
-  if (input.unit.empty()) return std::stod(fmt::format("{:.{}g}", value, digits));
-  return number_in_words(value, input.unit, digits);
+/// Throws InputError where a study will not have what a condition asks for.
+void require_known(const Condition& condition, const std::vector<Observation>& wanted, const CurvesOfStudy& curves) {
+  try {
+    require_observable({}, wanted, curves);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", condition.quantity, error.what()));
+  }
+}
+
+/// Throws InputError where boxes are too few to follow an input through them.
+void require_enough_boxes(const DeckAssessment& deck, std::size_t input) {
+  constexpr Eigen::Index fewest = 4;
+  const auto boxes = deck.design().boxes.cols();
+  if (!deck.design().change_the_box[input] || boxes >= fewest) return;
+  throw InputError(
+      fmt::format("boxes: expected {} or more to follow {}, got {}", fewest, deck.inputs()[input].name, boxes));
 }
 
 /// What was wanted, in words: "G(1 ms) 3 GPa".
@@ -55,13 +67,24 @@ std::string wanted_in_words(const Condition& condition) {
                      value_in_words(condition, as_written(condition, condition.wanted.value)));
 }
 
+/// Whether what a composite has is the same over the whole range of an input.
+bool changes_nothing(const std::vector<DesignPoint>& points) {
+  constexpr double rounding = 1e-9;
+  const auto [least, most] = std::ranges::minmax_element(points, {}, &DesignPoint::value);
+  return most->value <= least->value * (1.0 + rounding);
+}
+
 /// What a composite has over the range of an input in which no value serves.
 std::string best_of(const UncertainInput& input, const std::vector<DesignPoint>& points, const Condition& condition) {
   const auto [least, most] = std::ranges::minmax_element(points, {}, &DesignPoint::value);
-  return fmt::format("no {} from {} to {} makes {}: it is {} at least, with {}, and {} at most, with {}", input.name,
+  const double wanted = as_written(condition, condition.wanted.value);
+  const auto& nearest = wanted < least->value ? *least : *most;
+  const bool may_serve = nearest.interval.lower <= wanted && wanted <= nearest.interval.upper;
+  return fmt::format("no {} from {} to {} makes {}: it is {} at least, with {}, and {} at most, with {}{}", input.name,
                      in_words(input, points.front().input), in_words(input, points.back().input),
                      wanted_in_words(condition), value_in_words(condition, least->value), in_words(input, least->input),
-                     value_in_words(condition, most->value), in_words(input, most->input));
+                     value_in_words(condition, most->value), in_words(input, most->input),
+                     may_serve ? "; within the errors that may serve" : "");
 }
 
 }  // namespace
@@ -69,11 +92,20 @@ std::string best_of(const UncertainInput& input, const std::vector<DesignPoint>&
 SoughtInput read_sought_input(const DeckAssessment& deck, const std::string& key, const std::string& condition,
                               std::optional<double> model_error) {
   SoughtInput sought = {.model_error = model_error};
+  std::vector<Observation> wanted;
   CollectedMistakes mistakes;
   mistakes.collect([&] { sought.index = input_named(deck.inputs(), key); });
   mistakes.collect([&] {
     sought.condition = read_condition(condition);
-    require_observable(deck.inputs(), {sought.condition.wanted}, curves_of(deck.sweep().tasks.front().study.tests));
+    wanted.push_back(sought.condition.wanted);
+  });
+  const auto curves = curves_of(deck.sweep().tasks.front().study.tests);
+  mistakes.collect([&] { require_observable(deck.inputs(), {}, curves); });
+  mistakes.collect([&] { require_known(sought.condition, wanted, curves); });
+  mistakes.collect([&] { require_enough_boxes(deck, sought.index); });
+  mistakes.collect([&] {
+    if (!model_error || sought.condition.wanted.curve != ObservedCurve::phase) return;
+    throw InputError("the error of the model is one of moduli; nothing is known of that of a phase");
   });
   mistakes.refuse();
   return sought;
@@ -82,29 +114,67 @@ SoughtInput read_sought_input(const DeckAssessment& deck, const std::string& key
 FoundDesign find_input(const DeckAssessment& deck, const std::vector<SampledCurve>& curves, const SoughtInput& sought) {
   const auto& input = deck.inputs()[sought.index];
   const auto& condition = sought.condition;
-  const double error = sought.model_error.value_or(stated_error(curves, {condition.wanted}));
+  const bool is_phase = condition.wanted.curve == ObservedCurve::phase;
+  const double error = is_phase ? 0.0 : sought.model_error.value_or(stated_error(curves, {condition.wanted}));
   auto found = find_input(deck.inputs(), sought.index, deck.design(), curves, condition.wanted, 0.5 * error);
   for (auto& [place, value, interval] : found.points) {
     value = as_written(condition, value);
     interval = {as_written(condition, interval.lower), as_written(condition, interval.upper)};
   }
+  if (changes_nothing(found.points)) {
+    throw InputError(
+        fmt::format("{}: what was solved does not tell how {} depends on it: solve more boxes, or search a "
+                    "wider range",
+                    input.name, condition.quantity));
+  }
   if (found.scores.empty()) throw InputError(best_of(input, found.points, condition));
-  const auto value_at = [&](double score) { return value_at_score(std::get<Distribution>(input.known), score); };
+  const auto value_at = [&](double score) {
+    return std::isinf(score) ? score : value_at_score(std::get<Distribution>(input.known), score);
+  };
   if (found.scores.size() > 1) {
     std::vector<std::string> values;
     for (const double score : found.scores) values.push_back(in_words(input, value_at(score)));
     throw InputError(fmt::format("{}: each of {} makes {}; expected a range that holds one of them", input.name,
                                  fmt::join(values, ", "), wanted_in_words(condition)));
   }
-  FoundDesign design = {.value = rounded_value(input, found.scores.front()), .points = std::move(found.points)};
-  if (found.lower) design.lower = value_at(*found.lower);
-  if (found.upper) design.upper = value_at(*found.upper);
-  if (!(error > 0.0)) design.warnings.emplace_back(unknown_model_error);
+  FoundDesign design = {.value = value_at(found.scores.front()),
+                        .lower = value_at(found.lower),
+                        .upper = value_at(found.upper),
+                        .has_model_error = error > 0.0,
+                        .without = found.without,
+                        .points = std::move(found.points)};
+  if (is_phase) {
+    design.warnings.emplace_back("the error of the model in a phase is not known and not in the interval");
+  } else if (!(error > 0.0)) {
+    design.warnings.emplace_back(unknown_model_error);
+  }
+  const double reach = deck.design().coordinates.row(static_cast<Eigen::Index>(sought.index)).cwiseAbs().maxCoeff();
+  if (std::abs(found.scores.front()) > reach) {
+    design.warnings.push_back(
+        fmt::format("{}: the value is beyond all that were solved; search a range about it", input.name));
+  }
   return design;
 }
 
+Scalar rounded_value(const UncertainInput& input, double value) {
+  constexpr int digits = 4;
+  if (input.unit.empty()) return std::stod(fmt::format("{:.{}g}", value, digits));
+  return number_in_words(value, input.unit, digits);
+}
+
+std::string doubt_on(const FoundDesign& design, const Condition& condition, double reached) {
+  const auto place = std::ranges::lower_bound(design.points, design.value, {}, &DesignPoint::input);
+  const auto& [at, value, interval] = place == design.points.end() ? design.points.back() : *place;
+  if (reached >= interval.lower && reached <= interval.upper) return "";
+  return fmt::format(
+      "{} of the study is outside of the 95 % expected there, {} to {}: packings scatter more than the "
+      "boxes show; solve more boxes, or larger ones",
+      condition.quantity, value_in_words(condition, interval.lower), value_in_words(condition, interval.upper));
+}
+
 double value_of_study(const std::vector<StageFindings>& stages, const std::string& stage, const Condition& condition) {
-  const auto curves = curves_of(*std::ranges::find(stages, stage, &StageFindings::name));
+  const auto& findings = *std::ranges::find(stages, stage, &StageFindings::name);
+  const auto curves = curves_of(findings, kinds_of(findings).front());
   return as_written(condition, observed_value(curves, values_of_sample(curves, 0), condition.wanted));
 }
 

@@ -131,8 +131,8 @@ struct Layout {
 };
 
 Layout layout_of(const ModulusPlot& plot, const std::vector<VisibleCurve>& curves) {
-  auto smallest = PlotPoint{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  auto largest = PlotPoint{-smallest.x, 0.0};
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  PlotPoint smallest{infinity, infinity}, largest{-infinity, -infinity};
   for (const auto& curve : curves) {
     for (const auto& [time, modulus] : curve.points) {
       smallest = {std::min(smallest.x, time), std::min(smallest.y, modulus)};

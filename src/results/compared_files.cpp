@@ -63,11 +63,9 @@ std::vector<CsvColumn> deck_columns(const ComparedResults& compared) {
   return columns;
 }
 
-/// Whether measured values are those of a curve: of its modulus, over time or as an absolute value.
+/// Whether measured values are those of a curve. K is not measured together with a share of G.
 bool are_points_of(const Observation& observation, const ComparedCurve& curve) {
-  const bool is_of_shear = curve.name == "G" || curve.name == "|G*|";
-  return observation.curve == curve.curve && (observation.modulus == ObservedModulus::shear) == is_of_shear &&
-         observation.modulus != ObservedModulus::young;
+  return observation.curve == curve.curve && observation.modulus == curve.modulus && curve.share_of_shear == 0.0;
 }
 
 std::string picture_of(const ComparedCurve& curve, const ComparedResults& compared) {

@@ -31,6 +31,8 @@ TEST(Condition, ReadsModuliOverTimeAndFrequency) {
   EXPECT_EQ(loss.wanted.modulus, ObservedModulus::young);
   EXPECT_EQ(loss.wanted.curve, ObservedCurve::loss);
   EXPECT_NEAR(loss.wanted.at, 20.0 * std::numbers::pi, 1e-12);
+  EXPECT_EQ(read_condition("G″(10 Hz) = 20 MPa").wanted.curve, ObservedCurve::loss);
+  EXPECT_EQ(read_condition("G′(10 Hz) = 20 MPa").quantity, "G'(10 Hz)");
   EXPECT_EQ(read_condition("K'(1 Hz) = 1 GPa").wanted.curve, ObservedCurve::storage);
   EXPECT_EQ(read_condition("|M*|(1 Hz) = 1 GPa").wanted.modulus, ObservedModulus::p_wave);
   EXPECT_EQ(read_condition("|G*|(2 rad/s) = 1 GPa").wanted.curve, ObservedCurve::absolute);

@@ -54,5 +54,13 @@ TEST(DeckDifferences, AreThoseOfValues) {
   EXPECT_THAT(differences[2].texts, ElementsAre("", "", "true"));
 }
 
+TEST(FileDifferences, AreThoseOfContents) {
+  const auto differences =
+      file_differences({{{"a.csv", "1234567890"}, {"b.csv", "0"}}, {{"a.csv", "abcdefghij"}, {"b.csv", "0"}}});
+  ASSERT_THAT(differences, SizeIs(1));
+  EXPECT_EQ(differences[0].path, "file a.csv");
+  EXPECT_THAT(differences[0].texts, ElementsAre("12345678", "abcdefgh"));
+}
+
 }  // namespace
 }  // namespace breccia

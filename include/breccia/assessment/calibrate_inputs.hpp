@@ -17,13 +17,9 @@ struct CurvesOfStudy {
   double last = 0.0;       ///< last time [s] or angular frequency [rad/s]
 };
 
-/// The warning where the error of a model is not known, and an interval lacks it.
-inline constexpr auto unknown_model_error =
-    "the error of the model is not known and not in the intervals; state the error of the model";
-
-/// Throws InputError, with a line for each mistake: an input of choices, of which no polynomial is one; an observation
-/// of another kind than these curves, of a modulus in bulk without such a test, at a temperature, outside of their
-/// times.
+/// Throws InputError, with a line for each mistake: an input of choices, which polynomials do not follow; an
+/// observation of another kind than these curves, of a modulus in bulk without such a test, at a temperature, outside
+/// of their times.
 void require_observable(const std::vector<UncertainInput>& inputs, const std::vector<Observation>& observations,
                         const CurvesOfStudy& curves);
 

@@ -12,10 +12,13 @@
 
 namespace breccia {
 
-/// A curve of several composites at the times or frequencies of the first that all have.
+/// A curve of several composites: at the times or frequencies of the first that all have, and at the ends of what all
+/// have.
 struct ComparedCurve {
-  std::string name = {};  ///< "G", "K + G/3", "|G*|", "phase of G*"
-  std::string unit = {};  ///< "Pa", or "rad" of a phase
+  std::string name = {};                             ///< "G", "K + G/3", "|G*|", "phase of G*"
+  std::string unit = {};                             ///< "Pa", or "rad" of a phase
+  ObservedModulus modulus = ObservedModulus::shear;  ///< G or K
+  double share_of_shear = 0.0;                       ///< share of G in it beside K: 1/3 of K + G/3
   ObservedCurve curve = ObservedCurve::relaxation;
   std::vector<double> at = {};  ///< rising times [s], or angular frequencies [rad/s]
   Eigen::MatrixXd values = {};  ///< at x composites
@@ -40,23 +43,27 @@ struct ComparedCurves {
   std::vector<std::string> left_out = {};
 };
 
-/// The curves of several composites, one sample each, beside each other. Throws InputError where they have no curve, or
-/// no time of it, in common.
+/// The curves of several composites, one sample each (curves_of), beside each other. Throws InputError where they have
+/// no curve, or no time of it, in common.
 ComparedCurves compare_curves(const std::vector<std::vector<SampledCurve>>& composites);
 
 CurveDifference difference_from_first(const ComparedCurve& curve, std::size_t composite, std::size_t place);
 
-/// How far computed values are from measured ones.
+/// Measured values as they are compared: storage and loss modulus at a frequency as one absolute value. Throws
+/// InputError, with a line for each mistake, for values of another kind than these curves, of one sample each, have.
+std::vector<Observation> comparable_values(const std::vector<Observation>& measured,
+                                           const std::vector<SampledCurve>& curves);
+
+/// How far computed moduli are from measured ones.
 struct MeasuredDeviation {
-  bool is_over_frequency = false;
-  std::size_t count = 0;           ///< number of measured values within the curves
+  std::size_t count = 0;           ///< number of measured values
   double rms = 0.0;                ///< root of the mean square of the logarithms of the ratios computed / measured
   double least = 1.0, most = 1.0;  ///< ratios computed / measured
   double at_least = 0.0, at_most = 0.0;  ///< their times [s] or angular frequencies [rad/s]
 };
 
-/// The deviation of a composite, from its curves of one sample each, from measured values; those outside of the curves
-/// are left out. Throws InputError as require_observable() for values of another kind, and where none is left.
+/// The deviation of a composite, from its curves of one sample each, from comparable values within these curves. There
+/// must be one at least.
 MeasuredDeviation deviation_from(const std::vector<Observation>& measured, const std::vector<SampledCurve>& curves);
 
 }  // namespace breccia

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "breccia/assessment/assess.hpp"
@@ -24,9 +23,10 @@ struct FoundInput {
   /// Scores of the input at which the composite has the wanted value with the medians of the other inputs.
   std::vector<double> scores = {};
   /// Scores at the ends of the interval that holds 95 % of the values by which composites have what is wanted, as far
-  /// as the other inputs and the error of the model leave them open; nothing where an end is beyond the range. They
+  /// as the other inputs and the error of the model leave them open; infinite where an end is beyond the range. They
   /// belong to the first of `scores`.
-  std::optional<double> lower = {}, upper = {};
+  double lower = 0.0, upper = 0.0;
+  double without = 0.0;  ///< share of the cases in which no value of the range serves [-]
 };
 
 /// Searches the range of an input for values by which the composite has a wanted value, the value of an observation,

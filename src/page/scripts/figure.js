@@ -112,6 +112,11 @@ export async function drawFigure(plot, traces, layout) {
   });
 }
 
+/// A colour, "#4477aa" or "hsl(...)", of which much behind it can be seen.
+function transparent(colour) {
+  return colour.startsWith("#") ? `${colour}2e` : colour.replace("hsl", "hsla").replace(")", ", 0.18)");
+}
+
 /// The traces of a curve: its band, if it has one, and its line, or its points where `mode` is "markers".
 export function tracesOf(curve, quantity, line, mode = "lines") {
   const common = {x: curve.x, mode: "lines", type: "scatter", name: plotText(curve.label)};
@@ -120,7 +125,7 @@ export function tracesOf(curve, quantity, line, mode = "lines") {
     const edge = {...common, hoverinfo: "skip", showlegend: false, line: {width: 0}};
     traces.push({...edge, y: curve.y.map((y, i) => Math.max(y - curve.band[i], 1e-3 * y))});
     traces.push({...edge, y: curve.y.map((y, i) => y + curve.band[i]), fill: "tonexty",
-      fillcolor: line.color.replace("hsl", "hsla").replace(")", ", 0.18)")});
+      fillcolor: transparent(line.color)});
   }
   traces.push({...common, mode, y: curve.y, text: curve.y.map((y) => valueText(y, quantity)), hovertemplate: "%{text}",
     line: {width: 2.2, ...line},

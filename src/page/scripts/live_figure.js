@@ -26,7 +26,8 @@ export function liveFigure(curves) {
   const plot = document.getElementById("live-plot");
   const offered = quantities.filter(({name}) => shownQuantities.includes(name));
   let quantity = offered.find(({name}) => name === (study.frequencies_Hz === undefined ? "shear" : "dynamic"));
-  const state = {material: candidates[0], spectrum: undefined, bulk: undefined, decades: 0};
+  const state = {material: candidates[0], spectrum: undefined, bulk: undefined, pasted: undefined,
+    decades: 0};
   let results = [];
 
   const curvesOfRun = (result, name) => curves.filter((curve) => curve.role === "stage" && curve.quantity === name &&
@@ -64,28 +65,29 @@ export function liveFigure(curves) {
     showRefusals(results);
     const misfit = misfitText(predictedModuli(results), measuredModuli);
     document.getElementById("live-misfit").textContent = misfit === "" ? "" : `Deviation from what was measured: ${misfit}.`;
+    fitButton.textContent = `Fit ${state.material.name} to what was measured`;
+    fitButton.hidden = misfit === "" || freeNumbers(state) === undefined;
     return draw();
   };
   const fit = () => {
     const numbers = freeNumbers(state);
-    const found = numbers && fitted(numbers, (spectrum) => predictedModuli(resultsWith({...state, spectrum})), measuredModuli);
-    if (found === undefined) return;
-    state.spectrum = found.spectrum;
-    showSpectrum(state, found.spectrum);
-    compute();
-    document.getElementById("live-misfit").append(` Fitted${found.text === "" ? "" : `: ${found.text}`}. ` +
-      "breccia calibrate finds such numbers with their intervals.");
+    const found = fitted(numbers, (material) => predictedModuli(resultsWith({...state, ...material})), measuredModuli);
+    if (found !== undefined) {
+      Object.assign(state, {spectrum: found.spectrum, bulk: found.bulk});
+      showSpectrum(found.spectrum);
+      compute();
+    }
+    document.getElementById("live-misfit").append(found === undefined ? " Too few measured points are within the curves to fit."
+      : ` Fitted: ${found.text}. breccia calibrate finds such numbers with their intervals.`);
   };
+
+  const fitButton = element("button", {id: "fit-measured", onclick: fit});
 
   const name = () => `${study.title} live`;
   document.getElementById("live-buttons").append(
     element("button", {onclick: () => save(fileName(name(), "csv"), csvOf(onAxis(liveCurves()), shownQuantity()),
       "text/csv")}, "These curves as CSV"),
-    element("button", {onclick: () => saveFigure(plot, name(), draw)}, "This figure as SVG"));
-  if (measuredModuli.length > 0) {
-    document.getElementById("live-buttons").append(
-      element("button", {id: "fit-measured", onclick: fit}, "Fit this material to what was measured"));
-  }
+    element("button", {onclick: () => saveFigure(plot, name(), draw)}, "This figure as SVG"), fitButton);
   const select = chooser("live-quantity", "quantity", offered.map((one) => [one, one.title]), (chosen) => {
     quantity = chosen;
     draw();

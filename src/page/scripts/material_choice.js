@@ -1,5 +1,6 @@
 /// The controls of the live figure: which material the reader changes, its temperature and its spectrum, or the moduli
-/// of an elastic one. They change `state`, {material, spectrum, bulk, decades}, and then call `compute`.
+/// of an elastic one. They change `state`, {material, spectrum, bulk, pasted, decades}, and then call `compute`; `pasted` is a spectrum
+/// that the reader has given.
 
 import {element} from "./elements.js";
 import {display, minus, shortNumber} from "./numbers.js";
@@ -16,7 +17,7 @@ export function liveChoices(candidates, state, compute) {
   if (candidates.length === 1) return [temperature];
   const select = element("select", {id: "material", ariaLabel: "material", onchange: () => {
     Object.assign(state, {material: candidates[select.selectedIndex], spectrum: undefined, bulk: undefined,
-      decades: 0});
+      pasted: undefined, decades: 0});
     offer();
     compute();
   }}, ...candidates.map((material) => element("option", {}, material.name)));
@@ -123,9 +124,9 @@ function constantsOf(law, changed) {
 
 /// Shows a spectrum that was found for the material of the state, where the reader would have given it: the slider of a
 /// modulus, or the text of the spectrum.
-export function showSpectrum({material}, spectrum) {
+export function showSpectrum(spectrum) {
   const slider = document.getElementById("shear-modulus");
-  if (material.shear.terms.length === 0 && slider !== null) {
+  if (spectrum.terms.length === 0 && slider !== null) {
     slider.value = Math.log10(spectrum.equilibrium_Pa);
     slider.nextElementSibling.textContent = display(spectrum.equilibrium_Pa, "Pa");
   } else {
@@ -144,7 +145,7 @@ export function spectrumButtons(state, compute) {
   const text = document.getElementById("spectrum-text");
   const complaint = element("span", {id: "spectrum-complaint", role: "alert"});
   const take = (spectrum) => {
-    state.spectrum = spectrum;
+    Object.assign(state, {spectrum, bulk: undefined, pasted: spectrum});
     complaint.textContent = "";
     compute();
   };

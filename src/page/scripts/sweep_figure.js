@@ -9,21 +9,29 @@ import {csvOf, fileName, save} from "./files.js";
 import {loadsShownFirst} from "./loads.js";
 import {distinct, groupsOf} from "./records.js";
 import {dimensionsOf, partnerOf, sweepQuantities, sweptKeys} from "./sweep_curves.js";
+import {hasSeeds, meansOverSeeds} from "./sweep_means.js";
 import {measuredCurves} from "./sweep_measurements.js";
 
 /// Colours that are easily distinguished, for values without an order.
 const palette = ["#4477aa", "#cc6677", "#228833", "#aa8800", "#7755bb", "#009999", "#bb5500", "#777777"];
 
 /// The choice of the shown curves: the dimensions, the shown `values` of each, the dimension that the colours
-/// represent, the `reference` with which the curves are compared, and the quantity.
+/// represent, the `reference` with which the curves are compared, the quantity, and whether packings that differ in their
+/// seeds alone are shown by their `means`.
 export function sweepChoice(curves) {
   const dimensions = dimensionsOf(curves);
-  const coloured = dimensions.findLast(({name}) => sweep.keys.includes(name)) ?? dimensions.at(-1);
+  const ofKeys = dimensions.filter(({name}) => sweep.keys.includes(name));
+  const coloured = ofKeys.findLast((one) => !isSeed(one)) ?? ofKeys.at(-1) ?? dimensions.at(-1);
   const shownFirst = {stage: (stages) => stages.slice(-1), load: loadsShownFirst};
   const values = Object.fromEntries(dimensions.map((one) => [one.name,
     new Set(shownFirst[one.name]?.(one.values) ?? one.values)]));
-  return {dimensions, values, coloured, reference: undefined,
+  return {dimensions, values, coloured, reference: undefined, means: hasSeeds,
     quantity: firstQuantity(curves)};
+}
+
+/// Whether a dimension is a swept seed.
+function isSeed({name}) {
+  return sweptKeys.some((key) => key.path === name && key.isSeed);
 }
 
 /// The quantity that is shown first: the absolute value of the complex modulus where the deck gives frequencies.
@@ -35,8 +43,10 @@ function firstQuantity(curves) {
 /// The curves that are shown, by themselves or as deviations from the reference, and their quantity.
 export function sweepContents(curves, choice) {
   const {dimensions, values, quantity, reference} = choice;
-  const seen = curves.filter((curve) => curve.quantity === quantity.name &&
-    dimensions.every((one) => values[one.name].has(one.of(curve))))
+  const chosen = (some, ofDimensions) => some.filter((curve) => curve.quantity === quantity.name &&
+    ofDimensions.every((one) => values[one.name].has(one.of(curve))));
+  const ofChoice = choice.means ? meansOverSeeds : (some) => some;
+  const seen = ofChoice(chosen(curves, dimensions))
     .map((curve) => ({...curve, label: labelOfSweepCurve(curve, dimensions, values)}));
   if (reference === undefined) return [seen, quantity];
   if (reference.measured !== undefined) {
@@ -47,8 +57,9 @@ export function sweepContents(curves, choice) {
     return [deviations, deviationOf(quantity, `measured, ${name}`)];
   }
   const {dimension, value} = reference;
+  const all = ofChoice(chosen(curves, dimensions.filter(isSeed)));
   const compared = seen.filter((curve) => dimension.of(curve) !== value).flatMap((curve) => {
-    const partner = partnerOf(curve, dimension, value, curves, dimensions);
+    const partner = partnerOf(curve, dimension, value, all, dimensions);
     return partner === undefined ? [] : deviationsFrom(partner, [curve]);
   });
   return [compared, deviationOf(quantity, nameOfValue(dimension, value))];
@@ -67,14 +78,15 @@ function nameOfValue(dimension, value) {
 
 /// The label of a curve: the values in which the shown curves differ.
 export function labelOfSweepCurve(curve, dimensions, values) {
-  const label = dimensions.filter(({name}) => values[name].size > 1)
-    .map((one) => nameOfValue(one, one.of(curve))).join(", ") || sweep.title;
+  const parts = dimensions.filter(({name}) => values[name].size > 1)
+    .map((one) => nameOfValue(one, one.of(curve)));
+  const label = [...new Set(parts)].join(", ") || sweep.title;
   return label + ({storage: ", G′", loss: ", G″"}[curve.part] ?? "");
 }
 
 function colourOfSweepCurve(curve, {coloured}) {
   if (coloured === undefined) return palette[0];
-  const i = coloured.values.indexOf(coloured.of(curve));
+  const i = Math.max(coloured.values.indexOf(coloured.of(curve)), 0);  // a mean over seeds has none of them
   const hasOrder = sweptKeys.some((key) => key.path === coloured.name && key.numbers !== undefined);
   if (!hasOrder && coloured.values.length <= palette.length) return palette[i];
   return `hsl(${260 - 235 * i / (coloured.values.length - 1)}, 70%, ${isDark() ? 62 : 42}%)`;
@@ -90,6 +102,7 @@ function noteOnSweep(curves, measured) {
   const notes = [];
   if (measured.length > 0) notes.push("Points: measured.");
   if (curves.some(({part}) => part === "loss")) notes.push("Dotted, and open circles: loss modulus.");
+  if (curves.some(({packings}) => packings > 1)) notes.push("Bands: standard deviation of one packing.");
   if (distinct(curves, "method").length > 1) notes.push("Dashed: dynamic method.");
   if (distinct(curves, "boundary").length > 1) notes.push("Thick: displacement; thin: traction.");
   return notes.join(" ");
@@ -129,9 +142,15 @@ function sweepChoices(curves, choice, drawAll) {
     select.selectedIndex = shownQuantities.indexOf(choice.quantity);
     rows.push(select);
   }
+  if (hasSeeds) {
+    rows.push(chooser("seeds", "seeds", [[true, "mean over the seeds"], [false, "a line for each seed"]], (means) => {
+      choice.means = means;
+      drawAll();
+    }));
+  }
   const hasPartners = (dimension, value) => curves.some((curve) => dimension.of(curve) !== value &&
     partnerOf(curve, dimension, value, curves, dimensions) !== undefined);
-  const references = dimensions.flatMap((dimension) => dimension.values
+  const references = dimensions.filter((one) => !isSeed(one)).flatMap((dimension) => dimension.values
     .filter((value) => hasPartners(dimension, value))
     .map((value) => [{dimension, value}, `deviation from ${nameOfValue(dimension, value)}`]));
   references.push(...groupsOf(measuredCurves(), ["stage", "name"]).map(([measured]) =>

@@ -18,13 +18,14 @@ export function curvesOfSentences(curves) {
   return ofStage.filter((curve) => curve.boundary === boundary);
 }
 
-/// The sentences. `curves` are those of one test, one for each task, `symbol` is that of the modulus, `xUnit` the unit of
+/// The sentences. `curves` are those of one test, one for each task or the mean of several (meansOverSeeds), `symbol` is that of the modulus, `xUnit` the unit of
 /// their times or frequencies, `boundary` the boundary condition, `tasks` the number of tasks that are done; `textOnTask`
 /// returns a text on the swept values of the task of a curve; `measured` {name, x, y} may be undefined.
 export function sweepSentences({curves, symbol, xUnit, boundary, tasks, textOnTask, measured}) {
   const places = threeTimes(curves);
   const ranges = [places[0], places.at(-1)].map((at) => `${rangeAt(curves, at, textOnTask)} at ${display(at, xUnit)}`);
-  const part = curves.length < tasks ? `, in ${curves.length} of ${tasks} tasks` : "";
+  const known = curves.reduce((sum, {packings}) => sum + (packings ?? 1), 0);
+  const part = known < tasks ? `, in ${known} of ${tasks} tasks` : "";
   const sentences = [`${symbol} of ${curves[0].stage}, ${boundary} boundary${part}: ${listed([...new Set(ranges)])}.`];
   const name = `${xUnit === "s" ? "a modulus" : "a |G*|"} (${boundary} boundary)`;
   return measured === undefined ? sentences : [...sentences, ...nearestTo(measured, curves, name, textOnTask)];
@@ -65,19 +66,33 @@ function rangeAt(curves, at, textOnTask) {
   return least === most ? words(least) : `${words(least)} to ${words(most)}`;
 }
 
-/// The task whose largest deviation from the measurement, as a factor, is the smallest, where all tasks are known.
+/// The task whose largest deviation from the measurement, as a factor, is the smallest, where all tasks are known, and
+/// those that are as near as far as the scatter of packings or the errors tell.
 function nearestTo({name, x, y}, curves, nameOfModulus, textOnTask) {
   const isCommon = (time) => curves.every((curve) => Number.isFinite(valueAt(curve.x, curve.y, time)));
   const places = [...x.keys()].filter((i) => isCommon(x[i]));
   const isPart = places.length < x.filter((time) => curves.some((one) => Number.isFinite(valueAt(one.x, one.y, time)))).length;
   const measured = {x: places.map((i) => x[i]), y: places.map((i) => y[i])};
   const known = curves.map((curve) => ({curve, range: ratioRange(curve, measured)}))
-    .filter(({range}) => range !== undefined);
+    .filter(({range}) => range !== undefined).map((one) => ({...one, factor: Math.max(1 / one.range[0], one.range[1])}));
   if (known.length < 2) return [];
-  const factor = ([least, most]) => Math.max(1 / least, most);
-  const {curve, range} = known.reduce((best, one) => (factor(one.range) < factor(best.range) ? one : best));
+  const best = known.reduce((nearest, one) => (one.factor < nearest.factor ? one : nearest));
+  const {curve, range} = best;
   const [least, most] = range.map((ratio) => shortNumber(ratio, 2));
   const ratios = least === most ? least : `${least} to ${most}`;
-  return [`Nearest to what was measured (${name}) comes ${textOnTask(curve)}, with ${nameOfModulus} of ` +
+  const equal = known.filter((one) => one !== best &&
+    Math.log(one.factor / best.factor) < Math.hypot(uncertaintyOf(one.curve), uncertaintyOf(curve)));
+  const reason = curves.some(({packings}) => packings !== undefined) ? "scatter of the packings" : "errors of both";
+  const sentences = [`Nearest to what was measured (${name}) comes ${textOnTask(curve)}, with ${nameOfModulus} of ` +
     `${ratios} times the measured one${isPart ? ", where all tasks are known" : ""}.`];
+  if (equal.length > 0) {
+    sentences.push(`As near, within the ${reason}, ${equal.length === 1 ? "comes" : "come"} ` +
+      `${listed(equal.map((one) => textOnTask(one.curve)))}.`);
+  }
+  return sentences;
+}
+
+/// The largest error of a curve, over it; 0 where it is not known.
+function uncertaintyOf({error}) {
+  return Math.max(0, ...(error ?? []));
 }

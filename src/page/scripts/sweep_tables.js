@@ -8,6 +8,7 @@ import {groupsOf} from "./records.js";
 import {decades, valueAt} from "./sampling.js";
 import {curvesOfSentences, seedsSentences, sweepSentences} from "./sweep_sentences.js";
 import {labelOfKey, sweptKeys} from "./sweep_curves.js";
+import {meansOverSeeds} from "./sweep_means.js";
 import {measuredCurves, ratioColumns} from "./sweep_measurements.js";
 import {table} from "./table.js";
 
@@ -37,16 +38,23 @@ export function showSweepSummary(curves) {
 function showResult(curves) {
   const [{load, boundary, stage, quantity}] = curves;
   const moving = sweptKeys.filter(({values}) => values.length > 1);
+  const isOfSeeds = curves.length > 1 && moving.every(({isSeed}) => isSeed);
+  const compared = isOfSeeds ? curves : meansOverSeeds(curves);
   const measured = ["isotropic", "shear"].includes(load)
     ? measuredCurves().find((one) => one.stage === stage && one.quantity === quantity) : undefined;
   const isComplex = quantity === "absolute";
-  const words = {curves, symbol: isComplex ? "|G*|" : symbolOf(load), xUnit: isComplex ? "Hz" : "s", boundary, measured,
-    tasks: sweep.tasks.filter(({state}) => state === "done").length,
-    textOnTask: ({values}) => moving.map(({path, label}) => `${label} ${values[path]}`).join(", ") || "the one task"};
-  const isOfSeeds = curves.length > 1 && moving.every(({isSeed}) => isSeed);
+  const words = {curves: compared, symbol: isComplex ? "|G*|" : symbolOf(load), xUnit: isComplex ? "Hz" : "s", boundary, measured,
+    tasks: sweep.tasks.filter(({state}) => state === "done").length, textOnTask: (curve) => textOnTask(curve, moving)};
   const [first, ...others] = isOfSeeds ? seedsSentences(words) : sweepSentences(words);
   document.getElementById("summary").append(
     element("p", {id: "answer"}, element("strong", {}, unbroken(first)), ` ${unbroken(others.join(" "))}`));
+}
+
+/// "gap 1 um", "gap 1 um, mean of 5 seeds": the values of the moving keys of a task, or of the mean of several.
+function textOnTask({values, packings}, moving) {
+  const shown = moving.filter(({isSeed}) => packings === undefined || !isSeed);
+  const text = shown.map(({path, label}) => `${label} ${values[path]}`).join(", ") || "the one task";
+  return packings === undefined ? text : `${text}, mean of ${packings} seeds`;
 }
 
 /// Shows the tasks, with links to their reports, and the ratio of their curves to the measurement.

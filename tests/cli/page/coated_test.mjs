@@ -5,7 +5,8 @@ import assert from "node:assert/strict";
 import {readFileSync} from "node:fs";
 import {test} from "node:test";
 
-import {respond} from "../../../src/page/scripts/response.js";
+import {fitted, freeNumbers} from "../../../src/page/scripts/live_fit.js";
+import {respond, sampledRange} from "../../../src/page/scripts/response.js";
 import {assertClose} from "../../page/scripts/close.mjs";
 
 const read = (name) => readFileSync(`${process.env.RESULTS}/${name}`, "utf8");
@@ -46,4 +47,15 @@ test("an interphase beyond what the run has sampled", () => {
     assert.equal(refusal.material, "interphase");
     assert.ok(!(window[0] < window[1]));
   }
+});
+
+test("the fit of the interphase finds the one with which `breccia respond` was asked", () => {
+  const {interphase} = materials, rows = rowsIn("soft").filter(({boundary}) => boundary === "displacement");
+  const times = rows.map(({time_s}) => Number(time_s));
+  const measured = [{stage: "discs", quantity: "shear", x: times, y: rows.map(({modulus_Pa}) => Number(modulus_Pa))}];
+  const curvesWith = ({spectrum}) => respond(study, responses, {...materials, interphase: {...interphase, shear: spectrum}})
+    .map(({stage, boundary, modulus}) => ({stage, boundary, quantity: "shear", x: times, y: times.map(modulus)}));
+  const ranges = sampledRange(responses.discs[0], 1);
+  const {spectrum} = fitted(freeNumbers({material: {...interphase, ranges}}), curvesWith, measured);
+  assertClose(spectrum.equilibrium_Pa, 20e6, 2e-3, "modulus of the interphase");
 });

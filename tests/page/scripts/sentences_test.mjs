@@ -153,6 +153,22 @@ test("a sweep: its range, and the task that is nearest to the measurement", () =
   assert.ok(inFrequency[1].includes("with a |G*| (displacement boundary) of 0.79 to 1 times the measured one."));
 });
 
+test("tasks of a sweep that are as near to what was measured as the nearest", () => {
+  const task = (gap, value, error) => ({...falling("periodic", value), stage: "mix", values: {gap}, error: Array(9).fill(error)});
+  const words = {symbol: "G(t)", xUnit: "s", boundary: "periodic", textOnTask: ({values}) => `gap ${values.gap}`,
+    measured: {name: "Bennett", x: [1e-3, 1e-2], y: [1e6, 1e6 / Math.sqrt(10)]}};
+  // Ratios of 1, 1.04 and 1.5, each known within 3 %.
+  const curves = [task(1, 1e6, 0.03), task(2, 1.04e6, 0.03), task(3, 1.5e6, 0.03)];
+  assert.equal(sweepSentences({...words, curves})[2], "As near, within the errors of both, comes gap 2.");
+  assert.equal(sweepSentences({...words, curves: curves.map((curve) => ({...curve, packings: 5}))})[2],
+    "As near, within the scatter of the packings, comes gap 2.");
+  const well = curves.map((curve) => ({...curve, error: Array(9).fill(0.01)}));
+  assert.equal(sweepSentences({...words, curves: well}).length, 2, "the difference is more than the errors");
+  const unknown = curves.map(({error, ...curve}) => curve);
+  assert.equal(sweepSentences({...words, curves: unknown}).length, 2);
+  assert.ok(!sweepSentences({...words, curves: curves.map((curve) => ({...curve, packings: 5})), tasks: 15})[0].includes("of 15"));
+});
+
 test("packings that differ in their seeds alone", () => {
   const packing = (factor) => ({...falling("periodic", 1e6 * factor), stage: "mix", load: "shear"});
   // The deviations are those of 0.9, 1 and 1.1; the measured values are half the mean.
