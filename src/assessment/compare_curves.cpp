@@ -72,6 +72,7 @@ ComparedCurve side_by_side(const std::vector<const SampledCurve*>& curves) {
 
 std::vector<std::string> names_of(const std::vector<SampledCurve>& curves) {
   std::vector<std::string> names;
+  names.reserve(curves.size());
   for (const auto& curve : curves) names.push_back(curve.name);
   return names;
 }
@@ -86,6 +87,7 @@ ComparedCurves compare_curves(const std::vector<std::vector<SampledCurve>>& comp
   ComparedCurves compared;
   for (const auto& curve : composites.front()) {
     std::vector<const SampledCurve*> same;
+    same.reserve(composites.size());
     for (const auto& curves : composites) same.push_back(curve_named(curves, curve.name));
     if (std::ranges::find(same, nullptr) != same.end()) continue;
     auto one = side_by_side(same);
@@ -103,6 +105,7 @@ ComparedCurves compare_curves(const std::vector<std::vector<SampledCurve>>& comp
   }
   if (!compared.curves.empty()) return compared;
   std::vector<std::string> all;
+  all.reserve(composites.size());
   for (const auto& curves : composites) all.push_back(fmt::format("{}", fmt::join(names_of(curves), ", ")));
   throw InputError(
       fmt::format("the results have no curve in common; they have, in their order: {}", fmt::join(all, "; ")));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -39,8 +40,10 @@ std::vector<TestKind> kinds_of(const StageFindings& stage) {
     if (!test.id.load.is_bulk() && std::ranges::find(kinds, kind) == kinds.end()) kinds.push_back(kind);
   }
   if (kinds.empty()) throw InputError(fmt::format("stage {} has no test in shear", stage.name));
-  std::ranges::stable_partition(kinds, [](const TestKind& kind) { return kind.boundary == Boundary::periodic; });
-  std::ranges::stable_partition(kinds, [](const TestKind& kind) { return kind.method == Method::quasistatic; });
+  const auto is_periodic = [](const TestKind& kind) { return kind.boundary == Boundary::periodic; };
+  const auto is_quasistatic = [](const TestKind& kind) { return kind.method == Method::quasistatic; };
+  std::stable_partition(kinds.begin(), kinds.end(), is_periodic);
+  std::stable_partition(kinds.begin(), kinds.end(), is_quasistatic);
   return kinds;
 }
 

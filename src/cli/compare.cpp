@@ -68,6 +68,7 @@ ReadResult read_result(const std::filesystem::path& directory, const std::string
 /// The values in which the decks differ, and the data files. A sweep, of which a result is one task, is left out.
 std::vector<DeckDifference> differences_of(const std::vector<ReadResult>& results) {
   std::vector<Deck> decks;
+  decks.reserve(results.size());
   for (const auto& result : results) {
     decks.push_back(Deck::from_text(result.record.deck_text, "study", ".", result.record.overrides));
   }
@@ -84,7 +85,6 @@ std::vector<DeckDifference> differences_of(const std::vector<ReadResult>& result
 
 /// The kind of tests that all results have, the preferred one of the first. Throws InputError where there is none.
 TestKind shared_kind(const std::vector<ReadResult>& results) {
-  std::vector<std::string> boundaries;
   for (const auto& kind : kinds_of(results.front().stage)) {
     const auto has_it = [&](const ReadResult& result) {
       const auto kinds = kinds_of(result.stage);
@@ -92,6 +92,8 @@ TestKind shared_kind(const std::vector<ReadResult>& results) {
     };
     if (std::ranges::all_of(results, has_it)) return kind;
   }
+  std::vector<std::string> boundaries;
+  boundaries.reserve(results.size());
   for (const auto& result : results) {
     const auto kind = kinds_of(result.stage).front();
     boundaries.push_back(fmt::format("{} has {}, {}", result.name, name_of(kind.boundary), name_of(kind.method)));

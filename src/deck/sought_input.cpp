@@ -133,6 +133,7 @@ FoundDesign find_input(const DeckAssessment& deck, const std::vector<SampledCurv
   };
   if (found.scores.size() > 1) {
     std::vector<std::string> values;
+    values.reserve(found.scores.size());
     for (const double score : found.scores) values.push_back(in_words(input, value_at(score)));
     throw InputError(fmt::format("{}: each of {} makes {}; expected a range that holds one of them", input.name,
                                  fmt::join(values, ", "), wanted_in_words(condition)));

@@ -26,6 +26,7 @@ std::vector<DeckDifference> differences_of(const std::vector<std::vector<std::pa
 
 std::vector<DeckDifference> deck_differences(const std::vector<Deck>& decks) {
   std::vector<std::vector<std::pair<std::string, std::string>>> values;
+  values.reserve(decks.size());
   for (const auto& deck : decks) values.push_back(deck.values());
   return differences_of(values);
 }

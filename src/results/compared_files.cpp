@@ -59,7 +59,7 @@ std::vector<CsvColumn> deck_columns(const ComparedResults& compared) {
     for (std::size_t i = 0; i < texts.size(); ++i) texts[i].push_back(difference.texts[i]);
   }
   std::vector<CsvColumn> columns = {{"value", paths}};
-  for (std::size_t i = 0; i < texts.size(); ++i) columns.emplace_back(compared.names[i], texts[i]);
+  for (std::size_t i = 0; i < texts.size(); ++i) columns.push_back(CsvColumn{compared.names[i], texts[i]});
   return columns;
 }
 
