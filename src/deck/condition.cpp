@@ -1,5 +1,6 @@
 #include "deck/condition.hpp"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string_view>
@@ -29,10 +30,10 @@ struct NamedQuantity {
 
 std::vector<NamedQuantity> quantities() {
   std::vector<NamedQuantity> all;
-  const std::pair<std::string_view, ObservedModulus> moduli[] = {{"G", ObservedModulus::shear},
-                                                                 {"K", ObservedModulus::bulk},
-                                                                 {"E", ObservedModulus::young},
-                                                                 {"M", ObservedModulus::p_wave}};
+  constexpr auto moduli = std::to_array<std::pair<std::string_view, ObservedModulus>>({{"G", ObservedModulus::shear},
+                                                                                       {"K", ObservedModulus::bulk},
+                                                                                       {"E", ObservedModulus::young},
+                                                                                       {"M", ObservedModulus::p_wave}});
   for (const auto& [symbol, modulus] : moduli) {
     all.push_back({std::string(symbol), modulus, ObservedCurve::relaxation, ConditionForm::modulus});
     all.push_back({fmt::format("{}'", symbol), modulus, ObservedCurve::storage, ConditionForm::modulus});

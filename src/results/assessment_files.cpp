@@ -121,7 +121,8 @@ std::string plot_of(const AssessedCurve& curve, Abscissa abscissa) {
   }
   if (abscissa == Abscissa::frequency) plot.abscissa = "Frequency / Hz";
   std::vector<double> places;
-  for (std::size_t i = 0; i < curve.at.size(); ++i) places.push_back(axis_value(curve.at[i], abscissa));
+  places.reserve(curve.at.size());
+  for (const double at : curve.at) places.push_back(axis_value(at, abscissa));
   const auto add = [&](const std::string& label, PlotStyle style, std::size_t colour, const auto& value) {
     PlotCurve drawn = {.label = label, .times = {}, .moduli = {}, .style = style, .colour = colour};
     for (std::size_t i = 0; i < places.size(); ++i) {

@@ -86,7 +86,7 @@ std::string picture_of(const SearchedDesign& searched) {
 }  // namespace
 
 std::vector<std::string> write_design(const DesignDestination& destination, const SearchedDesign& searched) {
-  const std::vector<std::string> files = {"found.csv", "find.csv", "find.svg"};
+  std::vector<std::string> files = {"found.csv", "find.csv", "find.svg"};
   const auto identity = fmt::format("{}\n{}", destination.source, fmt::join(destination.studies, "\n"));
   WholeResults results(destination.directory, {.command = "find",
                                                .source = destination.source,

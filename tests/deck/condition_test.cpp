@@ -4,6 +4,7 @@
 #include <numbers>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -53,7 +54,7 @@ TEST(Condition, ReadsThePhaseAndItsTangent) {
 }
 
 TEST(Condition, RefusesWhatIsNone) {
-  const std::pair<const char*, const char*> mistakes[] = {
+  const std::vector<std::pair<const char*, const char*>> mistakes = {
       {"", "expected a condition such as"},
       {"G = 3 GPa", "expected a condition such as"},
       {"G(1 ms) > 3 GPa", "expected a condition such as"},
