@@ -29,7 +29,7 @@ std::string difference_in_words(const ComparedCurve& curve, const CurveDifferenc
 }  // namespace
 
 std::string letter_of(std::size_t result) {
-  return std::string(1, static_cast<char>('A' + static_cast<char>(result)));
+  return {static_cast<char>('A' + static_cast<char>(result))};
 }
 
 std::string table_of_decks(const std::vector<DeckDifference>& differences) {

@@ -149,12 +149,12 @@ void add_find(CLI::App& application) {
   add_assessed_deck(*command, arguments->deck);
   command
       ->add_option("--so-that", arguments->condition,
-                   "what the composite is to have, as in \"G(1 ms) = 3 GPa\" or \"tan_delta(10 Hz) = 0.3\"")
+                   R"(what the composite is to have, as in "G(1 ms) = 3 GPa" or "tan_delta(10 Hz) = 0.3")")
       ->required()
       ->type_name("CONDITION");
   command
       ->add_option("--model-error", arguments->model_error,
-                   "error of the moduli of the study, as in \"5 %\" (default: the one that it states)")
+                   R"(error of the moduli of the study, as in "5 %" (default: the one that it states))")
       ->type_name("PERCENT");
   command->callback([arguments] { run_find(*arguments); });
 }
