@@ -56,10 +56,10 @@ def find(study: Study, key: str, so_that: str, *, samples: int = 1000, boxes: in
     asked = deck_assessment(study, samples, boxes, seed)
     name = asked.stage_named(stage or "")
     sought = asked.sought(key, so_that, model_error)
-    options = {"threads": threads, "progress": progress}
-    solved = [solve(Study._of(one, study._deck_path or ""), **options) for one in asked.studies]
+    solved = [solve(Study._of(one, study._deck_path or ""), threads=threads, progress=progress) for one in asked.studies]
     found = asked.find(solved, sought, name, threads)
-    result = solve(Study._of(asked.study_with(sought, found), study._deck_path or ""), **options)
+    chosen = Study._of(asked.study_with(sought, found), study._deck_path or "")
+    result = solve(chosen, threads=threads, progress=progress)
     reached = asked.value_of(result, name, sought)
     doubt = asked.doubt_on(sought, found, reached)
     return FoundInput(value=found.value, text=asked.text_of(sought, found), interval=found.interval, **found.points,
