@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include <fmt/format.h>
@@ -31,12 +32,6 @@ std::optional<double> error_at(const SampledCurve& curve, const Between& place) 
   return first && second ? std::optional(std::max(*first, *second)) : std::nullopt;
 }
 
-double value_at(const SampledCurve& curve, const Between& place) {
-  const double first = curve.values(place.first, 0), second = curve.values(place.second, 0);
-  if (curve.curve == ObservedCurve::phase) return std::lerp(first, second, place.share);
-  return std::exp(std::lerp(std::log(first), std::log(second), place.share));
-}
-
 /// The curves of one name of all composites at the times of the first that all have, and at the ends of what all have;
 /// at none where they share no time.
 ComparedCurve side_by_side(const std::vector<const SampledCurve*>& curves) {
@@ -59,12 +54,13 @@ ComparedCurve side_by_side(const std::vector<const SampledCurve*>& curves) {
   if (end > begin * (1.0 + rounding)) compared.at.push_back(end);
   compared.values = Eigen::MatrixXd(std::ssize(compared.at), std::ssize(curves));
   for (std::size_t composite = 0; composite < curves.size(); ++composite) {
+    const auto& curve = *curves[composite];
+    const auto values = values_of_sample({curve}, 0).front();
     auto& errors = compared.errors.emplace_back();
     for (std::size_t i = 0; i < compared.at.size(); ++i) {
-      const auto place = between(curves[composite]->at, compared.at[i]);
       compared.values(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(composite)) =
-          value_at(*curves[composite], place);
-      errors.push_back(error_at(*curves[composite], place));
+          interpolated(curve, values, compared.at[i]);
+      errors.push_back(error_at(curve, between(curve.at, compared.at[i])));
     }
   }
   return compared;
@@ -146,6 +142,14 @@ std::vector<Observation> comparable_values(const std::vector<Observation>& measu
     values.push_back(absolute);
   }
   return values;
+}
+
+std::vector<Observation> values_within(const std::vector<Observation>& measured, const ComparedCurve& compared) {
+  std::vector<Observation> within;
+  std::ranges::copy_if(measured, std::back_inserter(within), [&](const Observation& one) {
+    return one.at >= compared.at.front() * (1.0 - rounding) && one.at <= compared.at.back() * (1.0 + rounding);
+  });
+  return within;
 }
 
 MeasuredDeviation deviation_from(const std::vector<Observation>& measured, const std::vector<SampledCurve>& curves) {

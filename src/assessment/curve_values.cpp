@@ -8,16 +8,6 @@
 #include "assessment/observed_value.hpp"
 
 namespace breccia {
-namespace {
-
-double interpolated(const SampledCurve& curve, const Eigen::VectorXd& values, double at) {
-  const auto [first, second, share] = between(curve.at, at);
-  const double value = std::lerp(values[first], values[second], share);
-  return curve.curve == ObservedCurve::phase ? value : std::exp(value);
-}
-
-}  // namespace
-
 Between between(const std::vector<double>& at, double place) {
   const auto above = std::ranges::upper_bound(at, place);
   const auto second = std::clamp<std::ptrdiff_t>(above - at.begin(), 1, std::ssize(at) - 1);
@@ -32,6 +22,12 @@ CurveValues values_of_sample(const std::vector<SampledCurve>& curves, Eigen::Ind
     values.emplace_back(curve.curve == ObservedCurve::phase ? own : Eigen::VectorXd(own.array().log()));
   }
   return values;
+}
+
+double interpolated(const SampledCurve& curve, const Eigen::VectorXd& values, double at) {
+  const auto [first, second, share] = between(curve.at, at);
+  const double value = std::lerp(values[first], values[second], share);
+  return curve.curve == ObservedCurve::phase ? value : std::exp(value);
 }
 
 const SampledCurve* curve_of(const std::vector<SampledCurve>& curves, ObservedModulus modulus, ObservedCurve curve) {

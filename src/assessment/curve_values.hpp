@@ -25,6 +25,10 @@ using CurveValues = std::vector<Eigen::VectorXd>;
 /// The values of curves in a sample.
 CurveValues values_of_sample(const std::vector<SampledCurve>& curves, Eigen::Index sample);
 
+/// The value of a curve at a time or a frequency, from its values (CurveValues): interpolated on double logarithmic
+/// axes, a phase on one logarithmic axis.
+double interpolated(const SampledCurve& curve, const Eigen::VectorXd& values, double at);
+
 /// The curve of a modulus among these; null where they have none.
 const SampledCurve* curve_of(const std::vector<SampledCurve>& curves, ObservedModulus modulus, ObservedCurve curve);
 
@@ -32,8 +36,8 @@ const SampledCurve* curve_of(const std::vector<SampledCurve>& curves, ObservedMo
 std::complex<double> modulus_at(const std::vector<SampledCurve>& curves, const CurveValues& values,
                                 ObservedModulus modulus, double at);
 
-/// The value that an observation would have, in its unit, where the curves have these values: interpolated on double
-/// logarithmic axes, a phase on one logarithmic axis. The curves must have what was observed (require_observable).
+/// The value that an observation would have, in its unit, where the curves have these values. The curves must have what
+/// was observed (require_observable).
 double observed_value(const std::vector<SampledCurve>& curves, const CurveValues& values,
                       const Observation& observation);
 

@@ -47,6 +47,17 @@ std::vector<TestKind> kinds_of(const StageFindings& stage) {
   return kinds;
 }
 
+std::optional<TestKind> shared_kind(const std::vector<StageFindings>& stages) {
+  for (const auto& kind : kinds_of(stages.front())) {
+    const auto has_it = [&](const StageFindings& stage) {
+      const auto kinds = kinds_of(stage);
+      return std::ranges::find(kinds, kind) != kinds.end();
+    };
+    if (std::ranges::all_of(stages, has_it)) return kind;
+  }
+  return std::nullopt;
+}
+
 std::vector<SampledCurve> curves_of(const StageFindings& stage, const TestKind& kind) {
   CurvesOfStage taken(stage, kind, 1);
   taken.take(0, stage.tests);

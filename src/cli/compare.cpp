@@ -2,7 +2,6 @@
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
-#include <iterator>
 #include <memory>
 #include <string>
 #include <utility>
@@ -83,22 +82,19 @@ std::vector<DeckDifference> differences_of(const std::vector<ReadResult>& result
   return differences;
 }
 
-/// The kind of tests that all results have, the preferred one of the first. Throws InputError where there is none.
-TestKind shared_kind(const std::vector<ReadResult>& results) {
-  for (const auto& kind : kinds_of(results.front().stage)) {
-    const auto has_it = [&](const ReadResult& result) {
-      const auto kinds = kinds_of(result.stage);
-      return std::ranges::find(kinds, kind) != kinds.end();
-    };
-    if (std::ranges::all_of(results, has_it)) return kind;
-  }
-  std::vector<std::string> boundaries;
-  boundaries.reserve(results.size());
+/// The kind of tests that all results have. Throws InputError where there is none.
+TestKind kind_of_all(const std::vector<ReadResult>& results) {
+  std::vector<StageFindings> stages;
+  stages.reserve(results.size());
+  for (const auto& result : results) stages.push_back(result.stage);
+  if (const auto kind = shared_kind(stages)) return *kind;
+  std::vector<std::string> own;
+  own.reserve(results.size());
   for (const auto& result : results) {
     const auto kind = kinds_of(result.stage).front();
-    boundaries.push_back(fmt::format("{} has {}, {}", result.name, name_of(kind.boundary), name_of(kind.method)));
+    own.push_back(fmt::format("{} has {}, {}", result.name, name_of(kind.boundary), name_of(kind.method)));
   }
-  throw InputError(fmt::format("the results share no boundary and method: {}", fmt::join(boundaries, "; ")));
+  throw InputError(fmt::format("the results share no boundary and method: {}", fmt::join(own, "; ")));
 }
 
 /// A ratio as a deviation in per cent: "+12 %".
@@ -153,12 +149,9 @@ std::string table_of_measured(const std::vector<Observation>& measured,
                               const std::vector<std::vector<SampledCurve>>& curves, const ComparedCurve& compared) {
   if (measured.empty()) return "";
   const auto abscissa = is_over_frequency(compared.curve) ? Abscissa::frequency : Abscissa::time;
-  const double first = compared.at.front(), last = compared.at.back();
-  std::vector<Observation> within;
-  std::ranges::copy_if(measured, std::back_inserter(within),
-                       [&](const Observation& one) { return one.at >= first && one.at <= last; });
+  const auto within = values_within(measured, compared);
   auto text = fmt::format("\nComputed over measured, {} of {} values, from {} to {}\n", within.size(), measured.size(),
-                          place_in_words(first, abscissa), place_in_words(last, abscissa));
+                          place_in_words(compared.at.front(), abscissa), place_in_words(compared.at.back(), abscissa));
   for (std::size_t i = 0; !within.empty() && i < curves.size(); ++i) {
     text += fmt::format("  {}: {}\n", letter_of(i), deviation_in_words(deviation_from(within, curves[i]), abscissa));
   }
@@ -207,7 +200,7 @@ std::string identity_of(const CompareArguments& arguments, const std::vector<Rea
 
 void run_compare(const CompareArguments& arguments) {
   const Asked asked(arguments);
-  const auto kind = shared_kind(asked.results);
+  const auto kind = kind_of_all(asked.results);
   ComparedResults compared = {.decks = differences_of(asked.results)};
   std::vector<std::vector<SampledCurve>> curves;
   for (const auto& result : asked.results) {

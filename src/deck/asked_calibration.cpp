@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "assessment/preferred_boundary.hpp"
 #include "deck/unknowns.hpp"
 #include "io/collected_mistakes.hpp"
 
@@ -32,13 +31,20 @@ std::optional<double> error_of(const ObservedComposite& composite, const StageRe
   return *error + distance;
 }
 
+/// The boundary whose moduli are taken for those of a composite: the periodic one, or else the first.
+Boundary boundary_of(const StageResponses& responses) {
+  const auto is_periodic = [](const StageResponses::Entry& entry) {
+    return entry.response.boundary == Boundary::periodic;
+  };
+  return std::ranges::any_of(responses.entries, is_periodic) ? Boundary::periodic
+                                                             : responses.entries.front().response.boundary;
+}
+
 ObservedComposite composite_of(const std::string& name, const Responder& responder, const AskedCalibration& asked) {
   const auto stage = asked.stage.empty() ? responder.stages().back().stage : asked.stage;
   const auto chain = responder.chain_of(stage);
   const auto& responses = *std::ranges::find(chain.stages(), stage, &StageResponses::stage);
-  const auto boundary =
-      preferred_boundary(responses.entries, [](const StageResponses::Entry& entry) { return entry.response.boundary; });
-  ObservedComposite composite = {.name = name, .responder = chain, .stage = stage, .boundary = boundary};
+  ObservedComposite composite = {.name = name, .responder = chain, .stage = stage, .boundary = boundary_of(responses)};
   const auto error = asked.model_error ? asked.model_error : error_of(composite, responses);
   composite.model_deviation = 0.5 * error.value_or(0.0);
   return composite;

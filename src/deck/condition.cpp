@@ -78,13 +78,14 @@ double place_of(const NamedQuantity& quantity, std::string_view text) {
 
 double value_of(const NamedQuantity& quantity, const std::string& text) {
   if (quantity.form == ConditionForm::modulus) return positive(text, Dimension::pressure);
-  const auto number = split_quantity(text);
-  const bool is_tangent = quantity.form == ConditionForm::tangent;
-  if (is_tangent && number && number->unit.empty() && number->number > 0.0) return std::atan(number->number);
-  const double angle = is_tangent ? 0.0 : positive(text, Dimension::angle);
-  if (angle > 0.0 && angle < 0.5 * std::numbers::pi) return angle;
-  throw InputError(
-      fmt::format("expected {}, got \"{}\"", is_tangent ? "a positive number" : "an angle between 0 and 90 deg", text));
+  if (quantity.form == ConditionForm::tangent) {
+    const auto tangent = split_quantity(text);
+    if (tangent && tangent->unit.empty() && tangent->number > 0.0) return std::atan(tangent->number);
+    throw InputError(fmt::format("expected a positive number, got \"{}\"", text));
+  }
+  const double angle = positive(text, Dimension::angle);
+  if (angle < 0.5 * std::numbers::pi) return angle;
+  throw InputError(fmt::format("expected an angle between 0 and 90 deg, got \"{}\"", text));
 }
 
 }  // namespace

@@ -84,7 +84,7 @@ std::string best_of(const UncertainInput& input, const std::vector<DesignPoint>&
                      in_words(input, points.front().input), in_words(input, points.back().input),
                      wanted_in_words(condition), value_in_words(condition, least->value), in_words(input, least->input),
                      value_in_words(condition, most->value), in_words(input, most->input),
-                     may_serve ? "; within the errors that may serve" : "");
+                     may_serve ? fmt::format("; within the errors {} may serve", in_words(input, nearest.input)) : "");
 }
 
 }  // namespace
@@ -122,10 +122,9 @@ FoundDesign find_input(const DeckAssessment& deck, const std::vector<SampledCurv
     interval = {as_written(condition, interval.lower), as_written(condition, interval.upper)};
   }
   if (changes_nothing(found.points)) {
-    throw InputError(
-        fmt::format("{}: what was solved does not tell how {} depends on it: solve more boxes, or search a "
-                    "wider range",
-                    input.name, condition.quantity));
+    throw InputError(fmt::format(
+        "{}: the boxes that were solved do not show how {} depends on it; expected more boxes, or a wider range",
+        input.name, condition.quantity));
   }
   if (found.scores.empty()) throw InputError(best_of(input, found.points, condition));
   const auto value_at = [&](double score) {

@@ -54,6 +54,9 @@ CurveDifference difference_from_first(const ComparedCurve& curve, std::size_t co
 std::vector<Observation> comparable_values(const std::vector<Observation>& measured,
                                            const std::vector<SampledCurve>& curves);
 
+/// The measured values at the times or frequencies of a compared curve.
+std::vector<Observation> values_within(const std::vector<Observation>& measured, const ComparedCurve& compared);
+
 /// How far computed moduli are from measured ones.
 struct MeasuredDeviation {
   std::size_t count = 0;           ///< number of measured values

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "breccia/assessment/assess.hpp"
@@ -24,6 +25,9 @@ TestKind kind_of(const TestResult& test);
 /// The kinds of the tests in shear that a stage has, each once: quasi-static ones before dynamic ones, and of either
 /// periodic ones first. Throws InputError where there is none.
 std::vector<TestKind> kinds_of(const StageFindings& stage);
+
+/// The first of the kinds of the first stage that all stages have; nothing where there is none.
+std::optional<TestKind> shared_kind(const std::vector<StageFindings>& stages);
 
 /// The curves for which a stage was solved, one sample each: G and, where it was tested, the modulus of the bulk test,
 /// over frequency |G*| and the phase. A relaxation modulus ends before the first time at which it is not positive.
