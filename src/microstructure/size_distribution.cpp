@@ -92,6 +92,27 @@ SizeDistribution SizeDistribution::tabulated(std::vector<double> diameters, std:
   return {Table{std::move(diameters), std::move(cumulative)}, smallest, largest};
 }
 
+SizeDistribution SizeDistribution::fuller(const FullerSizes& law) {
+  require_positive(law.largest, "the largest diameter of Fuller's curve", " m");
+  require_positive(law.exponent, "the exponent of Fuller's curve", "");
+  return {law, 0.0, law.largest};
+}
+
+SizeDistribution SizeDistribution::rosin_rammler(const RosinRammlerSizes& law) {
+  require_positive(law.size, "the size of Rosin and Rammler", " m");
+  require_positive(law.exponent, "the exponent of Rosin and Rammler", "");
+  return {law, 0.0, std::numeric_limits<double>::infinity()};
+}
+
+SizeDistribution SizeDistribution::quantiles(const QuantileSizes& law) {
+  for (const double diameter : {law.d10, law.d50, law.d90}) require_positive(diameter, "a quantile", " m");
+  if (!(law.d10 < law.d50 && law.d50 < law.d90)) {
+    throw InputError(fmt::format("size distribution: d10, d50 and d90 must rise strictly, got {} m, {} m and {} m",
+                                 law.d10, law.d50, law.d90));
+  }
+  return {law, 0.0, std::numeric_limits<double>::infinity()};
+}
+
 SizeDistribution SizeDistribution::truncated(double from, double to) const {
   if (!(from >= 0.0) || !(to >= from) || to == 0.0) {
     throw InputError(
@@ -119,9 +140,15 @@ double SizeDistribution::untruncated(double diameter) const {
   return std::visit(
       [diameter](const auto& law) {
         using Kind = std::decay_t<decltype(law)>;
-        if constexpr (std::is_same_v<Kind, Single>) return diameter < law.diameter ? 0.0 : 1.0;
-        if constexpr (std::is_same_v<Kind, Mixture>) return lognormal_mixture_at(law, diameter);
-        if constexpr (std::is_same_v<Kind, Table>) return table_at(law.diameters, law.cumulative, diameter);
+        if constexpr (std::is_same_v<Kind, Single>) {
+          return diameter < law.diameter ? 0.0 : 1.0;
+        } else if constexpr (std::is_same_v<Kind, Mixture>) {
+          return lognormal_mixture_at(law, diameter);
+        } else if constexpr (std::is_same_v<Kind, Table>) {
+          return table_at(law.diameters, law.cumulative, diameter);
+        } else {
+          return share_up_to(diameter, law);
+        }
       },
       law_);
 }

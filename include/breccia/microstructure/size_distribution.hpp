@@ -3,6 +3,8 @@
 #include <variant>
 #include <vector>
 
+#include "breccia/microstructure/size_laws.hpp"
+
 namespace breccia {
 
 /// One part of a mixture of lognormal distributions.
@@ -23,16 +25,20 @@ class SizeDistribution {
   /// The distribution of a table: strictly rising diameters [m] and the values of F at these, rising from 0 to 1.
   /// Between them F is linear in log d.
   [[nodiscard]] static SizeDistribution tabulated(std::vector<double> diameters, std::vector<double> cumulative);
+  [[nodiscard]] static SizeDistribution fuller(const FullerSizes& law);
+  [[nodiscard]] static SizeDistribution rosin_rammler(const RosinRammlerSizes& law);
+  /// The distribution through three quantiles, which rise.
+  [[nodiscard]] static SizeDistribution quantiles(const QuantileSizes& law);
 
   /// The distribution of the particles of diameter `from` to `to` [m] alone.
   [[nodiscard]] SizeDistribution truncated(double from, double to) const;
 
   /// The share F(d) of the volume in particles of diameter d [m] and less [-].
   [[nodiscard]] double cumulative(double diameter) const;
-  /// The smallest d [m] with F(d) >= p, 0 <= p <= 1. Infinite for p = 1 of a lognormal distribution that is not
+  /// The smallest d [m] with F(d) >= p, 0 <= p <= 1. Infinite for p = 1 of a law without a largest diameter that is not
   /// truncated.
   [[nodiscard]] double quantile(double p) const;
-  /// Bounds of the diameters [m]: 0 and infinity for a lognormal distribution that is not truncated.
+  /// Bounds of the diameters [m]: 0 and infinity for a law without such bounds that is not truncated.
   [[nodiscard]] double smallest() const noexcept { return smallest_; }
   [[nodiscard]] double largest() const noexcept { return largest_; }
 
@@ -44,7 +50,7 @@ class SizeDistribution {
   struct Table {
     std::vector<double> diameters, cumulative;
   };
-  using Law = std::variant<Single, Mixture, Table>;
+  using Law = std::variant<Single, Mixture, Table, FullerSizes, RosinRammlerSizes, QuantileSizes>;
 
   SizeDistribution(Law law, double smallest, double largest);
   [[nodiscard]] double untruncated(double diameter) const;
