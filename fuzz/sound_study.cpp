@@ -48,6 +48,15 @@ struct RequireSizes {
   void operator()(const TabulatedSizes& sizes) const {
     require(sizes.diameters.size() >= 2 && is_positive(sizes.diameters.front()), "diameters in the table");
   }
+  void operator()(const FullerSizes& sizes) const {
+    require(is_positive(sizes.largest) && is_positive(sizes.exponent), "numbers of Fuller's curve");
+  }
+  void operator()(const RosinRammlerSizes& sizes) const {
+    require(is_positive(sizes.size) && is_positive(sizes.exponent), "numbers of Rosin and Rammler");
+  }
+  void operator()(const QuantileSizes& sizes) const {
+    require(is_positive(sizes.d10) && sizes.d10 < sizes.d50 && sizes.d50 < sizes.d90, "rising quantiles");
+  }
 };
 
 void require_sound(const Filler& filler) {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "breccia/error.hpp"
 
 #include "cli/command.hpp"
+#include "deck/size_rows.hpp"
 #include "deck/size_table.hpp"
 #include "homogenisation/staging.hpp"
 #include "io/percentage.hpp"
@@ -72,12 +74,13 @@ void run_stages(const StagesArguments& arguments) {
   const double fraction = options.fraction("--fraction", arguments.fraction);
   std::vector<double> bounds;
   for (const auto& cut : arguments.cuts) bounds.push_back(options.length("--at", cut));
-  const double from = arguments.from.empty() ? 0.0 : options.length("--from", arguments.from);
-  const double to = arguments.to.empty() ? 0.0 : options.length("--to", arguments.to);
+  std::optional<double> from, to;
+  if (!arguments.from.empty()) from = options.length("--from", arguments.from);
+  if (!arguments.to.empty()) to = options.length("--to", arguments.to);
   options.finish();
-  const auto table = read_size_table(arguments.sizes);
-  bounds.insert(bounds.begin(), arguments.from.empty() ? table.diameters.front() : from);
-  bounds.push_back(arguments.to.empty() ? table.diameters.back() : to);
+  const auto table = with_known_ends(read_size_table(arguments.sizes), from, to);
+  bounds.insert(bounds.begin(), from.value_or(table.diameters.front()));
+  bounds.push_back(to.value_or(table.diameters.back()));
   require_rising(bounds, arguments);
   const auto sizes = SizeDistribution::tabulated(table.diameters, table.cumulative_volume_fractions);
   const auto stages = divide_into_stages(sizes, bounds, fraction);

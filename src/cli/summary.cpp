@@ -68,7 +68,19 @@ struct DescribeSizes {
     return fmt::format("lognormal, {}", fmt::join(parts, " + "));
   }
   std::string operator()(const TabulatedSizes& sizes) const {
-    return fmt::format("{}, {} rows", sizes.file.string(), sizes.diameters.size());
+    const auto rows = sizes.diameters.size();
+    if (!sizes.file.empty()) return fmt::format("{}, {} rows", sizes.file.string(), rows);
+    return rows == 2 ? "equal volumes in equal ratios of the diameter" : fmt::format("a table of {} rows", rows);
+  }
+  std::string operator()(const FullerSizes& sizes) const {
+    return fmt::format("Fuller's curve to {}, exponent {:.4g}", length(sizes.largest), sizes.exponent);
+  }
+  std::string operator()(const RosinRammlerSizes& sizes) const {
+    return fmt::format("Rosin and Rammler, 63.2 % below {}, exponent {:.4g}", length(sizes.size), sizes.exponent);
+  }
+  std::string operator()(const QuantileSizes& sizes) const {
+    return fmt::format("d10 {}, d50 {}, d90 {}, lognormal between and beyond them", length(sizes.d10),
+                       length(sizes.d50), length(sizes.d90));
   }
 };
 

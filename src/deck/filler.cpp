@@ -15,8 +15,8 @@
 #include "deck/materials.hpp"
 #include "deck/packing.hpp"
 #include "deck/shapes.hpp"
+#include "deck/size_cuts.hpp"
 #include "deck/sizes.hpp"
-#include "study/filler_sizes.hpp"
 #include "study/limits.hpp"
 #include "study/listed_box.hpp"
 #include "study/stage_rules.hpp"
@@ -24,51 +24,6 @@
 namespace breccia {
 
 namespace {
-
-bool is_distribution(const Sizes& sizes) {
-  return std::holds_alternative<LognormalSizes>(sizes) || std::holds_alternative<TabulatedSizes>(sizes);
-}
-
-/// Reads `from` and `to`, which cut a distribution of sizes. They are optional for a table, and required for a
-/// lognormal distribution.
-void read_cuts(const Section& section, Filler& filler) {
-  if (!filler.sizes) {
-    // The missing sizes have been reported already.
-    for (const auto* key : {"from", "to"}) {
-      if (section.has(key)) static_cast<void>(section.quantity(key, Dimension::length, Range::positive()));
-    }
-    return;
-  }
-  if (!is_distribution(*filler.sizes)) {
-    section.refuse({"from", "to"}, "only a distribution of sizes (a file or lognormal) is cut");
-    return;
-  }
-  bool misses = false;
-  if (const auto* table = std::get_if<TabulatedSizes>(&*filler.sizes)) {
-    filler.smallest = table->diameters.front();
-    filler.largest = table->diameters.back();
-    if (section.has("from")) filler.smallest = section.quantity("from", Dimension::length, Range::positive());
-    if (section.has("to")) filler.largest = section.quantity("to", Dimension::length, Range::positive());
-    misses = *filler.smallest >= table->diameters.back() || *filler.largest <= table->diameters.front();
-    if (misses) {
-      section.report("sizes", fmt::format("the table has no sizes from {} to {}: it covers {} to {}",
-                                          readable(*filler.smallest, Dimension::length),
-                                          readable(*filler.largest, Dimension::length),
-                                          readable(table->diameters.front(), Dimension::length),
-                                          readable(table->diameters.back(), Dimension::length)));
-    }
-  } else {
-    filler.smallest = section.quantity("from", Dimension::length, Range::positive());
-    filler.largest = section.quantity("to", Dimension::length, Range::positive());
-  }
-  if (*filler.smallest >= *filler.largest) {
-    section.report("from",
-                   fmt::format("expected less than {} (to), got {}", readable(*filler.largest, Dimension::length),
-                               readable(*filler.smallest, Dimension::length)));
-  } else if (*filler.smallest < *filler.largest && !misses) {  // this is true only of numbers
-    section.report_errors_of("sizes", [&] { static_cast<void>(distribution_of(filler)); });
-  }
-}
 
 /// Reads fraction and sizes as far as the packing allows them.
 struct ReadAmount {

@@ -21,6 +21,26 @@ struct DistributionOf {
   Answer operator()(const TabulatedSizes& sizes) const {
     return SizeDistribution::tabulated(sizes.diameters, sizes.cumulative_volume_fractions);
   }
+  Answer operator()(const FullerSizes& sizes) const { return SizeDistribution::fuller(sizes); }
+  Answer operator()(const RosinRammlerSizes& sizes) const { return SizeDistribution::rosin_rammler(sizes); }
+  Answer operator()(const QuantileSizes& sizes) const { return SizeDistribution::quantiles(sizes); }
+};
+
+struct EndsOf {
+  using Answer = std::optional<SizeEnds>;
+
+  Answer operator()(const SingleSize&) const { return std::nullopt; }
+  Answer operator()(const ListedSizes&) const { return std::nullopt; }
+  Answer operator()(const TabulatedSizes& sizes) const {
+    if (sizes.diameters.empty()) return SizeEnds();
+    return SizeEnds{sizes.diameters.front(), sizes.diameters.back()};
+  }
+  Answer operator()(const FullerSizes& sizes) const { return SizeEnds{std::nullopt, sizes.largest}; }
+  /// The other laws go on without end.
+  template <class Law>
+  Answer operator()(const Law&) const {
+    return SizeEnds();
+  }
 };
 
 struct DiametersOf {
@@ -33,14 +53,14 @@ struct DiametersOf {
     const auto [smallest, largest] = std::ranges::minmax(sizes.diameters);
     return DiameterRange{smallest, largest};
   }
-  Answer operator()(const LognormalSizes&) const {
-    if (!filler.smallest || !filler.largest) return std::nullopt;
-    return DiameterRange{*filler.smallest, *filler.largest};
-  }
-  Answer operator()(const TabulatedSizes& sizes) const {
-    const double first = sizes.diameters.front(), last = sizes.diameters.back();
-    return DiameterRange{std::max(first, filler.smallest.value_or(first)),
-                         std::min(last, filler.largest.value_or(last))};
+  template <class Distribution>
+  Answer operator()(const Distribution& sizes) const {
+    const auto ends = *EndsOf()(sizes);
+    const auto smallest = filler.smallest ? filler.smallest : ends.smallest;
+    const auto largest = filler.largest ? filler.largest : ends.largest;
+    if (!smallest || !largest) return std::nullopt;
+    return DiameterRange{std::max(*smallest, ends.smallest.value_or(*smallest)),
+                         std::min(*largest, ends.largest.value_or(*largest))};
   }
 };
 
@@ -75,6 +95,10 @@ struct ListedDiameters {
 };
 
 }  // namespace
+
+std::optional<SizeEnds> ends_of(const Sizes& sizes) {
+  return std::visit(EndsOf(), sizes);
+}
 
 std::optional<DiameterRange> diameters_of(const Filler& filler) {
   return filler.sizes ? std::visit(DiametersOf{filler}, *filler.sizes) : std::nullopt;

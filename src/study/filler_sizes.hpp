@@ -11,6 +11,15 @@ namespace breccia {
 /// InputError when no part of it lies between the smallest and the largest size of the filler.
 std::optional<SizeDistribution> distribution_of(const Filler& filler);
 
+/// The ends [m] that a distribution of sizes has of its own, apart from those at which a filler cuts it.
+struct SizeEnds {
+  std::optional<double> smallest = {};
+  std::optional<double> largest = {};
+};
+
+/// The ends of a distribution of sizes; nothing for sizes that are no distribution, which are not cut.
+std::optional<SizeEnds> ends_of(const Sizes& sizes);
+
 /// A range of diameters [m].
 struct DiameterRange {
   double smallest;

@@ -37,13 +37,12 @@ bool has_ordered_cuts(const Filler& filler) {
 
 /// Checks the bounds at which a distribution of sizes is cut; other sizes must not have any.
 void check_cuts(const Filler& filler, const std::string& part, StudyMistakes& mistakes) {
-  const bool is_lognormal = std::holds_alternative<LognormalSizes>(*filler.sizes);
-  const bool is_distribution = is_lognormal || std::holds_alternative<TabulatedSizes>(*filler.sizes);
-  if (!is_distribution && (filler.smallest || filler.largest)) {
+  const auto ends = ends_of(*filler.sizes);
+  if (!ends && (filler.smallest || filler.largest)) {
     mistakes.add(part, "expected no smallest and largest size: only a distribution of sizes is cut");
   }
-  if (is_lognormal && !(filler.smallest && filler.largest)) {
-    mistakes.add(part, "expected a smallest and a largest size: a lognormal distribution has no ends of its own");
+  if (ends && !((filler.smallest || ends->smallest) && (filler.largest || ends->largest))) {
+    mistakes.add(part, "expected a smallest and a largest size: the distribution does not have both ends of its own");
   }
   const auto check_cut = [&](const char* what, std::optional<double> cut) {
     if (cut) mistakes.check_quantity(part, what, *cut, Range::positive(), Dimension::length);

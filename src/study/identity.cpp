@@ -184,6 +184,18 @@ class Content {
     const auto& [file, diameters, cumulative_volume_fractions] = sizes;
     add_all(file, diameters, cumulative_volume_fractions);
   }
+  void add(const FullerSizes& sizes) {
+    const auto& [largest, exponent] = sizes;
+    add_all(largest, exponent);
+  }
+  void add(const RosinRammlerSizes& sizes) {
+    const auto& [size, exponent] = sizes;
+    add_all(size, exponent);
+  }
+  void add(const QuantileSizes& sizes) {
+    const auto& [d10, d50, d90] = sizes;
+    add_all(d10, d50, d90);
+  }
   template <int dim>
   void add(const LubachevskyStillingerPacking<dim>& packing) {
     const auto& [walls, seed] = packing;

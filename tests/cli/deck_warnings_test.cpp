@@ -130,6 +130,27 @@ TEST(DeckWarnings, TheGapIsShownWithItsSource) {
   EXPECT_THAT(study.breccia("pack").output, HasSubstr(", gap 100 um (1 cell of 100 um, the default of 10 %"));
 }
 
+TEST(DeckWarnings, TheSizesAreShownAsTheyWereUnderstood) {
+  const StudyDirectory study(good_deck);
+  const auto shown = [&](const std::string& sizes) {
+    study.write("deck.toml", replaced(std::string(good_deck), "sizes = { diameter = \"1 mm\" }", sizes));
+    const auto check = study.breccia("check");
+    EXPECT_EQ(check.exit_code, 0) << check.errors;
+    return check.output;
+  };
+  EXPECT_THAT(shown(R"(sizes = { fuller = "2 mm" }, from = "0.5 mm")"),
+              HasSubstr("    sizes    Fuller's curve to 2 mm, exponent 0.5, cut to 500 um .. 2 mm\n"));
+  EXPECT_THAT(shown(R"(sizes = { rosin_rammler = "1 mm", exponent = 1.2 }, from = "0.5 mm", to = "2 mm")"),
+              HasSubstr("    sizes    Rosin and Rammler, 63.2 % below 1 mm, exponent 1.2, cut to 500 um .. 2 mm\n"));
+  EXPECT_THAT(shown(R"(sizes = { d10 = "0.6 mm", d50 = "1 mm", d90 = "1.5 mm" }, from = "0.5 mm", to = "2 mm")"),
+              HasSubstr("    sizes    d10 600 um, d50 1 mm, d90 1.5 mm, lognormal between and beyond them, cut to"));
+  EXPECT_THAT(shown(R"(sizes = { from = "0.5 mm", to = "2 mm" })"),
+              HasSubstr("    sizes    equal volumes in equal ratios of the diameter, cut to 500 um .. 2 mm\n"));
+  EXPECT_THAT(shown(R"(sizes = { passing = [{ size = "0.5 mm", passing = 0 }, { size = "1 mm", passing = "40 %" },
+  { size = "2 mm", passing = 1 }] })"),
+              HasSubstr("    sizes    a table of 3 rows, cut to 500 um .. 2 mm\n"));
+}
+
 TEST(DeckWarnings, ASweepOverCellsWithAGapInPoints) {
   const StudyDirectory study(replaced(std::string(good_deck), "0.1 mm", "2 points"));
   const std::vector<std::string> cells = {"--sweep", "stages.A.cells=[40, 60]"};

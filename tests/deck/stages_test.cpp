@@ -299,7 +299,7 @@ TEST_F(DeckStages, MistakesInTheSizes) {
   EXPECT_THAT(mistakes("fraction = 0.5", random_packing), HasSubstr("filler.sizes: missing, expected a file"));
   EXPECT_THAT(mistakes("fraction = 0.5, sizes = 3", random_packing), HasSubstr("filler.sizes: expected a file"));
   EXPECT_THAT(mistakes("fraction = 0.5, sizes = {}", random_packing),
-              HasSubstr("exactly one of diameter, list, lognormal"));
+              HasSubstr("exactly one of diameter, list, passing"));
   EXPECT_THAT(mistakes(test::join(lognormal, "from = \"2 mm\", to = \"1 mm\""), random_packing),
               HasSubstr("filler.from: expected less than 1 mm (to), got 2 mm"));
   EXPECT_THAT(mistakes(test::join(lognormal, "from = \"2 mm\""), random_packing), HasSubstr("filler.to: missing"));
@@ -330,16 +330,16 @@ TEST_F(DeckStages, MistakesInATableOfSizes) {
   };
   EXPECT_THAT(mistake_of("1e-4,0\n"), HasSubstr("sizes.csv: expected at least two rows"));
   EXPECT_THAT(mistake_of("1e-4,0\n3e-4,0.5\n2e-4,1\n"),
-              HasSubstr("sizes.csv:4: expected positive diameters that rise or fall from row to row"));
+              HasSubstr("sizes.csv:3: expected a volume fraction that is not below that up to a smaller diameter"));
   EXPECT_THAT(mistake_of("2e-4,0\n1e-4,1\n"),
-              HasSubstr("sizes.csv:2: expected the volume fraction up to each diameter"));
-  EXPECT_THAT(mistake_of("1e-4,0.5\n2e-4,0.2\n"),
-              HasSubstr("sizes.csv:3: expected the volume fraction up to each diameter, which does not fall with it"));
+              HasSubstr("sizes.csv:2: expected a volume fraction that is not below that up to a smaller diameter"));
+  EXPECT_THAT(mistake_of("1e-4,0\n2e-4,20\n"),
+              HasSubstr("sizes.csv:3: expected the volume fraction up to each diameter, from 0 to 1, or in per cent"));
   EXPECT_THAT(mistake_of("1e-4,0\n0,0.2\n2e-4,0.1\n-3e-4,1\n4e-4,1\n"),
-              AllOf(HasSubstr("sizes.csv:3: expected positive diameters"), HasSubstr("sizes.csv:5: expected")))
+              AllOf(HasSubstr("sizes.csv:3: expected a positive diameter"), HasSubstr("sizes.csv:5: expected")))
       << "all of them";
   EXPECT_THAT(mistake_of("1e-4,0\n2e-4,0.9\n"),
-              HasSubstr("sizes.csv:3: expected the volume fraction to be 1 at the largest diameter"));
+              HasSubstr("stages.a.filler.sizes: sizes.csv: 10 % of the volume do not pass 200 um, the largest size"));
   EXPECT_THAT(mistake_of("1e-4,0\n2e-4,1\n", ", from = \"1 mm\", to = \"2 mm\""),
               HasSubstr("the table has no sizes from 1 mm to 2 mm: it covers 100 um to 200 um"));
 }

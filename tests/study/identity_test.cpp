@@ -51,6 +51,21 @@ TEST(ContentOf, EveryChangeOfWhatIsAskedMakesAnother) {
       [](Study& study) { study.stages[1].matrix = test::binder; },
       [](Study& study) { study.stages[0].fillers[0].sizes = SingleSize{1e-3}; },
       [](Study& study) { study.stages[0].fillers[0].sizes = ListedSizes{{2e-3}}; },
+      [](Study& study) {
+        study.stages[0].fillers[0].sizes = FullerSizes{1e-3, 0.5};
+      },
+      [](Study& study) {
+        study.stages[0].fillers[0].sizes = FullerSizes{1e-3, 0.45};
+      },
+      [](Study& study) {
+        study.stages[0].fillers[0].sizes = RosinRammlerSizes{1e-3, 0.5};
+      },
+      [](Study& study) {
+        study.stages[0].fillers[0].sizes = QuantileSizes{1e-3, 2e-3, 3e-3};
+      },
+      [](Study& study) {
+        study.stages[0].fillers[0].sizes = QuantileSizes{1e-3, 2e-3, 4e-3};
+      },
       [](Study& study) { study.stages[0].fillers[0].fraction = 0.3; },
       [](Study& study) {
         study.stages[0].packing = RegularPacking{1, 4};

@@ -178,6 +178,8 @@ TEST(RequireSound, NamesEachMistakeOfFillersInRandomPackings) {
        {[](Study& study) {
           filler_of(study).sizes = LognormalSizes{{{1.0, 1e-3, 0.5}}};
         },
+        "fine, filler: expected a smallest and a largest size: the distribution does not have both ends of its own"},
+       {[](Study& study) { filler_of(study).sizes = FullerSizes{2e-3}; },
         "fine, filler: expected a smallest and a largest size"}},
       with_random_packing(SingleSize{1e-3}));
   auto listed = with_random_packing(ListedSizes{{1e-3, 2e-3}});
@@ -195,7 +197,15 @@ TEST(RequireSound, NamesEachMistakeOfFillersInRandomPackings) {
   EXPECT_NO_THROW(require_sound(lognormal));
   expect_each({{[](Study& study) { filler_of(study).smallest = 2e-3; }, "expected a smallest size below the largest"},
                {[](Study& study) { filler_of(study).sizes = LognormalSizes{}; },
-                "a lognormal mixture needs at least one component"}},
+                "a lognormal mixture needs at least one component"},
+               {[](Study& study) {
+                  filler_of(study).sizes = RosinRammlerSizes{1e-3, 0.0};
+                },
+                "the exponent of Rosin and Rammler must be positive and finite, got 0"},
+               {[](Study& study) {
+                  filler_of(study).sizes = QuantileSizes{1e-3, 1e-3, 2e-3};
+                },
+                "d10, d50 and d90 must rise strictly"}},
               lognormal);
 }
 

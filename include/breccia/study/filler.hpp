@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "breccia/microstructure/size_laws.hpp"
 #include "breccia/microstructure/vector.hpp"
 #include "breccia/study/crystal.hpp"
 #include "breccia/viscoelasticity/material.hpp"
@@ -31,14 +32,16 @@ struct LognormalSizes {
   std::vector<Component> components;
 };
 
-/// A table of the volume-weighted distribution of the diameter.
+/// A table of the volume-weighted distribution of the diameter, linear in the logarithm of the diameter between its
+/// rows.
 struct TabulatedSizes {
-  std::filesystem::path file;
+  std::filesystem::path file;                       ///< empty for a table in the deck
   std::vector<double> diameters;                    ///< rising [m]
   std::vector<double> cumulative_volume_fractions;  ///< not falling, from 0 up to 1 [-]
 };
 
-using Sizes = std::variant<SingleSize, ListedSizes, LognormalSizes, TabulatedSizes>;
+using Sizes = std::variant<SingleSize, ListedSizes, LognormalSizes, TabulatedSizes, FullerSizes, RosinRammlerSizes,
+                           QuantileSizes>;
 
 /// Ellipses; in three dimensions ellipsoids of revolution.
 struct EllipticOutline {
