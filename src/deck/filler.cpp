@@ -28,6 +28,7 @@ namespace {
 /// Reads fraction and sizes as far as the packing allows them.
 struct ReadAmount {
   const Section& section;
+  std::optional<double> by_amount;  ///< fraction that follows from the amount of the filler [-]
   Filler& filler;
 
   template <int dim>
@@ -38,17 +39,17 @@ struct ReadAmount {
       section.refuse({"sizes", "from", "to"}, "the sizes of the grains follow from packing.sites");
     }
     if (grains.film) {
-      section.refuse({"fraction"}, "it follows from packing.film");
-    } else if (!section.has("fraction")) {
-      section.report("fraction", "missing, expected the fraction of the grains, or packing.film");
+      section.refuse({"fraction", "amount"}, "it follows from packing.film");
+    } else if (!by_amount && !section.has("fraction")) {
+      section.report("fraction", "missing, expected the fraction of the grains, their amount, or packing.film");
     } else {
-      filler.fraction = section.fraction("fraction");
+      read_fraction();
     }
     section.refuse({"coating"}, "grains of a tessellation have films alone");
   }
   template <int dim>
   void operator()(const ExplicitPacking<dim>&) const {
-    section.refuse({"sizes", "fraction", "from", "to"},
+    section.refuse({"sizes", "fraction", "amount", "from", "to"},
                    "the particles of an explicit packing are all listed in its file");
   }
   void operator()(const RegularPacking&) const { read_one_size(); }
@@ -57,20 +58,24 @@ struct ReadAmount {
   void operator()(const Packing&) const {
     read_sizes_and_cuts();
     if (filler.sizes && std::holds_alternative<ListedSizes>(*filler.sizes)) {
-      section.refuse({"fraction"}, "a list of sizes is packed as it is: its fraction follows");
+      section.refuse({"fraction", "amount"}, "a list of sizes is packed as it is: its fraction follows");
     } else {
-      filler.fraction = section.fraction("fraction");
+      read_fraction();
     }
   }
 
  private:
+  void read_fraction() const {
+    if (by_amount) section.refuse({"fraction"}, "it follows from the amount");
+    filler.fraction = by_amount ? *by_amount : section.fraction("fraction");
+  }
   void read_sizes_and_cuts() const {
     filler.sizes = read_sizes(section);
     read_cuts(section, filler);
   }
   void read_one_size() const {
     read_sizes_and_cuts();
-    section.refuse({"fraction"}, "a regular packing has the fraction that follows from its diameter");
+    section.refuse({"fraction", "amount"}, "a regular packing has the fraction that follows from its diameter");
     if (filler.sizes && !std::holds_alternative<SingleSize>(*filler.sizes)) {
       section.report("sizes", "a regular packing takes { diameter = ... }");
     }
@@ -103,13 +108,14 @@ void read_material(const Section& section, const std::vector<ShiftedMaterial>& m
 }
 
 /// Reads the next filler of a stage whose packing has been read.
-Filler read_filler(const Section& section, const Stage& stage, const std::vector<ShiftedMaterial>& materials) {
+Filler read_filler(const Section& section, const Stage& stage, const std::vector<ShiftedMaterial>& materials,
+                   std::optional<double> by_amount) {
   Filler filler;
   read_material(section, materials, stage.fillers.size(), filler);
   section.refuse({"image"}, image_elsewhere);
   filler.shape = read_shape(section, stage);
   if (!stage.has_grains()) filler.coating = read_coating(section, materials);
-  visit_nested(ReadAmount{section, filler}, stage.packing);
+  visit_nested(ReadAmount{section, by_amount, filler}, stage.packing);
   read_gap(section, stage, filler);
   return filler;
 }
@@ -153,7 +159,8 @@ struct RequireRoom {
 
 }  // namespace
 
-void read_fillers(const Section& section, const std::vector<ShiftedMaterial>& materials, Walls walls, Stage& stage) {
+void read_fillers(const Section& section, const std::vector<ShiftedMaterial>& materials, Walls walls,
+                  const FractionsByAmounts& fractions, Stage& stage) {
   const auto tables = filler_sections(section);
   if (tables.empty()) {
     if (section.kind("filler") == Kind::array) section.report("filler", "expected at least one table");
@@ -169,7 +176,9 @@ void read_fillers(const Section& section, const std::vector<ShiftedMaterial>& ma
     return;
   }
   stage.packing = *std::move(packing);
-  for (const auto& table : tables) stage.fillers.push_back(read_filler(table, stage, materials));
+  for (std::size_t number = 0; number < tables.size(); ++number) {
+    stage.fillers.push_back(read_filler(tables[number], stage, materials, fractions[number]));
+  }
   check_together(section, stage);
   if (!stage.is_listed() || !(stage.side > 0.0)) return;
   const auto table = section.section("packing");

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "deck/amounts.hpp"
 #include "deck/chosen_boxes.hpp"
 #include "deck/materials.hpp"
 #include "deck/measurements.hpp"
@@ -111,6 +112,7 @@ std::vector<std::string> stage_hashes_of(const Deck& document, const Study& stud
     for (const auto boundary : study.tests.boundaries) content += name_of(boundary);
     if (study.tests.mixing == Mixing::flow) content += name_of(Mixing::flow);
     content += chosen_boxes(document.root(), study, hashes.size() + 1);
+    content += fractions_by_amounts(document.root(), study, hashes.size() + 1);
     hashes.push_back(content_hash(content));
   }
   return hashes;

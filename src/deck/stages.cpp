@@ -12,6 +12,7 @@
 
 #include "breccia/error.hpp"
 
+#include "deck/amounts.hpp"
 #include "deck/filler.hpp"
 #include "deck/film_bonds.hpp"
 #include "deck/image.hpp"
@@ -187,9 +188,9 @@ double read_side_of_particles(const Section& section, const Stage& stage) {
 
 /// Reads a stage whose box follows from its particles: these first.
 void read_particles_and_box(const Section& section, const std::vector<ShiftedMaterial>& materials,
-                            const StageDefaults& defaults, Stage& stage) {
+                            const StageDefaults& defaults, const FractionsByAmounts& fractions, Stage& stage) {
   stage.side = std::numeric_limits<double>::quiet_NaN();
-  read_fillers(section, materials, defaults.walls, stage);
+  read_fillers(section, materials, defaults.walls, fractions, stage);
   stage.side = read_side_of_particles(section, stage);
   read_grid(section, defaults.model, stage);
 }
@@ -205,7 +206,9 @@ std::vector<Stage> read_stages(const Section& deck, const std::vector<ShiftedMat
   const bool is_of_space = deck.optional_integer("dimensions", allowed::dimensions).value_or(2) == 3;
   std::vector<Stage> stages;
   const auto sections = deck.sections("stages");
+  const auto fractions = read_amounts(sections, materials);
   for (const auto& section : sections) {
+    const auto& by_amounts = fractions[stages.size()];
     Stage stage;
     if (is_of_space) stage.packing = PackingMethod<3>();
     stage.name = read_name(section, stages, materials);
@@ -219,9 +222,9 @@ std::vector<Stage> read_stages(const Section& deck, const std::vector<ShiftedMat
       section.refuse({"particles"}, "the box is given already");
       stage.side = section.quantity("box", Dimension::length, allowed::side);
       read_grid(section, defaults.model, stage);
-      read_fillers(section, materials, defaults.walls, stage);
+      read_fillers(section, materials, defaults.walls, by_amounts, stage);
     } else {
-      read_particles_and_box(section, materials, defaults, stage);
+      read_particles_and_box(section, materials, defaults, by_amounts, stage);
     }
     read_bonds(section, stage);
     check_fit(section, stage);
