@@ -30,9 +30,9 @@ class Filler(Table):
     """The particles of one kind in a stage.
 
     diameter: of particles of one size [m]; or sizes: the name of a table of sizes, an array of the diameters of all
-    particles [m], or a table as in a deck, such as {"lognormal": [{"median": "20 um", "sigma": 0.4}]}; fraction: share
-    of the box, 0.35 or "35 %"; smallest, largest: ends of the distribution [m]; gap: between surfaces [m]; shape: a
-    table such as {"aspect": 1.5}.
+    particles [m], or a table as in a deck, such as {"lognormal": [{"median": "20 um", "sigma": 0.4}]} or {"fuller":
+    "16 mm"}; fraction: share of the box, 0.35 or "35 %", or amount={"mass": "65 %"}, the share of the whole composite;
+    smallest, largest: ends of the distribution [m]; gap: between surfaces [m]; shape: a table such as {"aspect": 1.5}.
     """
 
     def __init__(self, material: Material | str, *, fraction: float | str | Mapping[str, Any] | None = None,
