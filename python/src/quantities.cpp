@@ -16,9 +16,10 @@ namespace {
 /// The dimension with this name ("length").
 Dimension dimension_named(const std::string& wanted) {
   constexpr std::array all = {
-      Dimension::length,   Dimension::time,    Dimension::frequency,    Dimension::temperature_difference,
-      Dimension::pressure, Dimension::density, Dimension::temperature,  Dimension::inverse_length,
-      Dimension::area,     Dimension::angle,   Dimension::molar_energy, Dimension::interface_stiffness};
+      Dimension::length,    Dimension::time,    Dimension::frequency,    Dimension::temperature_difference,
+      Dimension::pressure,  Dimension::density, Dimension::temperature,  Dimension::inverse_length,
+      Dimension::area,      Dimension::angle,   Dimension::molar_energy, Dimension::interface_stiffness,
+      Dimension::compliance};
   for (const auto dimension : all) {
     if (name(dimension) == wanted) return dimension;
   }

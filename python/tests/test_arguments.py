@@ -63,6 +63,17 @@ class Millisecond:
         return np.asarray(1.0)
 
 
+def test_laws_take_numbers_in_si_units_and_text():
+    by_number = {"law": "logarithmic-creep", "instantaneous": 40e-12, "creep": 20e-12, "time": 86400.0}
+    by_text = {"law": "logarithmic-creep", "instantaneous": "40e-6 /MPa", "creep": "20 /TPa", "time": "1 day"}
+    one = breccia.Material("paste", density=2000.0, young=by_number, poisson=0.2).solid().shear
+    other = breccia.Material("paste", density=2000.0, young=by_text, poisson=0.2).solid().shear
+    assert np.allclose(one.terms, other.terms, rtol=1e-12)
+    assert np.isclose(one.at(0.0), 25e9 / 2.4, rtol=1e-6)
+    compliance = one.creep_compliance().at(86400.0) / 2.4
+    assert np.isclose(compliance, 40e-12 + 20e-12 * np.log(2.0), rtol=2e-3)
+
+
 def test_what_numpy_would_drop_is_refused():
     series = breccia.PronySeries([(1.0, 1e6)], 1e6)
     times = np.array([1e-3, 1.0, 10.0])

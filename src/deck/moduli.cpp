@@ -12,6 +12,7 @@
 #include "breccia/tables/modulus_kind.hpp"
 
 #include "deck/fitted_modulus.hpp"
+#include "deck/laws.hpp"
 #include "deck/prony_file.hpp"
 #include "study/limits.hpp"
 #include "viscoelasticity/two_moduli.hpp"
@@ -65,12 +66,14 @@ PronySeries ModuliReader::read_measured_modulus(const Section& modulus, ModulusK
   return series;
 }
 
-/// `{ prony = "file.csv" }`, `{ measured = "file.csv" }` or `{ equilibrium = "1 MPa", terms = [...] }`.
+/// `{ prony = "file.csv" }`, `{ measured = "file.csv" }`, `{ law = "2s2p1d", ... }` or
+/// `{ equilibrium = "1 MPa", terms = [...] }`.
 PronySeries ModuliReader::read_series(const Section& modulus, ModulusKind kind) {
   PronyFile spectrum;
   bool is_known = false;
-  const auto source = modulus.exactly_one({"prony", "terms", "measured"});
+  const auto source = modulus.exactly_one({"prony", "terms", "measured", "law"});
   if (source == "measured") return read_measured_modulus(modulus, kind);
+  if (source == "law") return read_law(modulus);
   if (source == "prony") {
     const auto path = modulus.file("prony");
     if (!path.empty())

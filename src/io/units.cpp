@@ -52,8 +52,10 @@ constexpr std::array<ReadableUnit, 3> inverse_lengths{{{1.0, "1/m"}, {1e3, "1/mm
 
 constexpr std::array<ReadableUnit, 3> interface_stiffnesses{{{1e9, "MPa/mm"}, {1e12, "MPa/um"}, {1e15, "GPa/um"}}};
 
+constexpr std::array<ReadableUnit, 4> compliances{{{1e-12, "1/TPa"}, {1e-9, "1/GPa"}, {1e-6, "1/MPa"}, {1.0, "1/Pa"}}};
+
 const DimensionFacts& facts(Dimension dimension) {
-  static const std::array<DimensionFacts, 12> all{{
+  static const std::array<DimensionFacts, 13> all{{
       {"length", "48 um", "m", lengths, {"nm", "um", "mm", "cm", "m", "km"}},
       {"time", "10 ns", "s", times, {"ps", "ns", "us", "ms", "s", "min", "hour", "day"}},
       {"frequency", "1 kHz", "s-1", frequencies, {"Hz", "kHz", "MHz", "GHz"}},
@@ -70,6 +72,7 @@ const DimensionFacts& facts(Dimension dimension) {
        "Pa m-1",
        interface_stiffnesses,
        {"Pa/m", "MPa/mm", "GPa/mm", "MPa/um", "GPa/um"}},
+      {"compliance", "0.04 /GPa", "Pa-1", compliances, {"1/Pa", "1/MPa", "1/GPa", "1/TPa"}},
   }};
   return all[static_cast<std::size_t>(dimension)];
 }

@@ -19,7 +19,8 @@ enum class Dimension {
   area,                    ///< [m^2]
   angle,                   ///< [rad]
   molar_energy,            ///< [J/mol]
-  interface_stiffness      ///< [Pa/m]
+  interface_stiffness,     ///< [Pa/m]
+  compliance               ///< [1/Pa]
 };
 
 /// The dimension as a noun: "length", "pressure".

@@ -154,9 +154,53 @@ TEST_F(EngineeringMaterials, RefusesWhatIsNoSolid) {
       {"bulk = \"1 GPa\"", "shear: missing"},
       {"bulk = \"3 GPa\"\nshear = { measured = \"none.csv\" }", "none.csv"},
       {"bulk = \"3 GPa\"\nshear = { measured = \"a.csv\", terms = [] }",
-       "expected exactly one of prony, terms, measured"},
+       "expected exactly one of prony, terms, measured, law"},
   };
   for (const auto& [lines, message] : cases) EXPECT_THAT(mistakes(lines), HasSubstr(message)) << lines;
+}
+
+// |E*| of the bitumen H0 of Some et al. 2022 at 1 rad/s, as others have evaluated its parameters.
+TEST_F(EngineeringMaterials, ALawIsThatOfTheModulusOfItsKey) {
+  const auto bitumen = material(R"(bulk = "2.5 GPa"
+young = { law = "2s2p1d", static = "1e-7 MPa", glassy = "1 GPa", delta = 2.2, time = "1.94507827 ms", k = 0.22, h = 0.63, beta = 50 })");
+  const EngineeringModuli moduli(bitumen.shear, bitumen.bulk);
+  EXPECT_NEAR(std::abs(moduli.complex_youngs_modulus(1.0)) / 14.89e6, 1.0, 2e-3);
+}
+
+TEST_F(EngineeringMaterials, CreepLawsAreGivenAsCompliances) {
+  const auto paste = material(R"(poisson = 0.2
+young = { law = "power-law-creep", instantaneous = "40e-6 /MPa", creep = "20 /TPa", time = "1 day", exponent = 0.3 })");
+  EXPECT_NEAR(paste.shear.at(0.0) * 2.4 / 25e9, 1.0, 1e-6);
+  const auto logarithmic = material(R"(bulk = "5 GPa"
+shear = { law = "logarithmic-creep", instantaneous = "1 /GPa", creep = "0.5 /GPa", time = "1 s" })");
+  EXPECT_NEAR(logarithmic.shear.at(0.0) / 1e9, 1.0, 1e-6);
+  const auto zener = material(R"(bulk = "5 GPa"
+shear = { law = "fractional-zener", unrelaxed = "1 GPa", equilibrium = "1 MPa", time = "1 s", exponent = 0.5 })");
+  EXPECT_EQ(zener.shear.equilibrium(), 1e6);
+}
+
+TEST_F(EngineeringMaterials, RefusesLawsThatAreWrong) {
+  const std::string zener = R"("fractional-zener", unrelaxed = "1 GPa", time = "1 s")";
+  const std::string bitumen = R"("2s2p1d", static = "0 Pa", glassy = "1 GPa", delta = 2.2, time = "1 s")";
+  const std::string creep = R"("power-law-creep", instantaneous = "1 /GPa", time = "1 s")";
+  const std::vector<std::pair<std::string, const char*>> cases = {
+      {R"("2S2P1D")", "shear.law: expected one of \"2s2p1d\", \"fractional-zener\", \"power-law-creep\", "},
+      {bitumen + ", k = 0.22, h = 1.2", "shear.h: expected a number between 0 and 1"},
+      {bitumen + ", k = 0.7, h = 0.6", "shear.law: k: expected a number above 0 and up to h, got 0.7"},
+      {bitumen + ", k = 0.2", "shear.h: missing"},
+      {bitumen + ", k = 0.2, h = 0.6, gamma = 2", "shear.gamma: unknown key"},
+      {zener, "shear.exponent: missing"},
+      {zener + R"(, exponent = 0.5, equilibrium = "2 GPa")", "shear.law: unrelaxed: expected more than equilibrium"},
+      {zener + ", exponent = 0.99", "shear.law: the spectrum of this law is so narrow"},
+      {creep + R"(, creep = "1 GPa", exponent = 0.5)", "shear.creep: expected a compliance"},
+      {creep + R"(, creep = "-1 /GPa", exponent = 0.5)", "shear.creep: expected a positive compliance"},
+      {creep + R"(, creep = "1 /GPa", exponent = 0.5, terms = [])",
+       "expected exactly one of prony, terms, measured, law"},
+      {zener + R"(, exponent = 0.5, equilibrium = "1 MPa", prony = "g.csv")", "expected exactly one of"},
+  };
+  for (const auto& [law, message] : cases) {
+    EXPECT_THAT(mistakes("bulk = \"3 GPa\"\nshear = { law = " + law + " }"), HasSubstr(message)) << law;
+  }
 }
 
 TEST_F(EngineeringMaterials, AMeasuredModulusOfAnotherKindIsRefused) {

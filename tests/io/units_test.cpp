@@ -31,6 +31,8 @@ TEST(Units, ConvertToSi) {
       {"1e-3 s", Dimension::time, 1e-3},
       {"2 h", Dimension::time, 7200.0},
       {"5 kHz", Dimension::frequency, 5000.0},
+      {"40e-6 /MPa", Dimension::compliance, 40e-12},
+      {"40 1/TPa", Dimension::compliance, 40e-12},
       {"10 megahertz", Dimension::frequency, 1e7},
       {"10 rad/s", Dimension::frequency, 1.591549430918953},
       {"10 rad s-1", Dimension::frequency, 1.591549430918953},
