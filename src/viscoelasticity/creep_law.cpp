@@ -10,12 +10,12 @@
 namespace breccia {
 namespace {
 
-void require_positive(double value, const char* name, const char* unit) {
+void require_positive_parameter(double value, const char* name, const char* unit) {
   if (value > 0.0 && std::isfinite(value)) return;
   throw InputError(fmt::format("{}: expected a positive number [{}], got {:.6g}", name, unit, value));
 }
 
-struct RequireValid {
+struct RequireValidCreep {
   void operator()(const PowerLawCreep& law) const {
     require_common(law);
     if (!(law.exponent > 0.0 && law.exponent < 1.0)) refuse_exponent("a number between 0 and 1", law.exponent);
@@ -28,9 +28,9 @@ struct RequireValid {
  private:
   template <class Law>
   static void require_common(const Law& law) {
-    require_positive(law.instantaneous, "instantaneous", "1/Pa");
-    require_positive(law.creep, "creep", "1/Pa");
-    require_positive(law.time, "time", "s");
+    require_positive_parameter(law.instantaneous, "instantaneous", "1/Pa");
+    require_positive_parameter(law.creep, "creep", "1/Pa");
+    require_positive_parameter(law.time, "time", "s");
   }
   static void refuse_exponent(const char* expected, double got) {
     throw InputError(fmt::format("exponent: expected {}, got {:.6g}", expected, got));
@@ -76,7 +76,7 @@ struct RetardationSpectrum {
 }  // namespace
 
 void require_valid(const CreepLaw& law) {
-  std::visit(RequireValid{}, law);
+  std::visit(RequireValidCreep{}, law);
 }
 
 double instantaneous_compliance(const CreepLaw& law) {

@@ -11,33 +11,34 @@
 namespace breccia {
 namespace {
 
-void require(bool is_valid, const char* name, const char* expected, double got) {
+void require_parameter(bool is_valid, const char* name, const char* expected, double got) {
   if (!is_valid) throw InputError(fmt::format("{}: expected {}, got {:.6g}", name, expected, got));
 }
 
 void require_moduli(double relaxed, double unrelaxed, const char* name_of_relaxed, const char* name_of_unrelaxed) {
-  require(relaxed >= 0.0 && std::isfinite(relaxed), name_of_relaxed, "a modulus that is not negative [Pa]", relaxed);
-  require(std::isfinite(unrelaxed) && unrelaxed > relaxed, name_of_unrelaxed,
-          fmt::format("more than {} [Pa]", name_of_relaxed).c_str(), unrelaxed);
+  require_parameter(relaxed >= 0.0 && std::isfinite(relaxed), name_of_relaxed, "a modulus that is not negative [Pa]",
+                    relaxed);
+  require_parameter(std::isfinite(unrelaxed) && unrelaxed > relaxed, name_of_unrelaxed,
+                    fmt::format("more than {} [Pa]", name_of_relaxed).c_str(), unrelaxed);
 }
 
-void require_time(double time) {
-  require(time > 0.0 && std::isfinite(time), "time", "a positive time [s]", time);
+void require_positive_time(double time) {
+  require_parameter(time > 0.0 && std::isfinite(time), "time", "a positive time [s]", time);
 }
 
-struct RequireValid {
+struct RequireValidRelaxation {
   void operator()(const TwoSpringsTwoParabolasDashpot& law) const {
     require_moduli(law.static_modulus, law.glassy_modulus, "static", "glassy");
-    require_time(law.time);
-    require(law.delta > 0.0 && std::isfinite(law.delta), "delta", "a positive number", law.delta);
-    require(law.h > 0.0 && law.h < 1.0, "h", "a number between 0 and 1", law.h);
-    require(law.k > 0.0 && law.k <= law.h, "k", "a number above 0 and up to h", law.k);
-    require(law.beta > 0.0, "beta", "a positive number", law.beta);
+    require_positive_time(law.time);
+    require_parameter(law.delta > 0.0 && std::isfinite(law.delta), "delta", "a positive number", law.delta);
+    require_parameter(law.h > 0.0 && law.h < 1.0, "h", "a number between 0 and 1", law.h);
+    require_parameter(law.k > 0.0 && law.k <= law.h, "k", "a number above 0 and up to h", law.k);
+    require_parameter(law.beta > 0.0, "beta", "a positive number", law.beta);
   }
   void operator()(const FractionalZener& law) const {
     require_moduli(law.equilibrium, law.unrelaxed, "equilibrium", "unrelaxed");
-    require_time(law.time);
-    require(law.exponent > 0.0 && law.exponent < 1.0, "exponent", "a number between 0 and 1", law.exponent);
+    require_positive_time(law.time);
+    require_parameter(law.exponent > 0.0 && law.exponent < 1.0, "exponent", "a number between 0 and 1", law.exponent);
   }
 };
 
@@ -68,7 +69,7 @@ struct CarsonModulus {
 }  // namespace
 
 void require_valid(const RelaxationLaw& law) {
-  std::visit(RequireValid{}, law);
+  std::visit(RequireValidRelaxation{}, law);
 }
 
 double unrelaxed_modulus(const RelaxationLaw& law) {
