@@ -52,43 +52,31 @@ std::string lacking(const StageFindings& stage, const std::optional<std::string>
   return fmt::format(R"(it was not tested in {}{}; a study takes loads=["shear", "bulk"])", what, where);
 }
 
-template <class Sample>
-py::list rows_of(const std::vector<Sample>& samples) {
-  py::list rows;
-  for (const auto& [at, shear, bulk, young, poisson] : samples) {
-    rows.append(py::make_tuple(at, shear, bulk, young, poisson));
-  }
-  return rows;
-}
-
-template <class Sample, class Number>
-std::vector<Sample> samples_from(const py::handle& rows) {
-  std::vector<Sample> samples;
-  for (const auto& one : rows) {
-    const auto row = one.cast<py::tuple>();
-    samples.push_back({row[0].cast<double>(), row[1].cast<Number>(), row[2].cast<Number>(), row[3].cast<Number>(),
-                       row[4].cast<Number>()});
-  }
-  return samples;
-}
-
+/// What the curves follow from: the test, where they are sampled, and the series.
 py::tuple state_of(const EngineeringCurves& curves) {
+  std::vector<double> times, frequencies;
+  for (const auto& sample : curves.in_time) times.push_back(sample.time);
+  for (const auto& sample : curves.in_frequency) frequencies.push_back(sample.angular_frequency);
   const auto& test = curves.test;
-  return py::make_tuple(name_of(test.load), name_of(test.boundary), name_of(test.method), name_of(test.grid),
-                        rows_of(curves.in_time), rows_of(curves.in_frequency), python::state_of(curves.shear),
-                        python::state_of(curves.bulk));
+  return py::make_tuple(name_of(test.load), name_of(test.boundary), name_of(test.method), name_of(test.grid), times,
+                        frequencies, python::state_of(curves.shear), python::state_of(curves.bulk));
 }
 
 EngineeringCurves curves_from(const py::tuple& state) {
   const auto grid = grid_named(state[3].cast<std::string>());
   if (!grid) throw InputError("pickle: not a result of Breccia");
-  return {{value_of<TestLoad>("load", state[0].cast<std::string>()),
-           value_of<Boundary>("boundary", state[1].cast<std::string>()),
-           value_of<Method>("method", state[2].cast<std::string>()), *grid},
-          samples_from<EngineeringSample, double>(state[4]),
-          samples_from<ComplexEngineeringSample, std::complex<double>>(state[5]),
-          series_from(state[6].cast<py::tuple>()),
-          series_from(state[7].cast<py::tuple>())};
+  EngineeringCurves curves = {{value_of<TestLoad>("load", state[0].cast<std::string>()),
+                               value_of<Boundary>("boundary", state[1].cast<std::string>()),
+                               value_of<Method>("method", state[2].cast<std::string>()), *grid},
+                              {},
+                              {},
+                              series_from(state[6].cast<py::tuple>()),
+                              series_from(state[7].cast<py::tuple>())};
+  for (const double time : state[4].cast<std::vector<double>>()) curves.in_time.push_back(curves.at_time(time));
+  for (const double frequency : state[5].cast<std::vector<double>>()) {
+    curves.in_frequency.push_back(curves.at(frequency));
+  }
+  return curves;
 }
 
 }  // namespace
@@ -142,6 +130,8 @@ void bind_engineering(py::module_& module) {
       .def_property_readonly("bulk", column(in_time, &Timed::bulk), "Bulk modulus K(t) [Pa].")
       .def_property_readonly("young", column(in_time, &Timed::young), "Young's modulus E(t) [Pa].")
       .def_property_readonly("poisson", column(in_time, &Timed::poisson), "Poisson's ratio nu(t) [-].")
+      .def_property_readonly("tensile_compliance", column(in_time, &Timed::tensile_compliance),
+                             "Creep compliance in tension D(t) [1/Pa].")
       .def_property_readonly(
           "angular_frequency", column(in_frequency, &Complex::angular_frequency),
           "Angular frequencies of the complex moduli [rad/s], rising: those of the deck, or one over the "

@@ -191,7 +191,7 @@ def test_engineering_moduli_are_those_of_the_files(binder, particle, tmp_path):
     tests = breccia.Tests(times=("1 ms", "50 ms"), loads=["shear", "bulk"], boundaries=["displacement", "traction"])
     result = breccia.run(breccia.Study(stage, tests), tmp_path / "run")
     columns = {"time_s": "time", "shear_modulus_Pa": "shear", "bulk_modulus_Pa": "bulk", "youngs_modulus_Pa": "young",
-               "poisson_ratio": "poisson"}
+               "poisson_ratio": "poisson", "tensile_compliance_1_per_Pa": "tensile_compliance"}
     with open(tmp_path / "run" / "engineering.csv") as file:
         in_time = list(csv.DictReader(line for line in file if not line.startswith("#")))
     with open(tmp_path / "run" / "engineering_dynamic.csv") as file:

@@ -41,17 +41,23 @@ std::vector<TestPair> pairs_of(const StageFindings& stage) {
 EngineeringCurves curves_of(const TestPair& pair, int dimensions, const FrequencyRows& rows) {
   const auto& shear = pair.shear->series;
   const auto bulk = bulk_modulus_of(pair.bulk->series, shear, dimensions);
-  const EngineeringModuli moduli(shear, bulk);
   EngineeringCurves curves{pair.shear->id, {}, {}, shear, bulk};
-  for (const auto& [time, modulus] : pair.shear->modulus) {
-    curves.in_time.push_back(
-        {time, shear.at(time), bulk.at(time), moduli.youngs_modulus(time), moduli.poisson_ratio(time)});
-  }
+  for (const auto& [time, modulus] : pair.shear->modulus) curves.in_time.push_back(curves.at_time(time));
   for (const double frequency : rows.of(pair.shear->modulus)) curves.in_frequency.push_back(curves.at(frequency));
   return curves;
 }
 
 }  // namespace
+
+EngineeringSample EngineeringCurves::at_time(double time) const {
+  const EngineeringModuli moduli(shear, bulk);
+  return {time,
+          shear.at(time),
+          bulk.at(time),
+          moduli.youngs_modulus(time),
+          moduli.poisson_ratio(time),
+          moduli.tensile_compliance(time)};
+}
 
 ComplexEngineeringSample EngineeringCurves::at(double angular_frequency) const {
   const EngineeringModuli moduli(shear, bulk);

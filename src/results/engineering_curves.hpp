@@ -17,6 +17,7 @@ struct EngineeringSample {
   double bulk = 0.0;     ///< K(t) [Pa]
   double young = 0.0;    ///< E(t) [Pa]
   double poisson = 0.0;  ///< nu(t) [-]
+  double tensile_compliance = 0.0;  ///< D(t), the creep compliance in tension [1/Pa]
 };
 
 /// The complex moduli of a stage at an angular frequency.
@@ -35,6 +36,8 @@ struct EngineeringCurves {
   std::vector<ComplexEngineeringSample> in_frequency;  ///< samples at the requested frequencies, rising
   PronySeries shear = {}, bulk = {};                   ///< G(t) and K(t) [Pa]
 
+  /// The moduli at a time [s].
+  [[nodiscard]] EngineeringSample at_time(double time) const;
   /// The complex moduli at an angular frequency [rad/s].
   [[nodiscard]] ComplexEngineeringSample at(double angular_frequency) const;
 };

@@ -50,13 +50,14 @@ void write_engineering_tables(const std::filesystem::path& directory, const Stud
   EngineeringTable in_time, in_frequency;
   for (const auto& stage : result.stages) {
     for (const auto& curves : engineering_curves(stage, rows)) {
-      for (const auto& [time, shear, bulk, young, poisson] : curves.in_time) {
+      for (const auto& [time, shear, bulk, young, poisson, tensile_compliance] : curves.in_time) {
         in_time.begin_row(stage.name, curves.test);
         in_time.add("time_s", time);
         in_time.add("shear_modulus_Pa", shear);
         in_time.add("bulk_modulus_Pa", bulk);
         in_time.add("youngs_modulus_Pa", young);
         in_time.add("poisson_ratio", poisson);
+        in_time.add("tensile_compliance_1_per_Pa", tensile_compliance);
       }
       for (const auto& [frequency, shear, bulk, young, poisson] : curves.in_frequency) {
         in_frequency.begin_row(stage.name, curves.test);

@@ -39,6 +39,11 @@ double EngineeringModuli::youngs_modulus(double t) const {
       [this](Complex s) { return youngs_modulus_of(carson_modulus(bulk_, s), carson_modulus(shear_, s)); }, t);
 }
 
+double EngineeringModuli::tensile_compliance(double t) const {
+  return function_of_time(
+      [this](Complex s) { return 1.0 / youngs_modulus_of(carson_modulus(bulk_, s), carson_modulus(shear_, s)); }, t);
+}
+
 double EngineeringModuli::poisson_ratio(double t) const {
   return function_of_time(
       [this](Complex s) { return poisson_ratio_of(carson_modulus(bulk_, s), carson_modulus(shear_, s)); }, t);

@@ -17,6 +17,9 @@ class EngineeringModuli {
   /// by a contour of Talbot (Abate and Valko, Int. J. Numer. Methods Eng. 60, 979, 2004), with a relative error below
   /// 1e-9.
   [[nodiscard]] double youngs_modulus(double t) const;
+  /// Creep compliance in tension D(t) [1/Pa], the axial strain after a step of the axial stress, at time t [s], t > 0,
+  /// with a relative error below 1e-9.
+  [[nodiscard]] double tensile_compliance(double t) const;
   /// Ratio of lateral contraction at time t [s], t > 0, and axial strain after a step of the axial strain [-], with an
   /// error below 1e-9.
   [[nodiscard]] double poisson_ratio(double t) const;

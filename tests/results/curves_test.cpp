@@ -160,6 +160,7 @@ TEST_F(WriteCurves, LeavesTheEngineeringModuliWhereTheLoadsAllowIt) {
     EXPECT_THAT(table.numbers("bulk_modulus_Pa"), Each(DoubleNear(5.0, 1e-12)));
     EXPECT_THAT(table.numbers("youngs_modulus_Pa"), Each(DoubleNear(7.5, 1e-9)));
     EXPECT_THAT(table.numbers("poisson_ratio"), Each(DoubleNear(0.25, 1e-9)));
+    EXPECT_THAT(table.numbers("tensile_compliance_1_per_Pa"), Each(DoubleNear(1.0 / 7.5, 1e-9)));
     const auto dynamic = read("engineering_dynamic.csv", {"stage", "boundary", "method", "cells"});
     EXPECT_THAT(dynamic.numbers("angular_frequency_rad_per_s"), ElementsAre(0.1, 1.0));
     EXPECT_THAT(dynamic.numbers("youngs_storage_modulus_Pa"), Each(DoubleNear(7.5, 1e-12)));

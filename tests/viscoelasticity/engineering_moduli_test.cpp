@@ -43,10 +43,14 @@ TEST(EngineeringModuli, OfARelaxingSolidFollowFromItsCompliances) {
   std::vector<RetardationTerm> terms;
   for (const auto& [time, compliance] : of_shear.terms()) terms.push_back({time, compliance / 3.0});
   for (const auto& [time, compliance] : of_bulk.terms()) terms.push_back({time, compliance / 9.0});
-  const auto young = relaxation_modulus({of_shear.instantaneous() / 3.0 + of_bulk.instantaneous() / 9.0, terms,
-                                         of_shear.fluidity() / 3.0 + of_bulk.fluidity() / 9.0});
+  const CreepCompliance tensile(of_shear.instantaneous() / 3.0 + of_bulk.instantaneous() / 9.0, terms,
+                                of_shear.fluidity() / 3.0 + of_bulk.fluidity() / 9.0);
+  const auto young = relaxation_modulus(tensile);
   const EngineeringModuli solid(binder, bulk);
-  for (double t = 1e-13; t < 1e8; t *= 3.0) EXPECT_NEAR(solid.youngs_modulus(t) / young.at(t), 1.0, 1e-9) << t;
+  for (double t = 1e-13; t < 1e8; t *= 3.0) {
+    EXPECT_NEAR(solid.youngs_modulus(t) / young.at(t), 1.0, 1e-9) << t;
+    EXPECT_NEAR(solid.tensile_compliance(t) / tensile.at(t), 1.0, 1e-9) << t;
+  }
 }
 
 /// A standard solid in shear with an elastic bulk modulus: nu(t) = nu_inf - (nu_inf - nu_0) exp(-t / lambda), where

@@ -148,7 +148,8 @@ function engineeringCurves() {
         x: group.map((row) => row[x]), y: group.map((row) => row[column])}));
     });
   return [
-    ...curvesIn("engineering.csv", "time_s", [["young", "youngs_modulus_Pa"], ["poisson", "poisson_ratio"]]),
+    ...curvesIn("engineering.csv", "time_s", [["young", "youngs_modulus_Pa"], ["poisson", "poisson_ratio"],
+      ["tensile-compliance", "tensile_compliance_1_per_Pa"]]),
     ...curvesIn("engineering_dynamic.csv", "angular_frequency_rad_per_s", [
       ["young-dynamic", "youngs_storage_modulus_Pa", ", E′", "storage"],
       ["young-dynamic", "youngs_loss_modulus_Pa", ", E″", "loss"], ["young-loss-factor", "youngs_loss_tangent"]]),

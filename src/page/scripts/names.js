@@ -12,6 +12,7 @@ export const quantities = [
   {name: "bulk", title: "Bulk modulus K(t); of a plane box K(t) + G(t)/3", x: "time", xUnit: "s", unit: "Pa"},
   {name: "young", title: "Young's modulus E(t)", x: "time", xUnit: "s", unit: "Pa"},
   {name: "poisson", title: "Poisson's ratio", x: "time", xUnit: "s", unit: ""},
+  {name: "tensile-compliance", title: "Creep compliance in tension D(t)", x: "time", xUnit: "s", unit: "1/Pa"},
   {name: "compliance", title: "Creep compliance", x: "time", xUnit: "s", unit: "1/Pa"},
   {name: "dynamic", title: "Storage and loss modulus G′, G″", x: "angular frequency", xUnit: "rad/s", unit: "Pa"},
   {name: "absolute", title: "Absolute value |G*|", x: "angular frequency", xUnit: "rad/s", unit: "Pa"},

@@ -1,0 +1,168 @@
+#!/usr/bin/env python3
+"""Composites that were measured, predicted with nothing fitted: runs the decks of this directory and prints the table of
+docs/validation.md.
+
+    examples/materials/evaluate.py [MATERIAL ...]
+
+MATERIAL is concrete, asphalt, polyethylene or polystyrene; all of them unless told. The program is `breccia` of the path, or
+BRECCIA of the environment; results are in `results/materials`, or the directory RESULTS of the environment; runs that are
+there already are taken as they are. The rules by which each deck was written are in docs/validation.md."""
+
+import cmath
+import csv
+import json
+import math
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+RESULTS = Path(os.environ.get("RESULTS", "results/materials"))
+BRECCIA = os.environ.get("BRECCIA", "breccia")
+DAY = 86400.0
+
+
+def rows_of(path):
+    """The rows of a table, without its comments."""
+    with open(path, encoding="utf-8") as file:
+        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+
+def solved(name, deck, *settings):
+    """The directory of a run, which is made once."""
+    run = RESULTS / name
+    if not (run / "study.json").exists():
+        options = [part for setting in settings for part in ("--set", setting)]
+        subprocess.run([BRECCIA, "run", HERE / deck, *options, "--out", run, "--overwrite", "--quiet"], check=True)
+    return run
+
+
+def interpolated(points, at):
+    """The value at a place of a curve of (place, value), linear in the logarithms."""
+    points = sorted(points)
+    for (left, below), (right, above) in zip(points, points[1:]):
+        if left <= at * (1.0 + 1e-9) and at <= right * (1.0 + 1e-9):
+            share = math.log(at / left) / math.log(right / left)
+            return below * (above / below) ** share
+    raise ValueError(f"{at} is outside of {points[0][0]} to {points[-1][0]}")
+
+
+def summary(ratios):
+    """The best, the median and the worst of ratios, by their distance from 1."""
+    by_distance = sorted(ratios, key=lambda ratio: abs(math.log(ratio)))
+    return by_distance[0], by_distance[len(by_distance) // 2], by_distance[-1]
+
+
+def of_stage(run, table, stage):
+    """The rows of a stage in a table of a run."""
+    return [row for row in rows_of(run / table) if row["stage"] == stage]
+
+
+class Table:
+    """The table of predictions over measurements, a line for each composite."""
+
+    def __init__(self):
+        self.lines = []
+
+    def add(self, composite, quantity, run, ratios):
+        """Takes the ratios of predicted to measured values by place, in words such as "0.02 d"."""
+        best, median, worst = summary(list(ratios.values()))
+        at = ", ".join(f"{ratio:.3g} at {place}" for place, ratio in ratios.items())
+        deck = json.loads((run / "study.json").read_text(encoding="utf-8"))["hash"]
+        self.lines.append(f"| {composite} | {quantity} | {best:.3g} | {median:.3g} | {worst:.3g} | {at} | {deck} |")
+
+    def show(self):
+        print("| composite | quantity | best | median | worst | predicted over measured | deck |")
+        print("|---|---|---|---|---|---|---|")
+        print("\n".join(self.lines))
+
+
+def concrete(table):
+    """Le Roy's two mixes; the fraction of aggregate from 68 to 72 %, and another gap, from smaller boxes."""
+    small = "tests.accuracy=5 %"
+    cases = {"70 %": (), "70 %, small box": (small,), "68 %, small box": (small, "stages.mortar.filler.fraction=0.4576"),
+             "72 %, small box": (small, "stages.mortar.filler.fraction=0.5254"),
+             "half of the gap, small box": (small, "stages.*.filler.gap=5 %")}
+    for mix in ("P28-10", "P50-0"):
+        measured = {float(row["time_day"]): float(row["youngs_compliance_1_per_TPa"])
+                    for row in rows_of(HERE / "concrete" / f"concrete_{mix}.csv")}
+        for name, settings in cases.items():
+            run = solved(f"concrete-{mix}-{name.replace(',', '').replace(' ', '-').replace('%', 'percent')}", "concrete/concrete.toml",
+                         f"materials.paste.young.measured=paste_{mix}.csv", *settings)
+            predicted = [(float(row["time_s"]) / DAY, 1e12 * float(row["tensile_compliance_1_per_Pa"]))
+                         for row in of_stage(run, "engineering.csv", "concrete")]
+            table.add(f"concrete {mix}, {name}", "J", run, {
+                f"{day:g} d": interpolated(predicted, day) / interpolated(measured.items(), day)
+                for day in (0.02, 0.1, 1.0, 10.0, 50.0, 90.0)})
+
+
+def polyethylene(table):
+    """The storage modulus with 10 % by mass of silica."""
+    run = solved("polyethylene", "polyethylene-silica/polyethylene-silica.toml")
+    rows = of_stage(run, "engineering_dynamic.csv", "composite")
+    for quantity, column in (("E'", "youngs_storage_modulus"), ("E''", "youngs_loss_modulus")):
+        predicted = [(float(row["angular_frequency_rad_per_s"]) / math.tau, float(row[f"{column}_Pa"]) / 1e6) for row in rows]
+        measured = {float(row["frequency_Hz"]): float(row[f"{column}_MPa"])
+                    for row in rows_of(HERE / "polyethylene-silica" / "composite.csv")}
+        table.add("polyethylene with 4.6 % of silica", quantity, run, {
+            f"{hertz:g} Hz": interpolated(predicted, hertz) / value for hertz, value in measured.items()})
+
+
+def modulus_of(law, omega):
+    """The complex modulus of 2S2P1D [MPa]."""
+    tau, p = float(law["time_s"]), 1j * omega
+    low, high = float(law["static_MPa"]), float(law["glassy_MPa"])
+    return low + (high - low) / (1.0 + float(law["delta"]) * (p * tau) ** -float(law["k"]) + (p * tau) ** -float(law["h"])
+                                 + 1.0 / (p * float(law["beta"]) * tau))
+
+
+def bitumen_file(law):
+    """A file with the bitumen of a sample, for `breccia respond`."""
+    path = RESULTS / f"bitumen-{law['sample']}.toml"
+    path.write_text('density = "1.04 g/cm^3"\nbulk = "2.5 GPa"\nyoung = { law = "2s2p1d", ' + ", ".join(
+        [f'static = "{law["static_MPa"]} MPa"', f'glassy = "{law["glassy_MPa"]} MPa"', f'time = "{law["time_s"]} s"']
+        + [f"{key} = {law[key]}" for key in ("delta", "k", "h", "beta")]) + " }\n", encoding="utf-8")
+    return path
+
+
+def asphalt(table):
+    """Six mixtures, from one run with the bitumen H0 whose response answers the others."""
+    laws = {(row["sample"], row["what"]): row for row in rows_of(HERE / "asphalt" / "parameters.csv")}
+    for model in ("spheres", "grains"):
+        run = solved(f"asphalt-{model}", f"asphalt/{model}.toml")
+        for sample in ("H0", "H3", "H9", "W0", "W3", "W6"):
+            response = run
+            if sample != "H0":
+                response = RESULTS / f"asphalt-{model}-{sample}"
+                subprocess.run([BRECCIA, "respond", run, "--material", f"bitumen={bitumen_file(laws[sample, 'binder'])}",
+                                "--out", response, "--overwrite", "--quiet"], check=True)
+            rows = of_stage(response, "engineering_dynamic.csv", "mixture")
+            absolute, phase = {}, {}
+            for omega in (1e-3, 1e-2, 0.1, 1.0, 10.0, 100.0, 300.0):
+                parts = [interpolated([(float(row["angular_frequency_rad_per_s"]), float(row[f"youngs_{part}_modulus_Pa"]))
+                                       for row in rows], omega) / 1e6 for part in ("storage", "loss")]
+                measured = modulus_of(laws[sample, "mixture"], omega)
+                absolute[f"{omega:g} rad/s"] = abs(complex(*parts)) / abs(measured)
+                phase[f"{omega:g} rad/s"] = cmath.phase(complex(*parts)) / cmath.phase(measured)
+            table.add(f"asphalt {sample} as {model}", "\\|E*\\|", run, absolute)
+            table.add(f"asphalt {sample} as {model}", "phase", run, phase)
+
+
+MATERIALS = {"concrete": concrete, "asphalt": asphalt, "polyethylene": polyethylene}
+
+
+def main():
+    chosen = sys.argv[1:] or list(MATERIALS)
+    unknown = [name for name in chosen if name not in MATERIALS]
+    if unknown:
+        sys.exit(f"unknown material {', '.join(unknown)}; expected some of {', '.join(MATERIALS)}")
+    RESULTS.mkdir(parents=True, exist_ok=True)
+    table = Table()
+    for name in chosen:
+        MATERIALS[name](table)
+    table.show()
+
+
+if __name__ == "__main__":
+    main()
