@@ -17,11 +17,12 @@ PathLike = Union[str, "os.PathLike[str]"]
 #: The SI units of the keys of a deck that are quantities, in whatever table they stand.
 UNITS = {
     "activation_energy": "J/mol", "angle": "rad", "box": "m", "budget": "s", "bulk": "Pa", "c2": "K",
-    "creep": "1/Pa", "density": "kg/m^3", "diameter": "m", "equilibrium": "Pa", "fields": "s", "film": "m",
-    "frequencies": "Hz", "from": "m", "gap": "m", "glassy": "Pa", "instantaneous": "1/Pa", "list": "m", "median": "m",
-    "modulus": "Pa", "normal_stiffness": "Pa/m", "pixel": "m", "ramp": "s", "reference": "K",
-    "reference_temperature": "K", "resolution": "1/m", "shear": "Pa", "static": "Pa", "tangential_stiffness": "Pa/m",
-    "temperature": "K", "thickness": "m", "time": "s", "times": "s", "to": "m", "unrelaxed": "Pa", "young": "Pa",
+    "creep": "1/Pa", "d10": "m", "d50": "m", "d90": "m", "density": "kg/m^3", "diameter": "m", "equilibrium": "Pa",
+    "fields": "s", "film": "m", "frequencies": "Hz", "from": "m", "fuller": "m", "gap": "m", "glassy": "Pa",
+    "instantaneous": "1/Pa", "list": "m", "median": "m", "modulus": "Pa", "normal_stiffness": "Pa/m", "pixel": "m",
+    "ramp": "s", "reference": "K", "reference_temperature": "K", "resolution": "1/m", "rosin_rammler": "m",
+    "shear": "Pa", "size": "m", "sizes": "m", "static": "Pa", "tangential_stiffness": "Pa/m", "temperature": "K",
+    "thickness": "m", "time": "s", "times": "s", "to": "m", "unrelaxed": "Pa", "young": "Pa",
 }
 
 #: The keys of a distribution, whose numbers have the unit of the key to which it belongs.

@@ -51,6 +51,24 @@ def test_moduli_by_numbers_are_those_by_text(by_number, by_text):
     assert one == other and one.shear.relaxation_times[0] < 1.0
 
 
+@pytest.mark.parametrize("by_number, by_text", [
+    ({"from": 5e-6, "to": 75e-6}, {"from": "5 um", "to": "75 um"}),
+    ({"d10": 1e-5, "d50": 2e-5, "d90": 4e-5}, {"d10": "10 um", "d50": "20 um", "d90": "40 um"}),
+    ({"fuller": 75e-6}, {"fuller": "75 um", "exponent": 0.5}),
+    ({"passing": [{"size": 7e-5, "passing": 1.0}, {"size": 1e-5, "passing": 0.0}]},
+     {"passing": [{"size": "10 um", "passing": "0 %"}, {"size": "70 um", "passing": "100 %"}]}),
+])
+def test_sizes_by_numbers_are_those_by_text(by_number, by_text):
+    def study(sizes):
+        filler = breccia.Filler(breccia.Material("f", density=2e3, bulk=1e10, shear=1e10), fraction=0.2, sizes=sizes,
+                                smallest=1e-5, largest=6e-5)
+        binder = breccia.Material("b", density=1e3, bulk=1e9, shear=1e6)
+        stage = breccia.Stage("s", matrix=binder, box=5e-4, cells=40, fillers=filler, packing="lubachevsky-stillinger")
+        return breccia.Study(stage, breccia.Tests(times=(1e-3, 1.0)))
+    one, other = (breccia.pack(study(sizes))["s"].microstructure for sizes in (by_number, by_text))
+    assert np.allclose(one.particles, other.particles)
+
+
 class Millisecond:
     """A quantity as packages of units have it, which NumPy takes for the number 1."""
 
@@ -159,7 +177,8 @@ def test_every_quantity_of_a_deck_has_a_unit_here():
     """What the readers of decks take as quantities is what numbers get a unit for."""
     text = "".join(path.read_text() for path in (ROOT / "src" / "deck").glob("*.cpp"))
     keys = set(re.findall(r'quantit(?:y|ies)\(\s*"([a-z0-9_]+)",\s*Dimension::', text))
-    by_variable = {"bulk", "shear", "young", "times", "resolution", "gap"}  # read by a name in a variable
+    # Read by a name in a variable, or a table of sizes that looks like a distribution.
+    by_variable = {"bulk", "shear", "young", "times", "resolution", "gap", "d50", "d90", "sizes"}
     assert keys | by_variable == set(UNITS)
 
 

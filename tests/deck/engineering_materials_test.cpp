@@ -188,7 +188,7 @@ TEST_F(EngineeringMaterials, RefusesLawsThatAreWrong) {
       {bitumen + ", k = 0.22, h = 1.2", "shear.h: expected a number between 0 and 1"},
       {bitumen + ", k = 0.7, h = 0.6", "shear.law: k: expected a number above 0 and up to h, got 0.7"},
       {bitumen + ", k = 0.2", "shear.h: missing"},
-      {bitumen + ", k = 0.2, h = 0.6, gamma = 2", "shear.gamma: unknown key"},
+      {bitumen + ", k = 0.2, h = 0.6, gamma = 2", "shear: unknown key \"gamma\""},
       {zener, "shear.exponent: missing"},
       {zener + R"(, exponent = 0.5, equilibrium = "2 GPa")", "shear.law: unrelaxed: expected more than equilibrium"},
       {zener + ", exponent = 0.99", "shear.law: the spectrum of this law is so narrow"},
