@@ -47,6 +47,14 @@ TEST(RelaxationPath, OfWhatFlowsEndsTwoDecadesBeyondOrWhereTheWindowDoes) {
   EXPECT_NEAR(relaxation_path(material, {1e-4, 1e2}).back().shear / (5e5 / 3e5 * 1.0 / (1.0 + 1.0 / 3e5)), 1.0, 1e-9);
 }
 
+// Of a constant Poisson's ratio both moduli relax to zero, which are those of a void.
+TEST(RelaxationPath, OfWhatFlowsInShearAndInBulkHasNoPointWithoutStiffness) {
+  const PronySeries shear(0.0, {{1.0, 1e6}});
+  const auto path = relaxation_path({"paste", 2000.0, shear.scaled(4.0 / 3.0), shear}, window);
+  EXPECT_GT(path.back().shear, 0.0);
+  EXPECT_NEAR(path.back().bulk / path.back().shear, 4.0 / 3.0, 1e-12);
+}
+
 TEST(RelaxationPath, OfAnElasticMaterialIsAPoint) {
   const auto path = relaxation_path(with_shear(PronySeries(3e6)), window);
   ASSERT_EQ(path.size(), 1U);

@@ -100,8 +100,11 @@ std::vector<CarsonPoint> relaxation_path(std::span<const Material> materials, co
   std::vector<CarsonPoint> path = {point_at(materials, unrelaxed)};
   append_between(path, materials, 1.0 / begin, 1.0 / end);
   auto relaxed = point_at(materials, 0.0);
-  const bool is_solid =
-      std::ranges::all_of(relaxed.moduli, [](const Moduli& phase) { return phase.shear > 0.0 || is_void(phase); });
+  // A material whose moduli all relax to zero is no void.
+  bool is_solid = true;
+  for (std::size_t m = 0; m < materials.size(); ++m) {
+    is_solid = is_solid && (relaxed.moduli[m].shear > 0.0 || is_void(materials[m]));
+  }
   if (is_solid) append(path, std::move(relaxed), rounding);
   return path;
 }
