@@ -12,11 +12,11 @@ namespace breccia {
 
 /// The moduli of a stage at a time, with those of a uniaxial test (theory, Eqs. 23a and 23b).
 struct EngineeringSample {
-  double time = 0.0;     ///< [s]
-  double shear = 0.0;    ///< G(t) [Pa]
-  double bulk = 0.0;     ///< K(t) [Pa]
-  double young = 0.0;    ///< E(t) [Pa]
-  double poisson = 0.0;  ///< nu(t) [-]
+  double time = 0.0;                ///< [s]
+  double shear = 0.0;               ///< G(t) [Pa]
+  double bulk = 0.0;                ///< K(t) [Pa]
+  double young = 0.0;               ///< E(t) [Pa]
+  double poisson = 0.0;             ///< nu(t) [-]
   double tensile_compliance = 0.0;  ///< D(t), the creep compliance in tension [1/Pa]
 };
 
