@@ -69,7 +69,7 @@ def asphalt(path):
     curves = []
     for sample, colour in zip(("H0", "W6"), COLOURS):
         curves.append(points([(omega, abs(modulus_of(laws[sample, "mixture"], omega))) for omega in omegas], colour,
-                             f"{sample}, measured"))
+                             f"{sample}, as fitted to measurements"))
         for model, dash in (("spheres", 2), ("grains", 1)):
             run = RESULTS / (f"asphalt-{model}" + ("" if sample == "H0" else f"-{sample}"))
             rows = of_stage(run, "engineering_dynamic.csv", "mixture")

@@ -4,9 +4,9 @@ docs/validation.md.
 
     examples/materials/evaluate.py [MATERIAL ...]
 
-MATERIAL is concrete, asphalt, polyethylene or polystyrene; all of them unless told. The program is `breccia` of the path, or
-BRECCIA of the environment; results are in `results/materials`, or the directory RESULTS of the environment; runs that are
-there already are taken as they are. The rules by which each deck was written are in docs/validation.md."""
+MATERIAL is concrete, asphalt or polyethylene; all of them unless told. The program is `breccia` of the path, or BRECCIA of
+the environment; results are in `results/materials`, or the directory RESULTS of the environment; runs of the same decks
+that are there already are taken as they are. The rules by which each deck was written are in docs/validation.md."""
 
 import cmath
 import csv
@@ -30,11 +30,13 @@ def rows_of(path):
 
 
 def solved(name, deck, *settings):
-    """The directory of a run, which is made once."""
+    """The directory of a run. One of the same deck is continued, or taken where it is complete; another is replaced."""
     run = RESULTS / name
-    if not (run / "study.json").exists():
-        options = [part for setting in settings for part in ("--set", setting)]
-        subprocess.run([BRECCIA, "run", HERE / deck, *options, "--out", run, "--overwrite", "--quiet"], check=True)
+    options = [part for setting in settings for part in ("--set", setting)]
+    command = [BRECCIA, "run", HERE / deck, *options, "--out", run, "--quiet"]
+    is_there = (run / "study.json").exists()
+    if not is_there or subprocess.run([*command, "--resume"], stderr=subprocess.DEVNULL).returncode != 0:
+        subprocess.run([*command, "--overwrite"], check=True)
     return run
 
 
@@ -79,11 +81,9 @@ class Table:
 
 
 def concrete(table):
-    """Le Roy's two mixes; the fraction of aggregate from 68 to 72 %, and another gap, from smaller boxes."""
-    small = "tests.accuracy=5 %"
-    cases = {"70 %": (), "70 %, small box": (small,), "68 %, small box": (small, "stages.mortar.filler.fraction=0.4576"),
-             "72 %, small box": (small, "stages.mortar.filler.fraction=0.5254"),
-             "half of the gap, small box": (small, "stages.*.filler.gap=5 %")}
+    """Le Roy's two mixes; the fraction of aggregate from 68 to 72 %, and another gap."""
+    cases = {"70 %": (), "68 %": ("stages.mortar.filler.amount.volume=27 %",),
+             "72 %": ("stages.mortar.filler.amount.volume=31 %",), "70 %, half of the gap": ("stages.*.filler.gap=5 %",)}
     for mix in ("P28-10", "P50-0"):
         measured = {float(row["time_day"]): float(row["youngs_compliance_1_per_TPa"])
                     for row in rows_of(HERE / "concrete" / f"concrete_{mix}.csv")}

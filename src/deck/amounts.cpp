@@ -121,7 +121,8 @@ void check_whole(std::span<const Section> stages, const std::vector<std::optiona
     if (!share.section.has("amount")) {
       share.section.report("amount",
                            "missing: other fillers of the composite have an amount, and the binder takes what all of "
-                           "them leave; expected amount for all of them or fraction for all of them");
+                           "them leave; expected amount for all of them, or for none where the particles of a stage "
+                           "are listed, regular or given by packing.film");
     }
     share.section.refuse({"coating"},
                          "the mass and the volume of a coating are not known before its particles are packed: "

@@ -1,10 +1,12 @@
 #include "deck/laws.hpp"
 
-#include <cmath>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "breccia/viscoelasticity/law_series.hpp"
+
+#include "deck/known_numbers.hpp"
 
 namespace breccia {
 namespace {
@@ -17,10 +19,9 @@ constexpr Range exponents = Range::between(0.0, 1.0);
 /// The series of a law whose numbers have been read; empty if one of them is NaN, after a mistake, or if they do not
 /// fit together, which is reported.
 template <class Law>
-PronySeries series_or_mistake(const Section& section, const Law& law, double sum_of_numbers) {
+PronySeries series_or_mistake(const Section& section, const Law& law, const std::vector<double>& numbers) {
   PronySeries series;
-  if (std::isnan(sum_of_numbers)) return series;
-  section.report_errors_of("law", [&] { series = series_of(law).series; });
+  if (are_known(numbers)) section.report_errors_of("law", [&] { series = series_of(law); });
   return series;
 }
 
@@ -35,7 +36,7 @@ PronySeries read_2s2p1d(const Section& section) {
       .h = section.number("h", exponents),
       .beta = section.optional_number("beta", Range::positive()).value_or(without_dashpot)};
   return series_or_mistake<RelaxationLaw>(
-      section, law, law.static_modulus + law.glassy_modulus + law.delta + law.time + law.k + law.h + law.beta);
+      section, law, {law.static_modulus, law.glassy_modulus, law.delta, law.time, law.k, law.h, law.beta});
 }
 
 PronySeries read_fractional_zener(const Section& section) {
@@ -44,25 +45,26 @@ PronySeries read_fractional_zener(const Section& section) {
       .unrelaxed = section.quantity("unrelaxed", Dimension::pressure, Range::positive()),
       .time = section.quantity("time", Dimension::time, Range::positive()),
       .exponent = section.number("exponent", exponents)};
-  return series_or_mistake<RelaxationLaw>(section, law, law.equilibrium + law.unrelaxed + law.time + law.exponent);
+  return series_or_mistake<RelaxationLaw>(section, law, {law.equilibrium, law.unrelaxed, law.time, law.exponent});
+}
+
+template <class Law>
+PronySeries read_creep(const Section& section, double exponent) {
+  const Law law = {.instantaneous = section.quantity("instantaneous", Dimension::compliance, Range::positive()),
+                   .creep = section.quantity("creep", Dimension::compliance, Range::positive()),
+                   .time = section.quantity("time", Dimension::time, Range::positive()),
+                   .exponent = exponent};
+  return series_or_mistake<CreepLaw>(section, law, {law.instantaneous, law.creep, law.time, law.exponent});
 }
 
 PronySeries read_power_law_creep(const Section& section) {
-  const PowerLawCreep law = {
-      .instantaneous = section.quantity("instantaneous", Dimension::compliance, Range::positive()),
-      .creep = section.quantity("creep", Dimension::compliance, Range::positive()),
-      .time = section.quantity("time", Dimension::time, Range::positive()),
-      .exponent = section.number("exponent", exponents)};
-  return series_or_mistake<CreepLaw>(section, law, law.instantaneous + law.creep + law.time + law.exponent);
+  return read_creep<PowerLawCreep>(section, section.number("exponent", exponents));
 }
 
 PronySeries read_logarithmic_creep(const Section& section) {
-  const LogarithmicCreep law = {
-      .instantaneous = section.quantity("instantaneous", Dimension::compliance, Range::positive()),
-      .creep = section.quantity("creep", Dimension::compliance, Range::positive()),
-      .time = section.quantity("time", Dimension::time, Range::positive()),
-      .exponent = section.optional_number("exponent", Range::above_and_up_to(0.0, 1.0)).value_or(1.0)};
-  return series_or_mistake<CreepLaw>(section, law, law.instantaneous + law.creep + law.time + law.exponent);
+  constexpr double natural = 1.0;
+  const auto exponent = section.optional_number("exponent", Range::above_and_up_to(0.0, natural));
+  return read_creep<LogarithmicCreep>(section, exponent.value_or(natural));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "deck/size_rows.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -31,6 +32,20 @@ std::vector<std::size_t> rows_by_size(const SizeRows& rows, const RowReporter& r
   }
   std::ranges::stable_sort(rising, {}, [&rows](std::size_t row) { return rows.sizes[row]; });
   return rising;
+}
+
+/// The table without sieves that nothing passes but the coarsest of them, and without those that all pass but the
+/// finest of them: its ends are those of the sizes.
+TabulatedSizes without_empty_ends(TabulatedSizes table) {
+  auto& diameters = table.diameters;
+  auto& shares = table.cumulative_volume_fractions;
+  const auto some = std::ranges::find_if(shares, [](double share) { return share > 0.0; }) - shares.begin();
+  const auto all = std::ranges::find_if(shares, [](double share) { return share >= 1.0; }) - shares.begin();
+  diameters.erase(diameters.begin() + all + 1, diameters.end());
+  shares.erase(shares.begin() + all + 1, shares.end());
+  diameters.erase(diameters.begin(), diameters.begin() + some - 1);
+  shares.erase(shares.begin(), shares.begin() + some - 1);
+  return table;
 }
 
 std::string in_percent(double share) {
@@ -81,9 +96,10 @@ TabulatedSizes with_known_ends(TabulatedSizes table, std::optional<double> from,
   }
   if (mistakes.empty() && !(last > first)) mistakes.push_back(place + "expected shares that rise with the size");
   if (!mistakes.empty()) throw InputError(fmt::format("{}", fmt::join(mistakes, "\n")));
-  if (first == 0.0 && last == 1.0) return table;
-  for (auto& share : shares) share = (share - first) / (last - first);
-  return table;
+  if (first != 0.0 || last != 1.0) {
+    for (auto& share : shares) share = (share - first) / (last - first);
+  }
+  return without_empty_ends(std::move(table));
 }
 
 }  // namespace breccia

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <optional>
@@ -15,6 +14,7 @@
 
 #include "breccia/microstructure/draw_diameters.hpp"
 
+#include "deck/known_numbers.hpp"
 #include "deck/size_rows.hpp"
 #include "deck/size_table.hpp"
 
@@ -66,11 +66,6 @@ std::optional<Sizes> read_lognormal(const Section& sizes) {
   }
   for (auto& component : lognormal.components) component.weight /= sum;
   return lognormal;
-}
-
-/// Whether all of these are numbers. Others have been reported already.
-bool are_known(const std::vector<double>& numbers) {
-  return std::ranges::none_of(numbers, [](double number) { return std::isnan(number); });
 }
 
 /// A sieve analysis: `passing = [{ size = "2 mm", passing = "40 %" }, ...]`.

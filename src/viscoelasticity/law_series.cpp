@@ -1,16 +1,12 @@
 #include "breccia/viscoelasticity/law_series.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <optional>
 #include <ranges>
 #include <utility>
 #include <vector>
-
-#include <fmt/format.h>
 
 #include "breccia/error.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
@@ -48,26 +44,29 @@ Nodes nodes_of(const Spectrum& spectrum, double centre, int per_decade) {
 }
 
 /// The sum of a quantity over the nodes that continue a spectrum beyond `from`, each `step` times further than the one
-/// before it, until what is left does not count or the times end.
+/// before it, until what is left does not count. Where the times end before that, the rest is that of a geometric
+/// series: the spectra are powers of time far away from their centre.
 template <class Quantity>
 double sum_beyond(const Quantity& quantity, double from, double step) {
   constexpr double negligible = 1e-12, shortest = 1e-250, longest = 1e250;
-  double sum = 0.0;
+  double sum = 0.0, added = 0.0, ratio = 0.0;
   for (double time = from; time > shortest && time < longest; time *= step) {
-    const double added = quantity(time);
+    const double before = std::exchange(added, quantity(time));
     sum += added;
-    if (added <= negligible * sum) break;
+    if (added <= negligible * sum) return sum;
+    ratio = before > 0.0 ? added / before : 0.0;
   }
-  return sum;
+  return ratio < 1.0 ? sum + added * ratio / (1.0 - ratio) : sum;
 }
 
 /// The relaxation modulus of a spectrum. What relaxes after the last node does so there; what relaxes before the first
-/// one does so there, so that the modulus at t = 0 is that of the law.
+/// one does so there, so that the modulus at t = 0 is that of the law. Where the sum over the nodes exceeds that
+/// modulus, by the error of the rule, all terms are less by the same factor.
 PronySeries discretised(const RelaxationLaw& law, int per_decade) {
   const auto spectrum = [&law](double time) { return relaxation_spectrum(law, time); };
   const auto nodes = nodes_of(spectrum, characteristic_time(law), per_decade);
-  const double width = std::log(nodes.step);
-  double modulus = equilibrium_modulus(law);
+  const double width = std::log(nodes.step), equilibrium = equilibrium_modulus(law);
+  double modulus = equilibrium;
   std::vector<MaxwellTerm> terms;
   const auto add = [&](double time, double strength) {
     constexpr double negligible = 1e-12;  // of the modulus that is left at that time
@@ -77,8 +76,12 @@ PronySeries discretised(const RelaxationLaw& law, int per_decade) {
   };
   add(nodes.last, sum_beyond([&](double time) { return spectrum(time) * width; }, nodes.last, nodes.step));
   for (const auto& node : nodes.inside | std::views::reverse) add(node.time, node.strength);
-  add(nodes.first, unrelaxed_modulus(law) - modulus);
-  return {equilibrium_modulus(law), std::move(terms)};
+  const double total = unrelaxed_modulus(law) - equilibrium, found = modulus - equilibrium;
+  add(nodes.first, total - found);
+  if (found > total) {
+    for (auto& term : terms) term.modulus *= total / found;
+  }
+  return {equilibrium, std::move(terms)};
 }
 
 /// The creep compliance of a spectrum. What is retarded beyond the last node flows at a constant rate; what is retarded
@@ -127,28 +130,27 @@ PronySeries modulus_of(const CreepCompliance& compliance) {
 
 /// The coarsest series within the tolerance.
 template <class Law>
-LawSeries coarsest(const Law& law) {
+PronySeries coarsest(const Law& law) {
   require_valid(law);
   const auto times = compared_times(characteristic_time(law));
   for (const int per_decade : {2, 3, 4, 6, 8, 12, 16, 24}) {
     auto found = discretised(law, per_decade);
-    double worst = 0.0;
-    for (const double time : times) worst = std::max(worst, deviation(law, found, time));
-    if (worst <= tolerance) return {modulus_of(std::move(found)), worst, times.front(), times.back()};
+    const auto follows = [&](double time) { return deviation(law, found, time) <= tolerance; };
+    if (std::ranges::all_of(times, follows)) return modulus_of(std::move(found));
   }
   throw InputError(
-      "the spectrum of this law is so narrow that a series takes more than 24 terms a decade: an exponent this close "
-      "to 1 "
-      "is that of a dashpot; expected a smaller one, or a Prony series in place of the law");
+      "no series of 24 terms a decade follows this law within 0.1 %: its exponents are too close to 0 or to 1; "
+      "expected "
+      "others, or a Prony series in place of the law");
 }
 
 }  // namespace
 
-LawSeries series_of(const RelaxationLaw& law) {
+PronySeries series_of(const RelaxationLaw& law) {
   return coarsest(law);
 }
 
-LawSeries series_of(const CreepLaw& law) {
+PronySeries series_of(const CreepLaw& law) {
   return coarsest(law);
 }
 

@@ -57,7 +57,7 @@ struct CarsonModulus {
 
   std::complex<double> operator()(const TwoSpringsTwoParabolasDashpot& law) const {
     const auto x = s * law.time;
-    const auto sum = 1.0 + law.delta * std::pow(x, -law.k) + std::pow(x, -law.h) + 1.0 / (law.beta * x);
+    const auto sum = 1.0 + law.delta * std::pow(x, -law.k) + std::pow(x, -law.h) + (1.0 / law.beta) / x;
     return law.static_modulus + (law.glassy_modulus - law.static_modulus) / sum;
   }
   std::complex<double> operator()(const FractionalZener& law) const {

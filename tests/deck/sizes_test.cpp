@@ -154,6 +154,17 @@ TEST_F(DeckSizes, ACutLeavesOutWhatHasNoSize) {
   EXPECT_NEAR(distribution("sizes = \"coarse.csv\", to = \"4 mm\"").cumulative(2e-3), 0.6 / 0.98, 1e-15);
 }
 
+// The default gap is a tenth of the smallest diameter that there is, not of the finest sieve.
+TEST_F(DeckSizes, SievesThatNothingPassesOrThatAllPassAreNoSizes) {
+  const auto filler =
+      filler_with(R"(sizes = { passing = [{ size = "63 um", passing = "0 %" }, { size = "0.5 mm", passing = "0 %" },
+  { size = "1 mm", passing = "30 %" }, { size = "2 mm", passing = "100 %" }, { size = "4 mm", passing = "100 %" }] })");
+  EXPECT_EQ(filler.smallest, 0.5e-3);
+  EXPECT_EQ(filler.largest, 2e-3);
+  EXPECT_NEAR(filler.gap, 0.05e-3, 1e-15);
+  EXPECT_NEAR(distribution_of(filler).value().cumulative(1e-3), 0.3, 1e-15);
+}
+
 TEST_F(DeckSizes, MistakesInASieveAnalysis) {
   const auto mistakes_in = [&](std::string_view rows) {
     return mistakes_of(test::join("sizes = { passing = [", rows, "] }"));

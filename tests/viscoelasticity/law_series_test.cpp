@@ -18,7 +18,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// Binders of Some et al. 2022 (../examples/materials/asphalt): H0 and W6.
+// The bitumens H0 and W6 of Some et al. 2022 (examples/materials/asphalt/parameters.csv).
 const TwoSpringsTwoParabolasDashpot h0 = {.static_modulus = 0.1,
                                           .glassy_modulus = 1e9,
                                           .delta = 2.2,
@@ -40,13 +40,14 @@ double worst_of(const PronySeries& series, double first, double last, const Exac
   double worst = 0.0;
   for (double omega = first; omega <= last; omega *= 1.37) {
     const Complex modulus = exact(Complex(0.0, omega));
-    worst = std::max(worst, std::abs(series.complex_modulus(omega) - modulus) / std::abs(modulus));
+    const double deviation = std::abs(series.complex_modulus(omega) - modulus) / std::abs(modulus);
+    if (!(deviation <= worst)) worst = deviation;  // a deviation that is no number as well
   }
   return worst;
 }
 
-// |E*| and its phase as others have evaluated the same parameters.
-TEST(LawSeries, BitumenHasThePublishedModulus) {
+// |E*| and its phase from the same parameters by another program, in Python.
+TEST(LawSeries, BitumenHasTheModulusOfItsFormula) {
   struct Row {
     TwoSpringsTwoParabolasDashpot law;
     double omega, absolute, degrees;
@@ -54,7 +55,7 @@ TEST(LawSeries, BitumenHasThePublishedModulus) {
   for (const auto& [law, omega, absolute, degrees] :
        {Row{h0, 1e-3, 0.07253e6, 80.76}, Row{h0, 1.0, 14.89e6, 56.35}, Row{h0, 300.0, 218.2e6, 26.52},
         Row{w6, 1e-3, 9.448e6, 43.6}, Row{w6, 1.0, 122.8e6, 23.51}, Row{w6, 300.0, 378e6, 13.24}}) {
-    const auto modulus = series_of(law).series.complex_modulus(omega);
+    const auto modulus = series_of(law).complex_modulus(omega);
     EXPECT_NEAR(std::abs(modulus) / absolute, 1.0, 1e-3) << omega;
     EXPECT_NEAR(std::arg(modulus) * 180.0 / std::numbers::pi, degrees, 0.05) << omega;
   }
@@ -68,11 +69,10 @@ TEST(LawSeries, Of2S2P1DOverTwentyDecades) {
                                        std::pow(p * law.time, -law.h) + 1.0 / (p * law.beta * law.time));
     };
     const auto found = series_of(law);
-    EXPECT_LT(worst_of(found.series, 1e-10, 1e10, exact), 1.1 * found.error);
-    EXPECT_LT(found.error, 1e-3);
-    EXPECT_LT(found.series.terms().size(), 70U);
-    EXPECT_NEAR(found.series.unrelaxed() / law.glassy_modulus, 1.0, 1e-3);
-    EXPECT_EQ(found.series.equilibrium(), law.static_modulus);
+    EXPECT_LT(worst_of(found, 1e-10, 1e10, exact), 1.1e-3);
+    EXPECT_LT(found.terms().size(), 70U);
+    EXPECT_NEAR(found.unrelaxed() / law.glassy_modulus, 1.0, 1e-12);
+    EXPECT_EQ(found.equilibrium(), law.static_modulus);
   }
 }
 
@@ -84,13 +84,13 @@ TEST(LawSeries, WithoutADashpotTheModulusStaysAboveTheStaticOne) {
     return law.static_modulus + (law.glassy_modulus - law.static_modulus) /
                                     (1.0 + law.delta * std::pow(p * law.time, -law.k) + std::pow(p * law.time, -law.h));
   };
-  EXPECT_LT(worst_of(series_of(law).series, 1e-10, 1e10, exact), 1.1e-3);
+  EXPECT_LT(worst_of(series_of(law), 1e-10, 1e10, exact), 1.1e-3);
 }
 
 // M(t) = M_0 exp(t / tau) erfc(sqrt(t / tau)) for alpha = 1/2 without an equilibrium modulus.
 TEST(LawSeries, FractionalMaxwellRelaxesAsTheErrorFunction) {
   const double modulus = 2e9, tau = 3.0;
-  const auto series = series_of(FractionalZener{0.0, modulus, tau, 0.5}).series;
+  const auto series = series_of(FractionalZener{0.0, modulus, tau, 0.5});
   for (double t = 1e-10; t < 1e11; t *= 3.0) {
     const double x = std::sqrt(t / tau);
     const double scaled =
@@ -111,10 +111,11 @@ TEST(LawSeries, SpectrumOfTheFractionalZenerModel) {
 }
 
 TEST(LawSeries, OfTheFractionalZenerModelForAllExponents) {
-  for (const double a : {0.05, 0.2, 0.5, 0.8, 0.9}) {
+  for (const double a : {0.01, 0.05, 0.2, 0.5, 0.8, 0.9}) {
     const auto exact = [a](Complex p) { return 1e5 + 1e9 * std::pow(p, a) / (1.0 + std::pow(p, a)); };
     const auto found = series_of(FractionalZener{1e5, 1e5 + 1e9, 1.0, a});
-    EXPECT_LT(worst_of(found.series, 1e-12, 1e12, exact), 1.1e-3) << a;
+    EXPECT_LT(worst_of(found, 1e-12, 1e12, exact), 1.1e-3) << a;
+    EXPECT_NEAR(found.unrelaxed() / (1e5 + 1e9), 1.0, 1e-12) << a;
   }
   EXPECT_THROW(series_of(FractionalZener{0.0, 1e9, 1.0, 0.99}), InputError);
 }
@@ -122,11 +123,15 @@ TEST(LawSeries, OfTheFractionalZenerModelForAllExponents) {
 // The fractional Maxwell model is power-law creep: J(p) = J_0 + J_1 Gamma(1 + n) (p t_1)^-n.
 TEST(LawSeries, OfPowerLawCreep) {
   const double j0 = 2e-11, j1 = 1.5e-11, t1 = 86400.0;
-  for (const double n : {0.1, 0.3, 0.7}) {
+  for (const double n : {0.02, 0.1, 0.3, 0.7, 0.9, 0.98}) {
     const auto exact = [&](Complex p) { return 1.0 / (j0 + j1 * std::tgamma(1.0 + n) * std::pow(p * t1, -n)); };
     const auto found = series_of(PowerLawCreep{j0, j1, t1, n});
-    EXPECT_LT(worst_of(found.series, 1e-11, 1e3, exact), 5e-3) << n;
-    EXPECT_NEAR(found.series.unrelaxed() * j0, 1.0, 1e-12);
+    EXPECT_LT(worst_of(found, 1e-11, 1e3, exact), 5e-3) << n;
+    EXPECT_NEAR(found.unrelaxed() * j0, 1.0, 1e-12);
+    const auto compliance = creep_compliance(found);
+    for (double t = 1e-6; t < 1e16; t *= 7.0) {
+      EXPECT_NEAR(compliance.at(t) / (j0 + j1 * std::pow(t / t1, n)), 1.0, 1.1e-3) << n << " " << t;
+    }
   }
 }
 
@@ -134,7 +139,7 @@ TEST(LawSeries, OfPowerLawCreep) {
 // Stegun, table 5.1.
 TEST(LawSeries, OfLogarithmicCreepInFrequency) {
   const double j0 = 2e-11, j1 = 1.5e-11, t1 = 86400.0;
-  const auto series = series_of(LogarithmicCreep{j0, j1, t1, 1.0}).series;
+  const auto series = series_of(LogarithmicCreep{j0, j1, t1, 1.0});
   struct Row {
     double x, si, ci;
   };
@@ -149,7 +154,7 @@ TEST(LawSeries, OfLogarithmicCreepInFrequency) {
 TEST(LawSeries, OfLogarithmicCreepInTime) {
   const double j0 = 2e-11, j1 = 1.5e-11, t1 = 86400.0;
   for (const double n : {0.1, 0.5, 1.0}) {
-    const auto compliance = creep_compliance(series_of(LogarithmicCreep{j0, j1, t1, n}).series);
+    const auto compliance = creep_compliance(series_of(LogarithmicCreep{j0, j1, t1, n}));
     for (double t = 1e-6; t < 1e16; t *= 7.0) {
       EXPECT_NEAR(compliance.at(t) / (j0 + j1 * std::log1p(std::pow(t / t1, n))), 1.0, 1.1e-3) << n << " " << t;
     }
@@ -161,6 +166,12 @@ TEST(LawSeries, SpectrumOfLogarithmicCreep) {
   EXPECT_NEAR(retardation_spectrum(LogarithmicCreep{1.0, 1.0, 1.0, 1.0}, 0.5), std::exp(-2.0), 1e-15);
   EXPECT_NEAR(retardation_spectrum(LogarithmicCreep{1.0, 1.0, 1.0, 1.0 - 1e-7}, 0.5), std::exp(-2.0), 1e-6);
   EXPECT_NEAR(retardation_spectrum(LogarithmicCreep{1.0, 1.0, 1.0, 0.3}, 1e40), 0.3, 1e-10);
+  // e^x erfc(sqrt(x)) / 2, x = t_1 / lambda, for the square root of time.
+  for (const double x : {0.01, 1.0, 30.0}) {
+    EXPECT_NEAR(retardation_spectrum(LogarithmicCreep{1.0, 1.0, 1.0, 0.5}, 1.0 / x),
+                0.5 * std::exp(x) * std::erfc(std::sqrt(x)), 1e-6)
+        << x;
+  }
   // Before t_1 it is that of t^n.
   const PowerLawCreep power = {1.0, 1.0, 1.0, 0.3};
   EXPECT_NEAR(retardation_spectrum(LogarithmicCreep{1.0, 1.0, 1.0, 0.3}, 1e-20) / retardation_spectrum(power, 1e-20),
