@@ -39,12 +39,13 @@ std::vector<std::size_t> rows_by_size(const SizeRows& rows, const RowReporter& r
 TabulatedSizes without_empty_ends(TabulatedSizes table) {
   auto& diameters = table.diameters;
   auto& shares = table.cumulative_volume_fractions;
-  const auto some = std::ranges::find_if(shares, [](double share) { return share > 0.0; }) - shares.begin();
-  const auto all = std::ranges::find_if(shares, [](double share) { return share >= 1.0; }) - shares.begin();
-  diameters.erase(diameters.begin() + all + 1, diameters.end());
-  shares.erase(shares.begin() + all + 1, shares.end());
-  diameters.erase(diameters.begin(), diameters.begin() + some - 1);
-  shares.erase(shares.begin(), shares.begin() + some - 1);
+  const auto all = std::ranges::find_if(shares, [](double share) { return share >= 1.0; });
+  if (all != shares.end()) shares.erase(all + 1, shares.end());
+  diameters.resize(shares.size());
+  const auto some = std::ranges::find_if(shares, [](double share) { return share > 0.0; });
+  if (some == shares.begin() || some == shares.end()) return table;
+  diameters.erase(diameters.begin(), diameters.begin() + (some - shares.begin()) - 1);
+  shares.erase(shares.begin(), some - 1);
   return table;
 }
 
@@ -71,7 +72,7 @@ TabulatedSizes table_of(const SizeRows& rows, const RowReporter& report_size, co
       shares.push_back(share);
     }
   }
-  return table;
+  return without_empty_ends(std::move(table));
 }
 
 TabulatedSizes with_known_ends(TabulatedSizes table, std::optional<double> from, std::optional<double> to) {
@@ -96,10 +97,9 @@ TabulatedSizes with_known_ends(TabulatedSizes table, std::optional<double> from,
   }
   if (mistakes.empty() && !(last > first)) mistakes.push_back(place + "expected shares that rise with the size");
   if (!mistakes.empty()) throw InputError(fmt::format("{}", fmt::join(mistakes, "\n")));
-  if (first != 0.0 || last != 1.0) {
-    for (auto& share : shares) share = (share - first) / (last - first);
-  }
-  return without_empty_ends(std::move(table));
+  if (first == 0.0 && last == 1.0) return table;
+  for (auto& share : shares) share = (share - first) / (last - first);
+  return table;
 }
 
 }  // namespace breccia
