@@ -4,7 +4,6 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -75,7 +74,7 @@ PronySeries discretised(const RelaxationLaw& law, int per_decade) {
     modulus += strength;
   };
   add(nodes.last, sum_beyond([&](double time) { return spectrum(time) * width; }, nodes.last, nodes.step));
-  for (const auto& node : nodes.inside | std::views::reverse) add(node.time, node.strength);
+  std::for_each(nodes.inside.rbegin(), nodes.inside.rend(), [&](const Node& node) { add(node.time, node.strength); });
   const double total = unrelaxed_modulus(law) - equilibrium, found = modulus - equilibrium;
   add(nodes.first, total - found);
   if (found > total) {
