@@ -195,11 +195,19 @@ std::optional<std::string> warning_of_narrow_gaps(const Stage& stage, const Stag
                      study.tests.mixing == Mixing::series ? words_on_flow(study, stage) : "");
 }
 
+/// Whether a matrix is nearly incompressible after a time [s]: its Poisson's ratio is above 0.45.
+bool becomes_nearly_incompressible(const Material& matrix, double time) {
+  constexpr double shear_over_bulk = 0.1;
+  return matrix.shear.at(time) < shear_over_bulk * matrix.bulk.at(time);
+}
+
 /// A warning about spheres that almost touch, in cells that do not represent the flow of the matrix out of their gaps.
 std::optional<std::string> warning_of_gaps_between_spheres(const Study& study, const Stage& stage,
                                                            const StageMicrostructure& packed) {
+  const auto matrix = expected_matrix(study, stage);
   if (!has_spheres_that_almost_touch(stage, packed) || mixing_of(study, stage, packed) != Mixing::series ||
-      !are_stiffer_than_matrix(materials_of(stage, expected_matrix(study, stage)))) {
+      !are_stiffer_than_matrix(materials_of(stage, matrix)) ||
+      !becomes_nearly_incompressible(matrix, study.tests.last_time)) {
     return std::nullopt;
   }
   return fmt::format(

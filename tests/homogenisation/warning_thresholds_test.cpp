@@ -102,9 +102,9 @@ TEST(WarningThresholds, OfCellsAcrossASphere) {
               ElementsAre(HasSubstr("149.9 um, is 2.998 cells wide; below 3 cells")));
 }
 
-// Gaps below a cell and a tenth of a diameter.
+// Gaps below a cell and a tenth of a diameter, in a matrix whose shear modulus falls below a tenth of its bulk modulus.
 TEST(WarningThresholds, OfGapsBetweenSpheres) {
-  auto stage = stage_with({1e-3});
+  auto stage = stage_with({1e-3}, Material{"rubber", 1.0, PronySeries(4.0), PronySeries(0.399)});
   stage.packing = PackingMethod<3>(LatticePacking{});
   auto study = study_within(1.0, 2.0, Mixing::series);
   study.tests.boundaries = {Boundary::periodic};
@@ -113,6 +113,9 @@ TEST(WarningThresholds, OfGapsBetweenSpheres) {
   EXPECT_THAT(warnings_on(study, stage, equal_spheres(0.3e-3, 29.9e-6)), ElementsAre(is_warning));
   EXPECT_THAT(warnings_on(study, stage, equal_spheres(0.3e-3, 30.1e-6)), IsEmpty());
   EXPECT_THAT(warnings_on(study, stage, equal_spheres(2e-3, 50.1e-6)), IsEmpty());
+  auto stiffer = stage;
+  stiffer.matrix = Material{"resin", 1.0, PronySeries(4.0), PronySeries(0.401)};
+  EXPECT_THAT(warnings_on(study, stiffer, equal_spheres(0.3e-3, 29.9e-6)), IsEmpty());
   study.tests.methods = {Method::dynamic};
   EXPECT_THAT(warnings_on(study, stage, equal_spheres(0.3e-3, 29.9e-6)), ElementsAre(Not(HasSubstr("tests.mixing"))));
   study.tests.methods = {Method::quasistatic};
