@@ -17,13 +17,16 @@ namespace {
 constexpr auto expected_share =
     "expected the volume fraction up to each diameter, from 0 to 1, or in per cent in a column called passing [%]";
 
-/// The numbers of the rows with a size and a share, by rising size; the other rows are reported.
+/// The numbers of the rows with a size and a share, by rising size; the other rows are reported, but for the pan below
+/// the sieves, of size 0, which nothing passes.
 std::vector<std::size_t> rows_by_size(const SizeRows& rows, const RowReporter& report_size,
                                       const RowReporter& report_passing) {
   constexpr Range shares = {.lower = 0.0, .upper = 1.0};
   std::vector<std::size_t> rising;
   rising.reserve(rows.sizes.size());
   for (std::size_t row = 0; row < rows.sizes.size(); ++row) {
+    const bool is_pan = rows.sizes[row] == 0.0 && rows.passing[row] == 0.0;
+    if (is_pan) continue;
     const bool has_size = accepts(Range::positive(), rows.sizes[row]);
     const bool has_share = accepts(shares, rows.passing[row]);
     if (!has_size) report_size(row, "expected a positive diameter");

@@ -32,7 +32,8 @@ struct RequireValidRelaxation {
     require_positive_time(law.time);
     require_parameter(law.delta > 0.0 && std::isfinite(law.delta), "delta", "a positive number", law.delta);
     require_parameter(law.h > 0.0 && law.h < 1.0, "h", "a number between 0 and 1", law.h);
-    require_parameter(law.k > 0.0 && law.k <= law.h, "k", "a number above 0 and up to h", law.k);
+    require_parameter(law.k > 0.0 && law.k <= law.h, "k",
+                      fmt::format("a number above 0 and up to h, {:g}", law.h).c_str(), law.k);
     require_parameter(law.beta > 0.0, "beta", "a positive number", law.beta);
   }
   void operator()(const FractionalZener& law) const {

@@ -202,7 +202,7 @@ TEST_F(EngineeringMaterials, RefusesLawsThatAreWrong) {
   const std::vector<std::pair<std::string, const char*>> cases = {
       {R"("2S2P1D")", "shear.law: expected one of \"2s2p1d\", \"fractional-zener\", \"power-law-creep\", "},
       {bitumen + ", k = 0.22, h = 1.2", "shear.h: expected a number between 0 and 1"},
-      {bitumen + ", k = 0.7, h = 0.6", "shear.law: k: expected a number above 0 and up to h, got 0.7"},
+      {bitumen + ", k = 0.7, h = 0.6", "shear.law: k: expected a number above 0 and up to h, 0.6, got 0.7"},
       {bitumen + ", k = 0.2", "shear.h: missing"},
       {bitumen + ", k = 0.2, h = 0.6, gamma = 2", "shear: unknown key \"gamma\""},
       {zener, "shear.exponent: missing"},

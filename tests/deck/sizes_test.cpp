@@ -154,6 +154,13 @@ TEST_F(DeckSizes, ACutLeavesOutWhatHasNoSize) {
   EXPECT_NEAR(distribution("sizes = \"coarse.csv\", to = \"4 mm\"").cumulative(2e-3), 0.6 / 0.98, 1e-15);
 }
 
+TEST_F(DeckSizes, ThePanBelowTheSievesIsNoSize) {
+  directory.write("pan.csv", "size [mm],passing [%]\n4,100\n2,60\n1,0\n0,0\n");
+  EXPECT_EQ(filler_with("sizes = \"pan.csv\"").smallest, 1e-3);
+  directory.write("pan.csv", "size [mm],passing [%]\n4,100\n2,60\n0,3\n");
+  EXPECT_THAT(mistakes_of("sizes = \"pan.csv\""), HasSubstr("expected a positive diameter"));
+}
+
 // The default gap is a tenth of the smallest diameter that there is, not of the finest sieve.
 TEST_F(DeckSizes, SievesThatNothingPassesOrThatAllPassAreNoSizes) {
   const auto filler =

@@ -193,7 +193,8 @@ TEST(LawSeries, RefusesParametersOutOfRange) {
   };
   using Bitumen = TwoSpringsTwoParabolasDashpot;
   using testing::StartsWith;
-  EXPECT_THAT(refused(with(h0, &Bitumen::k, 0.7)), StartsWith("k: expected a number above 0 and up to h, got 0.7"));
+  EXPECT_THAT(refused(with(h0, &Bitumen::k, 0.7)),
+              StartsWith("k: expected a number above 0 and up to h, 0.63, got 0.7"));
   EXPECT_THAT(refused(with(h0, &Bitumen::h, 1.0)), StartsWith("h: expected a number between 0 and 1, got 1"));
   EXPECT_THAT(refused(with(h0, &Bitumen::static_modulus, 2e9)), StartsWith("glassy: expected more than static"));
   EXPECT_THAT(refused(with(h0, &Bitumen::beta, 0.0)), StartsWith("beta: expected a positive number"));
