@@ -19,8 +19,8 @@ def points(xy, colour, label):
     return list(xy), f'with points pt 7 ps 0.5 lc rgb "{colour}" title "{label}"'
 
 
-def line(xy, colour, label, dash=1):
-    return list(xy), f'with lines lw 2 dt {dash} lc rgb "{colour}" title "{label}"'
+def line(xy, colour, label):
+    return list(xy), f'with lines lw 2 lc rgb "{colour}" title "{label}"'
 
 
 def plot(path, x, y, curves, settings=""):
@@ -67,15 +67,13 @@ def asphalt(path):
     laws = {(row["sample"], row["what"]): row for row in rows_of(HERE / "asphalt" / "parameters.csv")}
     omegas = [10.0 ** (0.25 * i) for i in range(-12, 10)]
     curves = []
-    for sample, colour in zip(("H0", "W6"), COLOURS):
+    for sample, colour in zip(("H0", "W0", "W6"), COLOURS):
         curves.append(points([(omega, abs(modulus_of(laws[sample, "mixture"], omega))) for omega in omegas], colour,
-                             f"{sample}, as fitted to measurements"))
-        for model, dash in (("spheres", 2), ("grains", 1)):
-            run = RESULTS / (f"asphalt-{model}" + ("" if sample == "H0" else f"-{sample}"))
-            rows = of_stage(run, "engineering_dynamic.csv", "mixture")
-            curves.append(line([(float(row["angular_frequency_rad_per_s"]), 1e-6 * abs(complex(
-                float(row["youngs_storage_modulus_Pa"]), float(row["youngs_loss_modulus_Pa"])))) for row in rows], colour,
-                f"{sample}, {model}", dash))
+                             f"{sample}, measured (2S2P1D)"))
+        rows = of_stage(RESULTS / ("asphalt-grains" + ("" if sample == "H0" else f"-{sample}")), "engineering_dynamic.csv", "mixture")
+        curves.append(line([(float(row["angular_frequency_rad_per_s"]), 1e-6 * abs(complex(
+            float(row["youngs_storage_modulus_Pa"]), float(row["youngs_loss_modulus_Pa"])))) for row in rows], colour,
+            f"{sample}, predicted as grains"))
     plot(path, "angular frequency / (rad/s)", "|E*| of the mixture / MPa", curves, 'set logscale y\nset format y "%g"')
 
 

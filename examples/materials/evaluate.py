@@ -50,12 +50,6 @@ def interpolated(points, at):
     raise ValueError(f"{at} is outside of {points[0][0]} to {points[-1][0]}")
 
 
-def summary(ratios):
-    """The best, the median and the worst of ratios, by their distance from 1."""
-    by_distance = sorted(ratios, key=lambda ratio: abs(math.log(ratio)))
-    return by_distance[0], by_distance[len(by_distance) // 2], by_distance[-1]
-
-
 def of_stage(run, table, stage):
     """The rows of a stage in a table of a run."""
     return [row for row in rows_of(run / table) if row["stage"] == stage]
@@ -69,14 +63,13 @@ class Table:
 
     def add(self, composite, quantity, run, ratios):
         """Takes the ratios of predicted to measured values by place, in words such as "0.02 d"."""
-        best, median, worst = summary(list(ratios.values()))
         at = ", ".join(f"{ratio:.3g} at {place}" for place, ratio in ratios.items())
         deck = json.loads((run / "study.json").read_text(encoding="utf-8"))["hash"]
-        self.lines.append(f"| {composite} | {quantity} | {best:.3g} | {median:.3g} | {worst:.3g} | {at} | {deck} |")
+        self.lines.append(f"| {composite} | {quantity} | {min(ratios.values()):.3g} to {max(ratios.values()):.3g} | {at} | {deck} |")
 
     def show(self):
-        print("| composite | quantity | best | median | worst | predicted over measured | deck |")
-        print("|---|---|---|---|---|---|---|")
+        print("| composite | quantity | predicted over measured | at | deck |")
+        print("|---|---|---|---|---|")
         print("\n".join(self.lines))
 
 
