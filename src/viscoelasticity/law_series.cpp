@@ -83,15 +83,15 @@ PronySeries discretised(const RelaxationLaw& law, int per_decade) {
   return {equilibrium, std::move(terms)};
 }
 
-/// The creep compliance of a spectrum. What is retarded beyond the last node flows at a constant rate; what is retarded
-/// less than the first node is so there.
+/// The creep compliance of a spectrum. What lies beyond the last node flows at a constant rate; what lies before the
+/// first node has the retardation time of the node before it.
 CreepCompliance discretised(const CreepLaw& law, int per_decade) {
   const auto spectrum = [&law](double time) { return retardation_spectrum(law, time); };
   const auto nodes = nodes_of(spectrum, characteristic_time(law), per_decade);
   const double width = std::log(nodes.step), instantaneous = instantaneous_compliance(law);
   std::vector<RetardationTerm> terms;
   const auto add = [&](double time, double strength) {
-    constexpr double negligible = 1e-12;
+    constexpr double negligible = 1e-12;  // of the compliance at t = 0
     if (strength > negligible * instantaneous) terms.push_back({time, strength});
   };
   add(nodes.first, sum_beyond([&](double time) { return spectrum(time) * width; }, nodes.first, 1.0 / nodes.step));
@@ -139,8 +139,7 @@ PronySeries coarsest(const Law& law) {
   }
   throw InputError(
       "no series of 24 terms a decade follows this law within 0.1 %: its exponents are too close to 0 or to 1; "
-      "expected "
-      "others, or a Prony series in place of the law");
+      "expected others, or a Prony series in place of the law");
 }
 
 }  // namespace
