@@ -82,7 +82,8 @@ def concrete(table):
                     for row in rows_of(HERE / "concrete" / f"concrete_{mix}.csv")}
         for name, settings in cases.items():
             run = solved(f"concrete-{mix}-{name.replace(',', '').replace(' ', '-').replace('%', 'percent')}", "concrete/concrete.toml",
-                         f"materials.paste.young.measured=paste_{mix}.csv", *settings)
+                         f"materials.paste.young.measured=paste_{mix}.csv",
+                         f"measurements.0.young.measured=concrete_{mix}.csv", *settings)
             predicted = [(float(row["time_s"]) / DAY, 1e12 * float(row["tensile_compliance_1_per_Pa"]))
                          for row in of_stage(run, "engineering.csv", "concrete")]
             table.add(f"concrete {mix}, {name}", "J", run, {
@@ -110,36 +111,69 @@ def modulus_of(law, omega):
                                  + 1.0 / (p * float(law["beta"]) * tau))
 
 
-def bitumen_file(law):
-    """A file with the bitumen of a sample, for `breccia respond`."""
-    path = RESULTS / f"bitumen-{law['sample']}.toml"
+def bitumen_file(law, name, times=1.0, equilibrium=0.0):
+    """A file with the bitumen of a sample, for `breccia respond`; its times by a factor, its shear modulus with another
+    equilibrium [Pa] added."""
+    path = RESULTS / f"bitumen-{name}.toml"
+    static, time = float(law["static_MPa"]) + 3e-6 * equilibrium, float(law["time_s"]) * times
     path.write_text('density = "1.04 g/cm^3"\nbulk = "2.5 GPa"\nyoung = { law = "2s2p1d", ' + ", ".join(
-        [f'static = "{law["static_MPa"]} MPa"', f'glassy = "{law["glassy_MPa"]} MPa"', f'time = "{law["time_s"]} s"']
+        [f'static = "{static:.9g} MPa"', f'glassy = "{law["glassy_MPa"]} MPa"', f'time = "{time:.9g} s"']
         + [f"{key} = {law[key]}" for key in ("delta", "k", "h", "beta")]) + " }\n", encoding="utf-8")
     return path
 
 
+def answered(run, bitumen, name):
+    """The directory of the answer of a run with another bitumen; None where it is beyond what the run has sampled."""
+    response = RESULTS / name
+    command = [BRECCIA, "respond", run, "--material", f"bitumen={bitumen}", "--out", response, "--overwrite", "--quiet"]
+    return response if subprocess.run(command).returncode == 0 else None
+
+
+def add_mixture(table, name, run, response, law):
+    """Adds |E*| and the phase of a mixture to the table."""
+    if response is None:
+        table.lines.append(f"| {name} | \\|E*\\| | | beyond what the run has sampled | |")
+        return
+    rows = of_stage(response, "engineering_dynamic.csv", "mixture")
+    absolute, phase = {}, {}
+    for omega in (1e-3, 1e-2, 0.1, 1.0, 10.0, 100.0, 300.0):
+        parts = [interpolated([(float(row["angular_frequency_rad_per_s"]), float(row[f"youngs_{part}_modulus_Pa"]))
+                               for row in rows], omega) / 1e6 for part in ("storage", "loss")]
+        measured = modulus_of(law, omega)
+        absolute[f"{omega:g} rad/s"] = abs(complex(*parts)) / abs(measured)
+        phase[f"{omega:g} rad/s"] = cmath.phase(complex(*parts)) / cmath.phase(measured)
+    table.add(name, "\\|E*\\|", run, absolute)
+    table.add(name, "phase", run, phase)
+
+
+def found_on_one_mixture(run):
+    """Two numbers of the bitumen that `breccia calibrate` finds on the mixture H0 alone: the factor of its relaxation times,
+    and its equilibrium shear modulus [Pa]."""
+    found = RESULTS / "asphalt-calibrated"
+    subprocess.run([BRECCIA, "calibrate", run, "--measured", HERE / "asphalt" / "mixture_H0.csv",
+                    "--unknown", 'bitumen.equilibrium={ from = "0.01 Pa", to = "1 MPa" }',
+                    "--unknown", "bitumen.times={ value = 1, factor = 30 }", "--out", found, "--overwrite"], check=True)
+    values = {row["unknown"]: float(row["value"]) for row in rows_of(found / "estimates.csv")}
+    return values["bitumen.times"], values["bitumen.equilibrium"]
+
+
 def asphalt(table):
-    """Six mixtures, from one run with the bitumen H0 whose response answers the others."""
+    """Six mixtures, from one run with the bitumen H0 whose response answers the others; then the same with what the
+    mixture H0 shows of its bitumen."""
     laws = {(row["sample"], row["what"]): row for row in rows_of(HERE / "asphalt" / "parameters.csv")}
+    samples = ("H0", "H3", "H9", "W0", "W3", "W6")
     for model in ("spheres", "grains"):
         run = solved(f"asphalt-{model}", f"asphalt/{model}.toml")
-        for sample in ("H0", "H3", "H9", "W0", "W3", "W6"):
+        for sample in samples:
             response = run
             if sample != "H0":
-                response = RESULTS / f"asphalt-{model}-{sample}"
-                subprocess.run([BRECCIA, "respond", run, "--material", f"bitumen={bitumen_file(laws[sample, 'binder'])}",
-                                "--out", response, "--overwrite", "--quiet"], check=True)
-            rows = of_stage(response, "engineering_dynamic.csv", "mixture")
-            absolute, phase = {}, {}
-            for omega in (1e-3, 1e-2, 0.1, 1.0, 10.0, 100.0, 300.0):
-                parts = [interpolated([(float(row["angular_frequency_rad_per_s"]), float(row[f"youngs_{part}_modulus_Pa"]))
-                                       for row in rows], omega) / 1e6 for part in ("storage", "loss")]
-                measured = modulus_of(laws[sample, "mixture"], omega)
-                absolute[f"{omega:g} rad/s"] = abs(complex(*parts)) / abs(measured)
-                phase[f"{omega:g} rad/s"] = cmath.phase(complex(*parts)) / cmath.phase(measured)
-            table.add(f"asphalt {sample} as {model}", "\\|E*\\|", run, absolute)
-            table.add(f"asphalt {sample} as {model}", "phase", run, phase)
+                response = answered(run, bitumen_file(laws[sample, "binder"], sample), f"asphalt-{model}-{sample}")
+            add_mixture(table, f"asphalt {sample} as {model}", run, response, laws[sample, "mixture"])
+    times, equilibrium = found_on_one_mixture(run)
+    for sample in samples:
+        bitumen = bitumen_file(laws[sample, "binder"], f"{sample}-calibrated", times, equilibrium)
+        response = answered(run, bitumen, f"asphalt-grains-{sample}-calibrated")
+        add_mixture(table, f"asphalt {sample} as grains, calibrated on H0", run, response, laws[sample, "mixture"])
 
 
 MATERIALS = {"concrete": concrete, "asphalt": asphalt, "polyethylene": polyethylene}

@@ -79,8 +79,9 @@ def _frequency_table(moduli: _native.ComplexModuli) -> str:
 
 
 def _measurements(stage: _native.StageResult) -> list[dict[str, Any]]:
-    """A comparison with each measurement, that of one of its tests."""
-    return list({comparison["measurement"]: comparison for comparison in stage.comparisons}.values())
+    """A comparison with each measured shear modulus, that of one of its tests."""
+    return list({comparison["measurement"]: comparison for comparison in stage.comparisons
+                 if comparison["kind"] == "shear"}.values())
 
 
 def _in_frequency(stage: _native.StageResult, tests: list[_native.TestResult]) -> str:

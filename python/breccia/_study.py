@@ -55,35 +55,41 @@ class Tests(Table):
 
 
 class Measurement(Table):
-    """A measured shear relaxation modulus, which G(t) of a stage is compared with.
+    """A measured relaxation modulus, which that of a stage is compared with.
 
-    shear: a PronySeries, (times [s], moduli [Pa]), or a table as in a deck; stage: the last one by default; times: at
-    which the measurement is valid [s].
+    shear, young or bulk: one of them, a PronySeries, (times [s], moduli [Pa]), or a table as in a deck; stage: the last
+    one by default; times: at which the measurement is valid [s].
     """
 
-    def __init__(self, name: str, *, shear: Any, stage: Stage | str | None = None,
-                 times: Sequence[Quantity] | None = None, **keys: Any) -> None:
+    def __init__(self, name: str, *, shear: Any = None, young: Any = None, bulk: Any = None,
+                 stage: Stage | str | None = None, times: Sequence[Quantity] | None = None, **keys: Any) -> None:
         self.name = name
         self.shear = shear
+        self.young = young
+        self.bulk = bulk
         self.stage = stage
         self.times = times
         self.keys = keys
 
     def _table(self, files: _deck.Files) -> dict[str, Any]:
-        shear = self.shear
-        if isinstance(shear, (tuple, list)):
-            shear = {"curve": files.table(_curve(shear), f"shear of Measurement {self.name}")}
-        return {"name": self.name, "shear": shear, "stage": name_of("Measurement: stage", self.stage),
+        moduli = {"shear": self.shear, "young": self.young, "bulk": self.bulk}
+        for kind, modulus in moduli.items():
+            if isinstance(modulus, (tuple, list)):
+                moduli[kind] = {"curve": files.table(_curve(kind, modulus), f"{kind} of Measurement {self.name}")}
+        return {"name": self.name, **moduli, "stage": name_of("Measurement: stage", self.stage),
                 "times": self.times, **self.keys}
 
 
-def _curve(curve: Sequence[Any]) -> dict[str, Any]:
+_COLUMNS = {"shear": "shear_modulus_Pa", "young": "youngs_modulus_Pa", "bulk": "bulk_modulus_Pa"}
+
+
+def _curve(kind: str, curve: Sequence[Any]) -> dict[str, Any]:
     """The columns of a measured curve: times and moduli."""
-    columns = [numbers("Measurement: shear", column, unit) for column, unit in zip(curve, ("s", "Pa"))]
+    columns = [numbers(f"Measurement: {kind}", column, unit) for column, unit in zip(curve, ("s", "Pa"))]
     if len(curve) != 2 or columns[0].ndim != 1 or columns[0].shape != columns[1].shape:
         shapes = " and ".join(str(np.shape(column)) for column in curve)
-        raise InputError(f"Measurement: shear: expected (times [s], moduli [Pa]), two lists of one length, got {shapes}")
-    return {"time_s": columns[0], "shear_modulus_Pa": columns[1]}
+        raise InputError(f"Measurement: {kind}: expected (times [s], moduli [Pa]), two lists of one length, got {shapes}")
+    return {"time_s": columns[0], _COLUMNS[kind]: columns[1]}
 
 
 def _by_name(materials: Iterable[Material], files: _deck.Files) -> tuple[dict[str, Any], list[str]]:

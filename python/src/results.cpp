@@ -186,6 +186,7 @@ py::list comparisons_of(const SolvedStage& stage) {
     }
     py::dict one;
     one["measurement"] = comparison.measurement;
+    one["kind"] = name_of(comparison.kind);
     one["boundary"] = name_of(comparison.test.boundary);
     one["method"] = name_of(comparison.test.method);
     one["time"] = array_of(times);
@@ -254,8 +255,9 @@ void bind_stage(py::module_& module) {
           "All tests.")
       .def_property_readonly(
           "comparisons", &comparisons_of,
-          "Comparisons with the measurements of the study, a dictionary each: measurement, boundary, "
-          "method; time [s], modulus and measured [Pa]; angular_frequency [rad/s], complex_modulus "
+          "Comparisons with the measurements of the study, a dictionary each: measurement, kind of modulus (shear, "
+          "young or bulk), boundary, method; time [s], modulus and measured [Pa]; angular_frequency [rad/s], "
+          "complex_modulus "
           "and complex_measured [Pa].")
       .def_property_readonly("solids", &solids_of,
                              "The stage as a solid, for each boundary condition, where it serves as a matrix.")

@@ -7,17 +7,21 @@
 
 #include <fmt/format.h>
 
+#include "breccia/tables/modulus_kind.hpp"
+
 #include "io/display.hpp"
 
 namespace breccia::cli {
 namespace {
 
-/// A word on the shear that is compared where a stage has several and no mean of them.
-std::string words_on_shear(const StageResult& stage, const TestId& compared) {
-  const bool is_one = compared.load == Load::shear && std::ranges::any_of(stage.tests, [](const TestResult& test) {
+/// Words on the modulus that is compared: its kind, unless it is the shear modulus, and the shear, where a stage has
+/// several and no mean of them.
+std::string words_on_modulus(const StageResult& stage, const Comparison& compared) {
+  const auto kind = compared.kind == ModulusKind::shear ? "" : fmt::format(", {},", name(compared.kind));
+  const bool is_one = compared.test.load == Load::shear && std::ranges::any_of(stage.tests, [](const TestResult& test) {
                         return !test.id.load.is_bulk() && test.id.load != Load::shear;
                       });
-  return is_one ? " in shear xy, one of several shears," : "";
+  return kind + (is_one ? " in shear xy, one of several shears," : "");
 }
 
 /// A table of the ratios of all computed moduli to one measurement, at whole decades; empty without samples in time.
@@ -32,7 +36,7 @@ std::string table_in_time(const std::string& measurement, const StageResult& sta
   }
   if (compared.empty()) return {};
   auto text = fmt::format("\n{}{} over what was measured, {}\n{:>12}", stage.name,
-                          words_on_shear(stage, compared.front()->test), measurement, "");
+                          words_on_modulus(stage, *compared.front()), measurement, "");
   for (const auto* comparison : compared) text += fmt::format("  {:>12}", name_of(comparison->test.boundary));
   text += fmt::format("\n{:>12}", "time");
   for (const auto* comparison : compared) text += fmt::format("  {:>12}", name_of(comparison->test.method));
@@ -66,10 +70,12 @@ std::string hertz(double angular_frequency) {
 std::string table_in_frequency(const StageResult& stage, const Comparison& comparison) {
   constexpr double degrees = 180.0 / std::numbers::pi;
   const auto& samples = comparison.in_frequency;
+  const auto letter = symbol(comparison.kind);
   auto text = fmt::format(
       "\n{}, {}, {}, over what was measured, {}\n{:>12}  {:>7}  {:>10}  {:>7}  {:>7}  {:>9}  {:>13}  {:>9}", stage.name,
-      name_of(comparison.test.boundary), name_of(comparison.test.method), comparison.measurement, "frequency", "|G*|",
-      "phase", "G'", "G''", "tan delta", "measured |G*|", "phase");
+      name_of(comparison.test.boundary), name_of(comparison.test.method), comparison.measurement, "frequency",
+      fmt::format("|{}*|", letter), "phase", fmt::format("{}'", letter), fmt::format("{}''", letter), "tan delta",
+      fmt::format("measured |{}*|", letter), "phase");
   constexpr std::size_t most_rows = 12;
   const std::size_t step = (samples.size() + most_rows - 1) / most_rows;
   for (std::size_t i = 0; i < samples.size(); i += step) {
@@ -82,7 +88,7 @@ std::string table_in_frequency(const StageResult& stage, const Comparison& compa
                         fmt::format("{:.3g} deg", degrees * std::atan2(one.measured_loss, one.measured_storage)));
   }
   const auto &best = *comparison.best_in_frequency(), &worst = *comparison.worst_in_frequency();
-  return text + fmt::format("\n  |G*|: nearest {:.3f} at {}, furthest {:.3f} at {}\n", best.ratio(),
+  return text + fmt::format("\n  |{}*|: nearest {:.3f} at {}, furthest {:.3f} at {}\n", letter, best.ratio(),
                             hertz(best.angular_frequency), worst.ratio(), hertz(worst.angular_frequency));
 }
 

@@ -16,6 +16,7 @@
 #include "io/units.hpp"
 #include "study/abscissa_words.hpp"
 #include "study/filler_shapes.hpp"
+#include "study/filler_sizes.hpp"
 #include "study/gap.hpp"
 #include "study/picture_words.hpp"
 #include "study/test_rules.hpp"
@@ -25,13 +26,18 @@ namespace breccia::cli {
 
 namespace {
 
-std::string describe(const PronySeries& modulus) {
+/// A modulus, and what it is at the first and the last time of the tests.
+std::string describe(const PronySeries& modulus, const Tests& tests) {
   if (modulus.is_elastic()) return pressure(modulus.equilibrium());
+  const auto at = [&](double instant) {
+    return fmt::format("{} at {}", display(modulus.at(instant), "Pa"), time(instant));
+  };
   const auto& terms = modulus.terms();
   const auto fastest = time(terms.back().relaxation_time), slowest = time(terms.front().relaxation_time);
-  return fmt::format("{} relaxing to {}, {} {}", pressure(modulus.unrelaxed()), pressure(modulus.equilibrium()),
+  return fmt::format("{} relaxing to {}, {} {}; {}, {}", pressure(modulus.unrelaxed()), pressure(modulus.equilibrium()),
                      display_count(terms.size(), "term"),
-                     terms.size() == 1 ? "of " + slowest : fmt::format("from {} to {}", fastest, slowest));
+                     terms.size() == 1 ? "of " + slowest : fmt::format("from {} to {}", fastest, slowest),
+                     at(tests.first_time), at(tests.last_time));
 }
 
 /// Poisson's ratio at the first and last time.
@@ -49,8 +55,8 @@ std::string describe(const ShiftedMaterial& shifted, const Tests& tests) {
   const auto& material = shifted.material;
   return fmt::format("  {}{}\n    density  {}\n    bulk     {}\n    shear    {}\n    Poisson  {}\n", material.name,
                      shifted.constants ? ", a crystal: isotropic means by Hill" : "",
-                     readable(material.density, Dimension::density), describe(material.bulk), describe(material.shear),
-                     poisson_ratios(material, tests));
+                     readable(material.density, Dimension::density), describe(material.bulk, tests),
+                     describe(material.shear, tests), poisson_ratios(material, tests));
 }
 
 struct DescribeSizes {
@@ -141,6 +147,11 @@ std::string describe_filler(const Stage& stage, const Filler& filler) {
   if (filler.sizes) text += fmt::format("\n    sizes    {}", std::visit(DescribeSizes(), *filler.sizes));
   if (filler.smallest && filler.largest) {
     text += fmt::format(", cut to {} .. {}", length(*filler.smallest), length(*filler.largest));
+  }
+  constexpr double whole = 0.9995;
+  const auto distribution = distribution_of(filler);
+  if (distribution && distribution->share_of_law() < whole) {
+    text += fmt::format(", which is {:.3g} % of its volume", 100.0 * distribution->share_of_law());
   }
   text += '\n';
   if (filler.shape) text += fmt::format("    shape    {}\n", in_words(*filler.shape, stage.dimensions()));

@@ -10,6 +10,7 @@
 #include "breccia/tables/measured_table_reader.hpp"
 
 #include "deck/fitted_modulus.hpp"
+#include "deck/laws.hpp"
 #include "deck/prony_file.hpp"
 #include "deck/time_window.hpp"
 #include "io/file_mistakes.hpp"
@@ -19,8 +20,8 @@
 namespace breccia {
 namespace {
 
-PronySeries read_measured_series(const std::filesystem::path& path) {
-  auto [equilibrium, terms] = read_prony_file(path, ModulusKind::shear);
+PronySeries read_measured_series(const std::filesystem::path& path, ModulusKind kind) {
+  auto [equilibrium, terms] = read_prony_file(path, kind);
   PronySeries series(equilibrium.value_or(0.0), std::move(terms));
   if (!accepts(Range::positive(), series.unrelaxed())) {
     throw InputError(fmt::format("{}: expected a modulus above zero, and finite", path.string()));
@@ -28,12 +29,12 @@ PronySeries read_measured_series(const std::filesystem::path& path) {
   return series;
 }
 
-Curve read_measured_curve(const std::filesystem::path& path) {
+Curve read_measured_curve(const std::filesystem::path& path, ModulusKind kind) {
   const auto table = read_measured_table(path);
   table.require({Quantity::time, Quantity::modulus});
   table.refuse_several_series();
   const auto& times = table.column(Quantity::time);
-  const auto& moduli = table.column(Quantity::modulus, ModulusKind::shear);
+  const auto& moduli = table.column(Quantity::modulus, kind);
   FileMistakes mistakes(path);
   Curve curve;
   for (std::size_t row = 0; row < table.rows(); ++row) {
@@ -54,30 +55,35 @@ Curve read_measured_curve(const std::filesystem::path& path) {
 }
 
 /// Reads creep, dynamic or relaxation data and fits a series to them, which is valid at the times of the data.
-void read_fitted(const Section& shear, const std::filesystem::path& path, Measurement& measurement) {
+void read_fitted(const Section& modulus, const std::filesystem::path& path, Measurement& measurement) {
   const auto temperature =
-      shear.optional_quantity("reference_temperature", Dimension::temperature, Range::not_negative());
+      modulus.optional_quantity("reference_temperature", Dimension::temperature, Range::not_negative());
   if (temperature && std::isnan(*temperature)) return;
-  shear.report_errors_of("measured", [&] {
-    auto fitted = fitted_modulus(path, ModulusKind::shear, temperature);
-    measurement.shear = std::move(fitted.series);
+  modulus.report_errors_of("measured", [&] {
+    auto fitted = fitted_modulus(path, measurement.kind, temperature);
+    measurement.modulus = std::move(fitted.series);
     measurement.times = fitted.measured_times;
     measurement.dynamic = std::move(fitted.dynamic);
-    for (const auto& remark : remarks_on(fitted, path, ModulusKind::shear)) shear.remark("measured", remark);
+    for (const auto& remark : remarks_on(fitted, path, measurement.kind)) modulus.remark("measured", remark);
   });
 }
 
-void read_shear(const Section& shear, Measurement& measurement) {
-  const auto source = shear.exactly_one({"prony", "curve", "measured"});
+/// Reads the measured modulus of the kind of a measurement.
+void read_measured_modulus(const Section& modulus, Measurement& measurement) {
+  const auto source = modulus.exactly_one({"prony", "curve", "measured", "law"});
   if (source.empty()) return;
-  const auto path = shear.file(source);
+  if (source == "law") {
+    measurement.modulus = read_law(modulus);
+    return;
+  }
+  const auto path = modulus.file(source);
   if (path.empty()) return;
-  if (source == "measured") return read_fitted(shear, path, measurement);
-  shear.report_errors_of(source, [&] {
+  if (source == "measured") return read_fitted(modulus, path, measurement);
+  modulus.report_errors_of(source, [&] {
     if (source == "prony") {
-      measurement.shear = read_measured_series(path);
+      measurement.modulus = read_measured_series(path, measurement.kind);
     } else {
-      measurement.shear = read_measured_curve(path);
+      measurement.modulus = read_measured_curve(path, measurement.kind);
     }
   });
 }
@@ -105,10 +111,14 @@ std::vector<Measurement> read_measurements(const Section& deck, const std::vecto
       section.report("name", fmt::format("another measurement is called \"{}\"", measurement.label));
     }
     measurement.stage = read_stage(section, stages);
-    read_shear(section.section("shear"), measurement);
+    const auto key = section.exactly_one({"shear", "young", "bulk"});
+    if (!key.empty()) {
+      measurement.kind = *value_named<ModulusKind>(key);
+      read_measured_modulus(section.section(key), measurement);
+    }
     if (section.has("times")) measurement.times = read_time_window(section, "times");
     const bool tests_shear = std::ranges::find(tests.loads, shear_of_material(tests)) != tests.loads.end();
-    if (!tests_shear) section.report("shear", "tests.loads has no \"shear\" that could be compared");
+    if (key == "shear" && !tests_shear) section.report(key, "tests.loads has no \"shear\" that could be compared");
     measurements.push_back(std::move(measurement));
   }
   return measurements;

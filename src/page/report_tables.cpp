@@ -33,9 +33,22 @@ Json table_for_page(const std::filesystem::path& file, const std::vector<std::st
 
 std::vector<std::string> text_columns_of_tests() {
   // The numbers of quality.csv and errors.csv may be missing, so they are read as text.
-  return {"measurement", "stage",      "load",         "boundary",          "method",
-          "cells",       "upper_Pa",   "lower_Pa",     "relative_distance", "grid_half_band_Pa",
-          "error",       "grid_error", "sample_error", "solver_error",      "matrix_error"};
+  return {"measurement",
+          "modulus",
+          "stage",
+          "load",
+          "boundary",
+          "method",
+          "cells",
+          "upper_Pa",
+          "lower_Pa",
+          "relative_distance",
+          "grid_half_band_Pa",
+          "error",
+          "grid_error",
+          "sample_error",
+          "solver_error",
+          "matrix_error"};
 }
 
 }  // namespace breccia

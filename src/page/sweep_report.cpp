@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "breccia/error.hpp"
+#include "breccia/tables/modulus_kind.hpp"
 
 #include "io/safe_name.hpp"
 #include "io/text_file.hpp"
@@ -79,13 +80,15 @@ std::vector<std::vector<TaskCurve>> stored_curves(const fs::path& directory, con
 /// A measurement that a stage is compared with, by the names of both.
 using Measured = std::pair<std::string, std::string>;
 
-/// The measured values of a table of comparisons, its columns `values`, by measurement and by its column `abscissa`.
+/// The measured shear moduli of a table of comparisons, its columns `values`, by measurement and by its column
+/// `abscissa`. The page of a sweep has no curves of Young's modulus.
 std::map<Measured, std::map<double, std::vector<double>>> measured_in(const fs::path& file, const std::string& abscissa,
                                                                       const std::vector<std::string>& values) {
   std::map<Measured, std::map<double, std::vector<double>>> measured;
   if (!is_there(file)) return measured;
-  const auto table = read_csv(file, {"measurement", "stage", "boundary", "method", "cells"});
+  const auto table = read_csv(file, {"measurement", "modulus", "stage", "boundary", "method", "cells"});
   for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (table.has("modulus") && table.text("modulus")[row] != name_of(ModulusKind::shear)) continue;
     auto& found = measured[{table.text("stage")[row], table.text("measurement")[row]}][table.numbers(abscissa)[row]];
     found.clear();  // a measurement has a row for each boundary
     for (const auto& name : values) found.push_back(table.numbers(name)[row]);

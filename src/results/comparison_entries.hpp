@@ -6,6 +6,7 @@
 
 #include "breccia/discretisation/boundary.hpp"
 #include "breccia/study/tests.hpp"
+#include "breccia/tables/modulus_kind.hpp"
 
 #include "results/json_fields.hpp"
 
@@ -31,6 +32,8 @@ inline constexpr auto fields<FrequencyRatioEntry> = std::tuple(field("frequency_
 
 struct ComparisonEntry {
   std::string measurement;
+  /// Results of earlier versions have no kind: all measurements were of the shear modulus.
+  std::optional<ModulusKind> modulus = {};
   Boundary boundary = {};
   Method method = {};
   std::optional<RatioEntry> best = {}, worst = {};
@@ -38,9 +41,9 @@ struct ComparisonEntry {
 };
 template <>
 inline constexpr auto fields<ComparisonEntry> =
-    std::tuple(field("measurement", &ComparisonEntry::measurement), field("boundary", &ComparisonEntry::boundary),
-               field("method", &ComparisonEntry::method), field_if_any("best", &ComparisonEntry::best),
-               field_if_any("worst", &ComparisonEntry::worst),
+    std::tuple(field("measurement", &ComparisonEntry::measurement), field_if_any("modulus", &ComparisonEntry::modulus),
+               field("boundary", &ComparisonEntry::boundary), field("method", &ComparisonEntry::method),
+               field_if_any("best", &ComparisonEntry::best), field_if_any("worst", &ComparisonEntry::worst),
                field_if_any("best_in_frequency", &ComparisonEntry::best_in_frequency),
                field_if_any("worst_in_frequency", &ComparisonEntry::worst_in_frequency));
 

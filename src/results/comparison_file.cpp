@@ -15,21 +15,19 @@ class ComparisonColumns {
  public:
   void add(const std::string& stage, const Comparison& comparison) {
     measurements_.push_back(comparison.measurement);
+    moduli_.push_back(name_of(comparison.kind));
     stages_.push_back(stage);
     boundaries_.push_back(name_of(comparison.test.boundary));
     methods_.push_back(name_of(comparison.test.method));
     cells_.push_back(name_of(comparison.test.grid));
   }
   [[nodiscard]] std::vector<CsvColumn> columns() const {
-    return {{"measurement", measurements_},
-            {"stage", stages_},
-            {"boundary", boundaries_},
-            {"method", methods_},
-            {"cells", cells_}};
+    return {{"measurement", measurements_}, {"modulus", moduli_}, {"stage", stages_},
+            {"boundary", boundaries_},      {"method", methods_}, {"cells", cells_}};
   }
 
  private:
-  std::vector<std::string> measurements_, stages_, boundaries_, methods_, cells_;
+  std::vector<std::string> measurements_, moduli_, stages_, boundaries_, methods_, cells_;
 };
 
 void write_in_time(const std::filesystem::path& file, const StudyResult& result) {

@@ -94,7 +94,8 @@ template <>
 inline constexpr auto fields<Comparison> = std::tuple(field("measurement", &Comparison::measurement),
                                                       field("test", &Comparison::test),
                                                       field("samples", &Comparison::samples),
-                                                      field("in_frequency", &Comparison::in_frequency));
+                                                      field("in_frequency", &Comparison::in_frequency),
+                                                      field("kind", &Comparison::kind));
 
 template <>
 inline constexpr auto fields<ErrorRules> = std::tuple(field("one_grid", &ErrorRules::one_grid),

@@ -75,7 +75,8 @@ ModulusPlot plot_of(const Study& study, const Stage& stage, const StageResult& r
   return plot;
 }
 
-/// The moduli of the matrix of a stage, one for every boundary where it is an earlier stage, and the measured moduli.
+/// The shear moduli of the matrix of a stage, one for every boundary where it is an earlier stage, and the measured
+/// ones.
 std::vector<ReferenceCurve> references(const Study& study, const Stage& stage, const StudyResult& result) {
   std::vector<ReferenceCurve> curves;
   const bool is_one = std::holds_alternative<Material>(stage.matrix);
@@ -91,7 +92,7 @@ std::vector<ReferenceCurve> references(const Study& study, const Stage& stage, c
     if (is_one) break;
   }
   for (const auto& measurement : study.measurements) {
-    if (measurement.stage != stage.name) continue;
+    if (measurement.stage != stage.name || measurement.kind != ModulusKind::shear) continue;
     const auto known = measurement.known_within({study.tests.first_time, study.tests.last_time});
     if (!known) continue;
     auto& curve = curves.emplace_back(ReferenceCurve{"measured, " + measurement.label, {}, {}});

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+
 #include "results/test_columns.hpp"
 #include "tables/csv.hpp"
 
@@ -11,6 +15,13 @@ namespace {
 namespace fs = std::filesystem;
 using Comparisons = std::map<std::string, std::vector<Comparison>>;
 
+/// The modulus that a row of a table is of.
+ModulusKind kind_in_row(const CsvTable& table, std::size_t row) {
+  const auto& word = table.text("modulus")[row];
+  if (const auto kind = value_named<ModulusKind>(word)) return *kind;
+  throw FileError(fmt::format("{}: modulus: expected shear, young or bulk, got \"{}\"", table.location(row), word));
+}
+
 /// The comparison to which a row of a table belongs; a new one where there is none.
 Comparison& comparison_of(Comparisons& comparisons, const CsvTable& table, std::size_t row) {
   const auto& measurement = table.text("measurement")[row];
@@ -18,14 +29,18 @@ Comparison& comparison_of(Comparisons& comparisons, const CsvTable& table, std::
   auto& all = comparisons[table.text("stage")[row]];
   const auto known = std::ranges::find_if(
       all, [&](const Comparison& one) { return one.measurement == measurement && one.test == id; });
-  return known != all.end() ? *known : all.emplace_back(Comparison{measurement, id, {}});
+  if (known != all.end()) return *known;
+  auto& added = all.emplace_back(Comparison{measurement, id, {}});
+  // Tables of earlier versions are of shear moduli.
+  if (table.has("modulus")) added.kind = kind_in_row(table, row);
+  return added;
 }
 
 /// Calls a function with each row of a table, if it exists, and the comparison of the row.
 template <class Add>
 void for_each_row(const fs::path& file, Comparisons& comparisons, const Add& add) {
   if (!fs::exists(file)) return;
-  const auto table = read_csv(file, {"measurement", "stage", "boundary", "method", "cells"});
+  const auto table = read_csv(file, {"measurement", "modulus", "stage", "boundary", "method", "cells"});
   for (std::size_t row = 0; row < table.rows(); ++row) {
     add(comparison_of(comparisons, table, row), [&](const char* column) { return table.numbers(column)[row]; });
   }

@@ -314,8 +314,8 @@ StageEntry entry_of(const Stage& stage, const StageResult& result, const Study& 
     entry.materials.push_back({boundary, method, fit.fitted, fit.shear_error, fit.bulk_error, entry_of(fit.material)});
   }
   for (const auto& comparison : result.comparisons) {
-    entry.comparisons.push_back({comparison.measurement, comparison.test.boundary, comparison.test.method,
-                                 entry_of(comparison.best()), entry_of(comparison.worst()),
+    entry.comparisons.push_back({comparison.measurement, comparison.kind, comparison.test.boundary,
+                                 comparison.test.method, entry_of(comparison.best()), entry_of(comparison.worst()),
                                  entry_of(comparison.best_in_frequency()), entry_of(comparison.worst_in_frequency())});
   }
   if (!record.answered_from.empty()) entry.answered_from = record.answered_from;

@@ -79,11 +79,11 @@ PlotCurve plotted(const Measurement& measurement, const Tests& tests) {
   return plot;
 }
 
-/// The measurements of a stage.
+/// The measured shear moduli of a stage.
 std::vector<PlotCurve> measured(const Study& study, const std::string& stage) {
   std::vector<PlotCurve> curves;
   for (const auto& measurement : study.measurements) {
-    if (measurement.stage != stage) continue;
+    if (measurement.stage != stage || measurement.kind != ModulusKind::shear) continue;
     auto curve = plotted(measurement, study.tests);
     if (!curve.times.empty()) curves.push_back(std::move(curve));
   }

@@ -31,7 +31,10 @@ std::vector<Load> loads_of(const Study& study, const Stage& stage) {
     }
   };
   std::ranges::for_each(study.tests.loads, add);
-  if (!serves_as_matrix(study.stages, stage.name)) return loads;
+  const bool is_compared_in_bulk = std::ranges::any_of(study.measurements, [&stage](const Measurement& one) {
+    return one.stage == stage.name && one.kind != ModulusKind::shear;
+  });
+  if (!is_compared_in_bulk && !serves_as_matrix(study.stages, stage.name)) return loads;
   add(shear_of_material(study.tests));
   add(Load::bulk);
   return loads;

@@ -112,8 +112,9 @@ class Content {
     add_all(time, modulus);
   }
   void add(const Measurement& measurement) {
-    const auto& [label, stage, shear, times, dynamic] = measurement;
-    add_all(label, stage, shear, times);
+    const auto& [label, stage, modulus, times, dynamic, kind] = measurement;
+    add_all(label, stage, modulus, times);
+    if (kind != ModulusKind::shear) add(std::string(name(kind)));
   }
 
   void add(const EarlierStage& earlier) {

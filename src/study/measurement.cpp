@@ -19,7 +19,7 @@ std::optional<TimeWindow> Measurement::known_within(const TimeWindow& window) co
   const auto cut = [&known](const TimeWindow& to) {
     known = {std::max(known.begin, to.begin), std::min(known.end, to.end)};
   };
-  if (const auto* curve = std::get_if<Curve>(&shear)) cut({curve->front().time, curve->back().time});
+  if (const auto* curve = std::get_if<Curve>(&modulus)) cut({curve->front().time, curve->back().time});
   if (times) cut(*times);
   return known.begin <= known.end ? std::optional(known) : std::nullopt;
 }
@@ -27,7 +27,7 @@ std::optional<TimeWindow> Measurement::known_within(const TimeWindow& window) co
 std::vector<double> Measurement::points_within(const TimeWindow& window) const {
   std::vector<double> points;
   for (const auto& one : dynamic) points.push_back(1.0 / one.angular_frequency);
-  if (const auto* curve = std::get_if<Curve>(&shear)) {
+  if (const auto* curve = std::get_if<Curve>(&modulus)) {
     for (const auto& sample : *curve) points.push_back(sample.time);
   }
   const auto known = known_within(window);
@@ -40,11 +40,11 @@ std::vector<MeasuredModulus> Measurement::complex_within(const TimeWindow& windo
   const auto known = known_within(window);
   if (!known) return {};
   auto moduli = dynamic;
-  const auto* series = std::get_if<PronySeries>(&shear);
+  const auto* series = std::get_if<PronySeries>(&modulus);
   if (moduli.empty() && series != nullptr && !series->is_elastic()) {
     for (const double omega : angular_frequencies) {
-      const auto modulus = series->complex_modulus(omega);
-      moduli.push_back({omega, modulus.real(), modulus.imag()});
+      const auto there = series->complex_modulus(omega);
+      moduli.push_back({omega, there.real(), there.imag()});
     }
   }
   std::erase_if(moduli, [&](const MeasuredModulus& one) { return !is_within(*known, 1.0 / one.angular_frequency); });
@@ -52,8 +52,8 @@ std::vector<MeasuredModulus> Measurement::complex_within(const TimeWindow& windo
 }
 
 double Measurement::at(double time) const {
-  if (const auto* series = std::get_if<PronySeries>(&shear)) return series->at(time);
-  const auto& curve = std::get<Curve>(shear);
+  if (const auto* series = std::get_if<PronySeries>(&modulus)) return series->at(time);
+  const auto& curve = std::get<Curve>(modulus);
   const auto right = std::max(curve.begin() + 1, std::ranges::lower_bound(curve, time, {}, &Sample::time));
   const auto left = right - 1;
   const double share = std::log(time / left->time) / std::log(right->time / left->time);

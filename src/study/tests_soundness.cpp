@@ -75,20 +75,23 @@ void check_curve(const Curve& curve, const std::string& part, StudyMistakes& mis
 
 void check_measurement(const Measurement& measurement, const Study& study, StudyMistakes& mistakes) {
   const auto part = "measurement " + measurement.label;
-  const auto& [label, stage, shear, times, dynamic] = measurement;
+  const auto& [label, stage, modulus, times, dynamic, kind] = measurement;
   mistakes.check_name(part, label);
   if (std::ranges::find(study.stages, stage, &Stage::name) == study.stages.end()) {
     mistakes.add(part, fmt::format("there is no stage \"{}\"", stage));
   }
-  if (const auto* curve = std::get_if<Curve>(&shear)) {
+  if (const auto* curve = std::get_if<Curve>(&modulus)) {
     check_curve(*curve, part, mistakes);
   } else {
-    mistakes.check_quantity(part, "unrelaxed shear modulus", std::get<PronySeries>(shear).unrelaxed(),
-                            Range::positive(), Dimension::pressure);
+    mistakes.check_quantity(part, "unrelaxed modulus", std::get<PronySeries>(modulus).unrelaxed(), Range::positive(),
+                            Dimension::pressure);
   }
   if (times && !is_rising_window(*times)) mistakes.add(part, "expected two rising positive times");
+  if (kind != ModulusKind::shear && kind != ModulusKind::young && kind != ModulusKind::bulk) {
+    mistakes.add(part, "expected a shear, Young's or bulk modulus");
+  }
   const auto& loads = study.tests.loads;
-  if (std::ranges::find(loads, shear_of_material(study.tests)) == loads.end()) {
+  if (kind == ModulusKind::shear && std::ranges::find(loads, shear_of_material(study.tests)) == loads.end()) {
     mistakes.add(part, "there is no test in shear that could be compared");
   }
 }

@@ -67,8 +67,8 @@ class SweepRun : public testing::Test {
     static_cast<void>(run_sweep(sweep, results, {}));
     std::vector<std::vector<std::string>> stages;
     for (const auto& task : sweep.tasks) {
-      const auto table =
-          read_csv(results / task.name / "comparison.csv", {"measurement", "stage", "boundary", "method", "cells"});
+      const auto table = read_csv(results / task.name / "comparison.csv",
+                                  {"measurement", "modulus", "stage", "boundary", "method", "cells"});
       stages.push_back(table.text("stage"));
     }
     return stages;

@@ -2,6 +2,7 @@
 // is measured of it is what is computed, in every unit and in every table.
 
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <string>
 
@@ -24,6 +25,7 @@ using ::testing::DoubleNear;
 using ::testing::Each;
 using ::testing::HasSubstr;
 using ::testing::Not;
+using ::testing::SizeIs;
 
 constexpr double modulus = 2e6, relaxation_time = 0.1, per_cycle = 2.0 * std::numbers::pi;
 
@@ -84,7 +86,7 @@ class MeasuredFrequencies : public ::testing::Test {
     return run_breccia(study.path(), more);
   }
   [[nodiscard]] CsvTable compared(const std::string& file) const {
-    return read_csv(study.path() / file, {"measurement", "stage", "boundary", "method", "cells"});
+    return read_csv(study.path() / file, {"measurement", "modulus", "stage", "boundary", "method", "cells"});
   }
 
   StudyDirectory study;
@@ -195,6 +197,50 @@ TEST_F(MeasuredFrequencies, PointsBeyondThoseOfTheDeckAreCounted) {
       run({"--quiet"}).errors,
       HasSubstr("warning: box: 1 of the 11 points of the measurement \"rheometer\" is not compared: it is known "
                 "from 100 mHz to 215 Hz, and tests.frequencies go from 100 mHz to 100 Hz"));
+}
+
+/// The complex Young's modulus of the binder, with K = 3 GPa, at eleven frequencies from 0.1 to 215 Hz.
+std::string measured_in_tension() {
+  std::string table = "frequency_Hz,youngs_storage_modulus_MPa,youngs_loss_modulus_MPa\n";
+  for (int k = -3; k <= 7; ++k) {
+    const std::complex<double> x(0.0, per_cycle * std::pow(10.0, k / 3.0) * relaxation_time);
+    const auto shear = modulus * x / (1.0 + x), young = 9.0 * 3e9 * shear / (9e9 + shear);
+    table += fmt::format("{},{},{}\n", std::pow(10.0, k / 3.0), 1e-6 * young.real(), 1e-6 * young.imag());
+  }
+  return table;
+}
+
+TEST_F(MeasuredFrequencies, InTensionAreThoseOfYoungsModulus) {
+  study.write("tension.csv", measured_in_tension());
+  const auto outcome = run({"--set", "measurements.0.shear=", "--set", R"(measurements.0.young.measured="tension.csv")",
+                            "--set", R"(tests.loads=["shear"])"});
+  EXPECT_THAT(outcome.output, AllOf(HasSubstr("over what was measured, rheometer\n   frequency     |E*|       phase"),
+                                    HasSubstr("  |E*|: nearest 1.000 at ")));
+  const auto table = compared("out/comparison_dynamic.csv");
+  EXPECT_THAT(table.text("modulus"), AllOf(SizeIs(10), Each("young")));
+  EXPECT_THAT(table.numbers("ratio"), Each(DoubleNear(1.0, 1e-6)));
+  EXPECT_THAT(table.numbers("phase_difference_deg"), Each(DoubleNear(0.0, 1e-4)));
+  const auto document = nlohmann::json::parse(read_text(study.result("study.json")));
+  EXPECT_EQ(document.at("stages").at(0).at("comparisons").at(0).at("modulus"), "young");
+  const auto answer = respond();
+  ASSERT_EQ(answer.exit_code, 0) << answer.errors;
+  EXPECT_THAT(compared("out/respond-softer/comparison_dynamic.csv").numbers("ratio"), Each(DoubleNear(0.975, 1e-3)));
+  const auto in_time =
+      run({"--overwrite", "--set", "measurements.0.shear=", "--set", R"(measurements.0.young.measured="tension.csv")",
+           "--set", "tests.frequencies=", "--set", R"(tests.times=["10 ms", "1 s"])"});
+  EXPECT_THAT(in_time.output, HasSubstr("\nbox, Young's modulus, over what was measured, rheometer\n"));
+}
+
+TEST_F(MeasuredFrequencies, AreOfOneKindOfModulus) {
+  study.write("tension.csv", measured_in_tension());
+  const auto both = study.breccia("check", {"--set", R"(measurements.0.young.measured="tension.csv")"});
+  EXPECT_EQ(both.exit_code, 2);
+  EXPECT_THAT(both.errors, HasSubstr("expected exactly one of shear, young, bulk, got shear and young"));
+  const auto other = study.breccia("check", {"--set", R"(measurements.0.shear.measured="tension.csv")"});
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_THAT(other.errors, HasSubstr("Young's modulus"));
+  const auto none = study.breccia("check", {"--set", "measurements.0.shear="});
+  EXPECT_THAT(none.errors, HasSubstr("expected exactly one of shear, young, bulk"));
 }
 
 // Twice the modulus has twice the absolute value and the same phase.

@@ -6,12 +6,15 @@
 #include <gtest/gtest.h>
 
 #include "decks.hpp"
+#include "study/chain.hpp"
 
 // Tests of files that a deck names, in other units and in other forms than Breccia writes them.
 
 namespace breccia {
 namespace {
 
+using testing::AllOf;
+using testing::Contains;
 using testing::HasSubstr;
 
 class DeckFiles : public testing::Test {
@@ -76,6 +79,27 @@ TEST_F(DeckFiles, MeasuredDynamicModuliAreFitted) {
   EXPECT_NEAR(fitted.times->end, 1.0, 1e-12);
   EXPECT_THAT(directory.mistakes(measured("DMA", "{ measured = \"dma.csv\", reference_temperature = \"1 degC\" }")),
               HasSubstr("shear.measured: reference_temperature: only for dynamic moduli at several temperatures"));
+}
+
+TEST_F(DeckFiles, MeasuredYoungsAndBulkModuliAreNamedByTheirKeys) {
+  const auto of = [](std::string_view line) {
+    return test::join(test::materials, test::stage, test::tests, "[[measurements]]\nname = \"DMA\"\n", line, "\n");
+  };
+  directory.write("curve.csv", "time_s,youngs_modulus_MPa\n1,3\n2,2\n");
+  const auto study = directory.study(of(R"(young = { curve = "curve.csv" })"));
+  EXPECT_EQ(study.measurements.at(0).kind, ModulusKind::young);
+  EXPECT_EQ(study.measurements.at(0).at(2.0), 2e6);
+  EXPECT_THAT(loads_of(study, study.stages.back()), Contains(Load::bulk)) << "without it there is no Young's modulus";
+  directory.write("compliance.csv", "time_s,bulk_modulus_GPa\n1,3\n2,2.5\n4,2.2\n8,2\n");
+  EXPECT_EQ(directory.study(of(R"(bulk = { measured = "compliance.csv" })")).measurements.at(0).kind,
+            ModulusKind::bulk);
+  const auto law = directory.study(of(
+      R"(young = { law = "power-law-creep", instantaneous = "1 /GPa", creep = "1 /GPa", time = "1 s", exponent = 0.3 })"));
+  EXPECT_NEAR(law.measurements.at(0).at(1e-9), 1e9, 5e6);
+  EXPECT_THAT(directory.mistakes(of(R"(bulk = { curve = "curve.csv" })")),
+              HasSubstr("expected a column of the bulk modulus, got \"youngs_modulus_MPa\""));
+  EXPECT_THAT(directory.mistakes(of(R"(poisson = { curve = "curve.csv" })")),
+              AllOf(HasSubstr("expected exactly one of shear, young, bulk"), HasSubstr("unknown key \"poisson\"")));
 }
 
 TEST_F(DeckFiles, MeasurementsOfAnotherModulusAreRefused) {

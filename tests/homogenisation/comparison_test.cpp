@@ -27,7 +27,10 @@ class Compare : public testing::Test {
     study.tests.boundaries = {Boundary::displacement};
   }
   [[nodiscard]] std::vector<Comparison> compared(const std::vector<TestResult>& tests) const {
-    return compare(study.measurements, stage.name, Load::shear, tests);
+    StageFindings found;
+    found.name = stage.name;
+    found.tests = tests;
+    return compare(study.measurements, found, Load::shear);
   }
 
   Study study;
@@ -117,6 +120,36 @@ TEST_F(Compare, TakesAMeasuredSeriesAtTheFrequenciesOfTheDeck) {
   EXPECT_THAT(found[0].best_in_frequency()->ratio(), DoubleNear(2.0, 1e-12));
   EXPECT_THAT(found[1].in_frequency, IsEmpty());
   EXPECT_EQ(found[2].best_in_frequency(), nullptr);
+}
+
+// A material whose bulk modulus is three times its shear modulus at all times, G(t) = 1 + 3 exp(-t) Pa: E is 2.7 G, and
+// the modulus of the bulk test in the plane is K + G/3 = 10/3 G.
+TEST_F(Compare, TakesYoungsAndBulkModulusFromTheTestsInShearAndInBulk) {
+  const PronySeries shear(1.0, {{1.0, 3.0}}), in_bulk(10.0 / 3.0, {{1.0, 10.0}});
+  Measurement young{"tension", "A", PronySeries(1.0), TimeWindow{0.1, 10.0}, {{1.0, 2.7 * 2.5, 2.7 * 1.5}}};
+  young.kind = ModulusKind::young;
+  Measurement bulk{"pressure", "A", PronySeries(2.0)};
+  bulk.kind = ModulusKind::bulk;
+  study.measurements = {young, bulk};
+  auto test = test_with(upper, {}),
+       volume = test_with({Load::bulk, Boundary::displacement, Method::quasistatic, TestGrid(12)}, {});
+  for (const double time : {0.1, 1.0, 10.0}) test.modulus.push_back({time, shear.at(time)});
+  test.series = shear;
+  volume.series = in_bulk;
+  const auto found = compared({test, volume});
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].kind, ModulusKind::young);
+  ASSERT_EQ(found[0].samples.size(), 3U);
+  EXPECT_NEAR(found[0].samples[1].modulus, 2.7 * shear.at(1.0), 1e-8);
+  ASSERT_EQ(found[0].in_frequency.size(), 1U);
+  EXPECT_NEAR(found[0].in_frequency[0].ratio(), 1.0, 1e-12);
+  EXPECT_NEAR(found[0].in_frequency[0].phase_difference(), 0.0, 1e-12);
+  EXPECT_EQ(found[1].kind, ModulusKind::bulk);
+  EXPECT_NEAR(found[1].samples[2].modulus, 3.0 * shear.at(10.0), 1e-12);
+  EXPECT_EQ(measurements_of("A", found)[0].kind, ModulusKind::young);
+  EXPECT_THAT(compared({test}), IsEmpty()) << "nothing without the test in bulk";
+  volume.id.grid = TestGrid(24);
+  EXPECT_THAT(compared({test, volume}), IsEmpty()) << "nothing from tests on two grids";
 }
 
 TEST_F(Compare, TellsMeasurementsFromTheirComparisons) {

@@ -5,6 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "breccia/error.hpp"
+
+#include "io/text_file.hpp"
 #include "results/hand_made_results.hpp"
 #include "results/stored_comparisons.hpp"
 #include "tables/csv.hpp"
@@ -23,12 +26,15 @@ TEST(WriteComparisons, LeavesARowForEachTimeOfEachMeasurement) {
                         {{1e-3, 3e6, 2e6}, {1.0, 1e6, 4e6}}}};
   second.comparisons = {
       {"rheometer", {Load::shear, Boundary::traction, Method::dynamic, TestGrid(24)}, {{0.1, 1.0, 3.0}}}};
+  second.comparisons.front().kind = ModulusKind::young;
   write_comparisons(directory.path(), {{first, second}, {}});
+  EXPECT_EQ(read_comparisons(directory.path()).at("B").front().kind, ModulusKind::young);
   const auto table =
-      read_csv(directory.path() / "comparison.csv", {"measurement", "stage", "boundary", "method", "cells"});
-  EXPECT_THAT(table.names(), ElementsAre("measurement", "stage", "boundary", "method", "cells", "time_s", "modulus_Pa",
-                                         "measured_Pa", "ratio"));
+      read_csv(directory.path() / "comparison.csv", {"measurement", "modulus", "stage", "boundary", "method", "cells"});
+  EXPECT_THAT(table.names(), ElementsAre("measurement", "modulus", "stage", "boundary", "method", "cells", "time_s",
+                                         "modulus_Pa", "measured_Pa", "ratio"));
   EXPECT_THAT(table.text("measurement"), ElementsAre(R"(Wetzel, "1999")", R"(Wetzel, "1999")", "rheometer"));
+  EXPECT_THAT(table.text("modulus"), ElementsAre("shear", "shear", "young"));
   EXPECT_THAT(table.text("stage"), ElementsAre("A", "A", "B"));
   EXPECT_THAT(table.text("boundary"), ElementsAre("displacement", "displacement", "traction"));
   EXPECT_THAT(table.text("method"), ElementsAre("quasistatic", "quasistatic", "dynamic"));
@@ -47,12 +53,12 @@ TEST(WriteComparisons, LeavesATableOfComplexModuli) {
   stage.comparisons = {{"rheometer", id, {}, {{1.0, 1.0, 1.0, 1.0, 1e-30}, {6.283185307179586, 3.0, 4.0, 6.0, 8.0}}}};
   write_comparisons(directory.path(), {{stage}, {}});
   EXPECT_FALSE(std::filesystem::exists(directory.path() / "comparison.csv"));
-  const auto table =
-      read_csv(directory.path() / "comparison_dynamic.csv", {"measurement", "stage", "boundary", "method", "cells"});
-  EXPECT_THAT(table.names(), ElementsAre("measurement", "stage", "boundary", "method", "cells", "frequency_Hz",
-                                         "angular_frequency_rad_per_s", "storage_modulus_Pa", "loss_modulus_Pa",
-                                         "measured_storage_modulus_Pa", "measured_loss_modulus_Pa", "ratio",
-                                         "storage_ratio", "loss_ratio", "phase_difference_deg"));
+  const auto table = read_csv(directory.path() / "comparison_dynamic.csv",
+                              {"measurement", "modulus", "stage", "boundary", "method", "cells"});
+  EXPECT_THAT(table.names(), ElementsAre("measurement", "modulus", "stage", "boundary", "method", "cells",
+                                         "frequency_Hz", "angular_frequency_rad_per_s", "storage_modulus_Pa",
+                                         "loss_modulus_Pa", "measured_storage_modulus_Pa", "measured_loss_modulus_Pa",
+                                         "ratio", "storage_ratio", "loss_ratio", "phase_difference_deg"));
   EXPECT_THAT(table.numbers("frequency_Hz")[1], testing::DoubleNear(1.0, 1e-15));
   EXPECT_THAT(table.numbers("ratio")[1], testing::DoubleNear(0.5, 1e-15));
   EXPECT_THAT(table.numbers("loss_ratio")[1], testing::DoubleNear(0.5, 1e-15));
@@ -61,6 +67,19 @@ TEST(WriteComparisons, LeavesATableOfComplexModuli) {
   const auto read = read_comparisons(directory.path()).at("A");
   ASSERT_EQ(read.size(), 1U);
   EXPECT_EQ(read[0].in_frequency[1].measured_loss, 8.0);
+}
+
+TEST(ReadComparisons, TakesATableOfAnEarlierVersionAsOfTheShearModulus) {
+  const test::TemporaryDirectory directory;
+  write_text(directory.path() / "comparison.csv",
+             "measurement,stage,boundary,method,cells,time_s,modulus_Pa,measured_Pa,ratio\n"
+             "rheometer,A,periodic,quasistatic,24,1,3,2,1.5\n");
+  EXPECT_EQ(read_comparisons(directory.path()).at("A").front().kind, ModulusKind::shear);
+  write_text(directory.path() / "comparison.csv",
+             "measurement,modulus,stage,boundary,method,cells,time_s,modulus_Pa,measured_Pa,ratio\n"
+             "rheometer,P-wave,A,periodic,quasistatic,24,1,3,2,1.5\n");
+  EXPECT_THAT([&] { read_comparisons(directory.path()); },
+              testing::ThrowsMessage<FileError>(testing::HasSubstr("expected shear, young or bulk, got \"P-wave\"")));
 }
 
 TEST(WriteComparisons, LeavesNoTableWithoutAMeasurement) {

@@ -100,7 +100,10 @@ TEST(ContentOf, EveryChangeOfWhatIsAskedMakesAnother) {
       [](Study& study) { study.tests.loads = {Load::bulk}; },
       [](Study& study) { study.tests.quasistatic.sampling.tolerance = 1e-4; },
       [](Study& study) { study.tests.dynamic.mass_scaling_factors = {1.0}; },
-      [](Study& study) { study.measurements = {{.label = "a", .stage = "fine", .shear = PronySeries(1e6)}}; },
+      [](Study& study) { study.measurements = {{.label = "a", .stage = "fine", .modulus = PronySeries(1e6)}}; },
+      [](Study& study) {
+        study.measurements = {{.label = "a", .stage = "fine", .modulus = PronySeries(1e6), .kind = ModulusKind::young}};
+      },
   };
   std::set<std::string> contents;
   for (const auto& change : changes) {

@@ -61,8 +61,8 @@ Study with_random_packing(Sizes sizes) {
 Study with_measurement() {
   auto study = test::two_stages();
   study.measurements = {
-      {.label = "a", .stage = "fine", .shear = Curve{{1e-3, 2e6}, {1.0, 1e6}}, .times = TimeWindow{1e-3, 0.1}},
-      {.label = "b", .stage = "coarse", .shear = PronySeries(1e6)}};
+      {.label = "a", .stage = "fine", .modulus = Curve{{1e-3, 2e6}, {1.0, 1e6}}, .times = TimeWindow{1e-3, 0.1}},
+      {.label = "b", .stage = "coarse", .modulus = PronySeries(1e6)}};
   return study;
 }
 
@@ -402,14 +402,14 @@ TEST(RequireSound, NamesWhatFlowThroughGapsDoesNotServe) {
 
 TEST(RequireSound, NamesEachMistakeOfMeasurements) {
   const auto with_curve = [](const Curve& curve) {
-    return [curve](Study& study) { study.measurements[0].shear = curve; };
+    return [curve](Study& study) { study.measurements[0].modulus = curve; };
   };
   expect_each({{[](Study& study) { study.measurements[1].label = "a"; }, "measurement a: another measurement"},
                {[](Study& study) { study.measurements[1].label = ""; }, "expected a name"},
                {[](Study& study) { study.measurements[1].label = "b\nc"; }, "expected a name without line breaks"},
                {[](Study& study) { study.measurements[1].stage = "C"; }, "measurement b: there is no stage \"C\""},
-               {[](Study& study) { study.measurements[1].shear = PronySeries(); },
-                "measurement b: unrelaxed shear modulus: expected a positive pressure"},
+               {[](Study& study) { study.measurements[1].modulus = PronySeries(); },
+                "measurement b: unrelaxed modulus: expected a positive pressure"},
                {[](Study& study) {
                   study.measurements[0].times = TimeWindow{0.1, 0.1};
                 },
@@ -422,6 +422,10 @@ TEST(RequireSound, NamesEachMistakeOfMeasurements) {
   auto study = with_measurement();
   study.tests.loads = {Load::bulk};
   EXPECT_THAT(mistakes_of(study), HasSubstr("measurement b: there is no test in shear that could be compared"));
+  study.measurements[1].kind = ModulusKind::young;
+  EXPECT_THAT(mistakes_of(study), Not(HasSubstr("measurement b"))) << "both loads are added";
+  study.measurements[1].kind = ModulusKind::other;
+  EXPECT_THAT(mistakes_of(study), HasSubstr("measurement b: expected a shear, Young's or bulk modulus"));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "breccia/quasistatic/linear_options.hpp"
 #include "breccia/quasistatic/reduced_response.hpp"
 #include "breccia/study/test_id.hpp"
+#include "breccia/tables/modulus_kind.hpp"
 #include "breccia/virtual_test/homogenised_material.hpp"
 #include "breccia/virtual_test/test_fields.hpp"
 #include "breccia/virtual_test/time_domain.hpp"
@@ -122,21 +123,22 @@ struct ComparedComplexSample {
   double storage = 0.0, loss = 0.0;                    ///< computed [Pa]
   double measured_storage = 0.0, measured_loss = 0.0;  ///< [Pa]
 
-  /// The ratio of the absolute values |G*|.
+  /// The ratio of the absolute values.
   [[nodiscard]] double ratio() const;
   /// The computed phase minus the measured one [rad].
   [[nodiscard]] double phase_difference() const;
 };
 
-/// Comparison of G of a stage, under one boundary and by one method, with a measurement. There is a sample in time or
-/// in frequency at least.
+/// Comparison of a modulus of a stage, under one boundary and by one method, with a measurement. There is a sample in
+/// time or in frequency at least.
 struct Comparison {
   std::string measurement;              ///< label of the measurement
-  TestId test;                          ///< the preferred test of its boundary and method
-  std::vector<ComparedSample> samples;  ///< G(t) at the times of the curve
+  TestId test;                          ///< the preferred test in shear of its boundary and method
+  std::vector<ComparedSample> samples;  ///< the relaxation modulus at the times of the curve
   /// The complex modulus at rising frequencies: those that were measured or else, of a measured series, those of the
   /// study.
   std::vector<ComparedComplexSample> in_frequency = {};
+  ModulusKind kind = ModulusKind::shear;  ///< the modulus that was measured: G, K, or E
 
   /// The samples whose ratios are nearest to one and furthest from one, of those in time or in frequency; nullptr where
   /// there are none.

@@ -33,6 +33,10 @@ class SizeDistribution {
   /// The distribution of the particles of diameter `from` to `to` [m] alone.
   [[nodiscard]] SizeDistribution truncated(double from, double to) const;
 
+  /// The share of the volume of the whole law that lies from the smallest to the largest diameter [-]: 1 unless it was
+  /// truncated.
+  [[nodiscard]] double share_of_law() const noexcept { return within_; }
+
   /// The share F(d) of the volume in particles of diameter d [m] and less [-].
   [[nodiscard]] double cumulative(double diameter) const;
   /// The smallest d [m] with F(d) >= p, 0 <= p <= 1. Infinite for p = 1 of a law without a largest diameter that is not

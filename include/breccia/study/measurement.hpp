@@ -5,27 +5,29 @@
 #include <variant>
 #include <vector>
 
+#include "breccia/tables/modulus_kind.hpp"
 #include "breccia/virtual_test/curve.hpp"
 #include "breccia/viscoelasticity/prony_series.hpp"
 #include "breccia/viscoelasticity/reduction.hpp"
 
 namespace breccia {
 
-/// A measured complex shear modulus.
+/// A measured complex modulus M' + i M''.
 struct MeasuredModulus {
   double angular_frequency = 0.0;  ///< [rad/s]
-  double storage = 0.0;            ///< G' [Pa]
-  double loss = 0.0;               ///< G'' [Pa]
+  double storage = 0.0;            ///< M' [Pa]
+  double loss = 0.0;               ///< M'' [Pa]
 };
 
-/// A measured shear relaxation modulus, to be compared with that of a stage.
+/// A measured relaxation modulus, to be compared with that of a stage.
 struct Measurement {
   std::string label;
-  std::string stage;                       ///< name of the stage that models the measured material
-  std::variant<PronySeries, Curve> shear;  ///< [Pa]
-  std::optional<TimeWindow> times = {};    ///< times for which the measurement is valid [s]
-  /// The moduli at the measured frequencies, rising, where these were measured and `shear` is fitted to them.
+  std::string stage;                         ///< name of the stage that models the measured material
+  std::variant<PronySeries, Curve> modulus;  ///< [Pa]
+  std::optional<TimeWindow> times = {};      ///< times for which the measurement is valid [s]
+  /// The moduli at the measured frequencies, rising, where these were measured and `modulus` is fitted to them.
   std::vector<MeasuredModulus> dynamic = {};
+  ModulusKind kind = ModulusKind::shear;  ///< G, K, or E
 
   /// The part of a window of times [s] in which the measured modulus is known; nothing if there is none.
   [[nodiscard]] std::optional<TimeWindow> known_within(const TimeWindow& window) const;

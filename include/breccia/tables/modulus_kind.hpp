@@ -1,8 +1,11 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
+
+#include "breccia/words.hpp"
 
 namespace breccia {
 
@@ -14,6 +17,12 @@ enum class ModulusKind {
   bulk,         ///< bulk modulus K
   other         ///< another modulus, such as the P-wave (confined) modulus
 };
+
+/// The kinds that a measured modulus of a composite may have, by their keys in decks.
+template <>
+inline constexpr auto words<ModulusKind> = std::to_array<Word<ModulusKind>>({{"shear", ModulusKind::shear},
+                                                                             {"young", ModulusKind::young},
+                                                                             {"bulk", ModulusKind::bulk}});
 
 /// The name of a kind: "shear modulus", "Young's modulus", "bulk modulus"; "modulus" for the other kinds.
 std::string_view name(ModulusKind kind);

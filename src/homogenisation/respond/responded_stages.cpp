@@ -136,7 +136,7 @@ std::vector<StageResult> responded_stages(const std::vector<StageResponses>& sta
     auto result = tested_stage(next, matrix, times);
     add_errors(result, next.rules, next.matrix, done);
     if (next.abscissa == Abscissa::frequency) add_complex_moduli(result.tests, next.points_per_decade);
-    result.comparisons = compare(next.measurements, next.stage, next.shear, result.tests);
+    result.comparisons = compare(next.measurements, result, next.shear);
     if (serves_as_matrix(stages, next.stage)) result.materials = materials_of(next, matrix, times, result.tests);
     done.push_back(std::move(result));
   }

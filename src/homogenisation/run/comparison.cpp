@@ -1,10 +1,23 @@
 #include "homogenisation/run/comparison.hpp"
 
 #include <algorithm>
+#include <complex>
+#include <functional>
+#include <optional>
 #include <utility>
+
+#include "virtual_test/bulk_test.hpp"
+#include "viscoelasticity/engineering_moduli.hpp"
 
 namespace breccia {
 namespace {
+
+/// A modulus of a stage under one boundary and by one method.
+struct ComputedModulus {
+  Curve in_time;
+  std::function<std::complex<double>(double)>
+      at;  ///< complex modulus [Pa] at an angular frequency [rad/s]; may be empty
+};
 
 bool is_under(const TestResult& test, TestLoad load, Boundary boundary) {
   return test.id.load == load && test.id.boundary == boundary;
@@ -15,6 +28,35 @@ bool is_best(const TestResult& test, const std::vector<TestResult>& tests) {
   return std::ranges::none_of(tests, [&](const TestResult& other) {
     return is_under(other, test.id.load, test.id.boundary) && is_preferred(other.id, test.id);
   });
+}
+
+bool has_series(const TestResult& test) {
+  return test.series.unrelaxed() > 0.0;
+}
+
+/// The modulus of a kind from a test in shear and, for K and E, that in bulk under the same boundary, by the same
+/// method and on the same grid; nothing without this test.
+std::optional<ComputedModulus> computed_modulus(ModulusKind kind, const StageFindings& stage, const TestResult& shear) {
+  if (kind == ModulusKind::shear) {
+    ComputedModulus modulus{shear.modulus, {}};
+    if (has_series(shear)) modulus.at = [&shear](double omega) { return shear.series.complex_modulus(omega); };
+    return modulus;
+  }
+  const auto* tested = find_preferred_test(stage.tests, Load::bulk, shear.id.boundary, shear.id.method);
+  if (tested == nullptr || tested->id.grid != shear.id.grid || !has_series(*tested) || !has_series(shear)) {
+    return std::nullopt;
+  }
+  const auto bulk = bulk_modulus_of(tested->series, shear.series, stage.dimensions);
+  ComputedModulus modulus;
+  if (kind == ModulusKind::bulk) {
+    for (const auto& [time, of_shear] : shear.modulus) modulus.in_time.push_back({time, bulk.at(time)});
+    modulus.at = [bulk](double omega) { return bulk.complex_modulus(omega); };
+    return modulus;
+  }
+  const EngineeringModuli moduli(shear.series, bulk);
+  for (const auto& [time, of_shear] : shear.modulus) modulus.in_time.push_back({time, moduli.youngs_modulus(time)});
+  modulus.at = [moduli](double omega) { return moduli.complex_youngs_modulus(omega); };
+  return modulus;
 }
 
 std::vector<ComparedSample> compared_in_time(const Measurement& measurement, const Curve& curve) {
@@ -28,31 +70,38 @@ std::vector<ComparedSample> compared_in_time(const Measurement& measurement, con
   return samples;
 }
 
-std::vector<ComparedComplexSample> compared_in_frequency(const Measurement& measurement, const TestResult& test) {
+std::vector<ComparedComplexSample> compared_in_frequency(const Measurement& measurement, const ComputedModulus& modulus,
+                                                         const std::vector<ComplexSample>& of_study) {
   std::vector<ComparedComplexSample> samples;
-  if (!(test.series.unrelaxed() > 0.0)) return samples;
+  if (!modulus.at) return samples;
   std::vector<double> frequencies;
-  for (const auto& sample : test.in_frequency) frequencies.push_back(sample.angular_frequency);
-  const TimeWindow window = {test.modulus.front().time, test.modulus.back().time};
+  for (const auto& sample : of_study) frequencies.push_back(sample.angular_frequency);
+  const TimeWindow window = {modulus.in_time.front().time, modulus.in_time.back().time};
   for (const auto& [omega, storage, loss] : measurement.complex_within(window, frequencies)) {
-    const auto modulus = test.series.complex_modulus(omega);
-    samples.push_back({omega, modulus.real(), modulus.imag(), storage, loss});
+    const auto there = modulus.at(omega);
+    samples.push_back({omega, there.real(), there.imag(), storage, loss});
   }
   return samples;
 }
 
 }  // namespace
 
-std::vector<Comparison> compare(const std::vector<Measurement>& measurements, const std::string& stage, TestLoad shear,
-                                const std::vector<TestResult>& tests) {
+std::vector<Comparison> compare(const std::vector<Measurement>& measurements, const StageFindings& stage,
+                                TestLoad shear) {
+  const auto& tests = stage.tests;
   std::vector<Comparison> comparisons;
   for (const auto& measurement : measurements) {
-    if (measurement.stage != stage) continue;
+    if (measurement.stage != stage.name) continue;
     for (const auto& test : tests) {
       if (!is_under(test, shear, test.id.boundary)) continue;
       if (find_preferred_test(tests, shear, test.id.boundary, test.id.method) != &test) continue;
-      Comparison comparison{measurement.label, test.id, compared_in_time(measurement, test.modulus)};
-      if (is_best(test, tests)) comparison.in_frequency = compared_in_frequency(measurement, test);
+      const auto modulus = computed_modulus(measurement.kind, stage, test);
+      if (!modulus) continue;
+      Comparison comparison{measurement.label, test.id, compared_in_time(measurement, modulus->in_time)};
+      comparison.kind = measurement.kind;
+      if (is_best(test, tests)) {
+        comparison.in_frequency = compared_in_frequency(measurement, *modulus, test.in_frequency);
+      }
       if (comparison.samples.empty() && comparison.in_frequency.empty()) continue;
       comparisons.push_back(std::move(comparison));
     }
@@ -66,8 +115,9 @@ std::vector<Measurement> measurements_of(const std::string& stage, const std::ve
     auto known = std::ranges::find(measurements, comparison.measurement, &Measurement::label);
     if (known == measurements.end()) {
       known = measurements.insert(known, Measurement{comparison.measurement, stage, Curve{}});
+      known->kind = comparison.kind;
     }
-    auto& curve = std::get<Curve>(known->shear);
+    auto& curve = std::get<Curve>(known->modulus);
     if (curve.empty()) {
       for (const auto& sample : comparison.samples) curve.push_back({sample.time, sample.measured});
     }
@@ -77,7 +127,7 @@ std::vector<Measurement> measurements_of(const std::string& stage, const std::ve
       }
     }
   }
-  std::erase_if(measurements, [](const Measurement& one) { return std::get<Curve>(one.shear).size() < 2; });
+  std::erase_if(measurements, [](const Measurement& one) { return std::get<Curve>(one.modulus).size() < 2; });
   return measurements;
 }
 

@@ -24,7 +24,7 @@ void solve_stage(const Study& study, const Stage& stage, int threads, StudySink&
   if (auto known = sink.known_stage(stage)) {
     add_errors(*known, error_rules_of(study, stage, known->microstructure), stage.matrix, result.stages);
     if (study.tests.by_frequency) add_complex_moduli(known->tests, study.tests.points_per_decade);
-    known->comparisons = compare(study.measurements, stage.name, shear_of_material(study.tests), known->tests);
+    known->comparisons = compare(study.measurements, *known, shear_of_material(study.tests));
     known->accuracy = accuracy_of(quality_of(study, stage, *known));
     result.stages.push_back(std::move(*known));
     sink.happened(StageAdopted{stage, result});

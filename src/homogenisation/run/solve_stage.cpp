@@ -59,7 +59,7 @@ class StageSolution {
     if (serves_as_matrix(study_.stages, stage_.name))
       done_.materials = materials_from(study_, stage_, result_.stages, done_);
     if (study_.tests.by_frequency) add_complex_moduli(done_.tests, study_.tests.points_per_decade);
-    done_.comparisons = compare(study_.measurements, stage_.name, shear_of_material(study_.tests), done_.tests);
+    done_.comparisons = compare(study_.measurements, done_, shear_of_material(study_.tests));
     sink_.happened(StageFinished{stage_, result_});
   }
 

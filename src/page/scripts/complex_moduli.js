@@ -85,14 +85,24 @@ export function complexColumns(modulus, name) {
     text(modulus.at(frequency)) + (i === 0 ? errorText([modulus], frequency) : "")]);
 }
 
+/// The complex Young's moduli [{boundary, at}] over the frequency in hertz, of their storage and loss moduli.
+export function complexYoungsModuli(curves) {
+  const storages = curves.filter(({part}) => part === "storage");
+  return storages.map((storage) => {
+    const loss = curves.find(({part, boundary}) => part === "loss" && boundary === storage.boundary);
+    return {boundary: storage.boundary, at: (frequency) =>
+      complexOf(...[storage, loss].map(({x, y}) => valueAt(x, y, perCycle * frequency)))};
+  });
+}
+
 /// The measured complex modulus of a stage beside computed ones: {name, x, moduli} with the frequencies x [Hz], from its
-/// curves; undefined where nothing was measured in frequency.
-export function measuredComplex(curves, stage) {
+/// curves of the quantity "dynamic" or "young-dynamic"; undefined where nothing was measured in frequency.
+export function measuredComplex(curves, stage, quantityOf) {
   const of = (name) => curves.find(({role, quantity, part, stage: its}) => role === "measured" &&
-    quantity === "dynamic" && part === name && its === stage);
+    quantity === quantityOf && part === name && its === stage);
   const [storage, loss] = [of("storage"), of("loss")];
   if (storage === undefined) return undefined;
-  return {name: storage.label.replace("measured, ", "").replace(/, G′$/, ""),
+  return {name: storage.label.replace("measured, ", "").replace(/, [GE]′$/, ""),
     x: storage.x.map((omega) => omega / perCycle), moduli: storage.y.map((value, i) => complexOf(value, loss.y[i]))};
 }
 
@@ -105,13 +115,13 @@ function deviationsFrom(measured, {at}) {
   });
 }
 
-/// A sentence on complex moduli beside a measured one.
-export function sentenceOnMeasuredComplex(moduli, measured) {
+/// A sentence on complex moduli beside a measured one, of a letter: G or E.
+export function sentenceOnMeasuredComplex(moduli, measured, letter) {
   const found = moduli.flatMap((modulus) => deviationsFrom(measured, modulus));
   const [from, to] = rangeOf(found.map(({ratio}) => ratio)).map((ratio) => shortNumber(ratio, 3));
   const largest = Math.max(...found.map(({phase}) => Math.abs(phase)));
   const [first, last] = [measured.x[0], measured.x.at(-1)].map((frequency) => display(frequency, "Hz", 2));
-  return `From ${first} to ${last} |G*| is ${from === to ? from : `${from} to ${to}`} times what was measured ` +
+  return `From ${first} to ${last} |${letter}*| is ${from === to ? from : `${from} to ${to}`} times what was measured ` +
     `(${measured.name}), and the phases are within ${shortNumber(Math.max(largest, 0.01), 2)}°.`;
 }
 

@@ -89,17 +89,28 @@ function addErrors(curves) {
   }
 }
 
+/// The curves of a complex modulus as those of Young's modulus.
+function ofYoungsModulus(curves) {
+  const quantities = {dynamic: "young-dynamic", "loss-factor": "young-loss-factor"};
+  return curves.filter(({quantity}) => quantity in quantities).map((curve) =>
+    ({...curve, quantity: quantities[curve.quantity], label: curve.label.replace(", G", ", E")}));
+}
+
+/// The measured moduli as curves of the quantity that was measured. What the figures have no curve of is left out: the
+/// bulk modulus in the plane, where the bulk test gives K + G/3, and complex bulk moduli.
 function measuredCurves() {
   const groups = (table) => groupsOf(readTable(table), ["measurement", "stage"]);
+  const isDrawn = ([{stage, modulus}]) => modulus !== "bulk" || stageNamed(stage).dimensions === 3;
   const common = ([{measurement, stage}]) => ({role: "measured", stage, label: `measured, ${measurement}`});
-  const inTime = groups("comparison.csv").map((group) => {
+  const inTime = groups("comparison.csv").filter(isDrawn).map((group) => {
     const measured = new Map(group.map((row) => [row.time_s, row.measured_Pa]));
-    return {...common(group), quantity: "shear", x: [...measured.keys()], y: [...measured.values()]};
+    return {...common(group), quantity: group[0].modulus ?? "shear", x: [...measured.keys()], y: [...measured.values()]};
   });
-  const inFrequency = groups("comparison_dynamic.csv").flatMap((group) => {
+  const inFrequency = groups("comparison_dynamic.csv").filter(([{modulus}]) => modulus !== "bulk").flatMap((group) => {
     const measured = new Map(group.map((row) => [row.angular_frequency_rad_per_s,
       {storage: row.measured_storage_modulus_Pa, loss: row.measured_loss_modulus_Pa}]));
-    return sampledComplexCurves(common(group), [...measured.keys()], [...measured.values()]);
+    const curves = sampledComplexCurves(common(group), [...measured.keys()], [...measured.values()]);
+    return group[0].modulus === "young" ? ofYoungsModulus(curves) : curves;
   });
   return [...inTime, ...inFrequency];
 }

@@ -1,6 +1,6 @@
 /// The first screen of a study: the results, the warnings, and the moduli at whole decades.
 
-import {complexColumns, complexModuli, complexOf, complexSentences, measuredColumns, measuredComplex,
+import {complexColumns, complexModuli, complexOf, complexSentences, complexYoungsModuli, measuredColumns, measuredComplex,
   sentenceOnMeasuredComplex, showsError} from "./complex_moduli.js";
 import {resultSentences, hasFlowedAway, sentenceOnMeasurement} from "./result_sentences.js";
 import {bestGrid} from "./curves.js";
@@ -54,16 +54,29 @@ function answersFirst(result) {
   return [...new Set([...curvesOfAnswer(result), ...result])];
 }
 
-function measuredBeside(curves, stage) {
-  const found = curves.find((curve) => curve.role === "measured" && curve.stage === stage);
+/// The measured relaxation modulus of a stage, of a quantity: "shear", "young", or "bulk".
+function measuredBeside(curves, stage, quantity) {
+  const found = curves.find((curve) => curve.role === "measured" && curve.stage === stage && curve.quantity === quantity);
   return found && {name: found.label.replace("measured, ", ""), x: found.x, y: found.y};
 }
 
 /// The sentences on complex moduli beside what was measured: in frequency or, where that is not known, in time.
 function sentencesBesideMeasured(curves, moduli, result, inTime) {
   if (inTime === undefined) return [];
-  const measured = measuredComplex(curves, result[0].stage);
-  return measured === undefined ? sentenceOnMeasurement(result, inTime) : [sentenceOnMeasuredComplex(moduli, measured)];
+  const measured = measuredComplex(curves, result[0].stage, "dynamic");
+  return measured === undefined ? sentenceOnMeasurement(result, inTime)
+    : [sentenceOnMeasuredComplex(moduli, measured, "G")];
+}
+
+/// The sentences on Young's modulus beside what was measured of it.
+function sentencesOnYoungsModulus(curves, result) {
+  const inTime = measuredBeside(curves, result[0].stage, "young");
+  const measured = measuredComplex(curves, result[0].stage, "young-dynamic");
+  if (study.frequencies_Hz !== undefined && measured !== undefined) {
+    return [sentenceOnMeasuredComplex(complexYoungsModuli(othersOf("young-dynamic", curves, result)), measured, "E")];
+  }
+  return inTime === undefined ? []
+    : sentenceOnMeasurement(othersOf("young", curves, result), inTime, "Young's modulus");
 }
 
 function binderBeside(stage) {
@@ -160,13 +173,13 @@ export function showResult(curves) {
   const isShear = load !== "bulk";
   const moduli = study.frequencies_Hz === undefined ? [] : complexModuli(curves, result);
   const error = textOnError(result, stage);
-  const name = nameOfResult(stage), measured = isShear ? measuredBeside(curves, stage) : undefined;
+  const name = nameOfResult(stage), measured = isShear ? measuredBeside(curves, stage, "shear") : undefined;
   const sentences = moduli.length > 0
     ? [...complexSentences({stage: name, moduli, result, error, binder: complexBinder(stage)}),
       ...sentencesBesideMeasured(curves, moduli, result, measured)]
     : resultSentences({stage: name, symbol: symbolOf(load, loadsOf(stage)), curves: result, error,
       binder: isShear ? binderBeside(stage) : undefined, measured});
-  const [first, ...others] = [...sentences, onSpace(study, qualityOf(stage))].filter((sentence) => sentence !== "");
+  const [first, ...others] = [...sentences, ...sentencesOnYoungsModulus(curves, result), onSpace(study, qualityOf(stage))].filter((sentence) => sentence !== "");
   place.append(element("p", {id: "answer"}, element("strong", {}, unbroken(first)), ` ${unbroken(others.join(" "))}`));
   const next = nextStep(stageOf(stage));
   if (next !== "") place.append(element("p", {id: "next-step", className: "note"}, next));
@@ -221,11 +234,11 @@ export function showModuli(curves) {
   const moduli = study.frequencies_Hz === undefined ? [] : complexModuli(curves, result);
   if (moduli.length > 0) {
     const note = moduli.some(showsError) ? noteOnErrors(result, stage) : onAnisotropy(study, qualityOf(stage));
-    return showTable(stage, complexTable(moduli, load === "bulk" ? undefined : measuredComplex(curves, stage)), note);
+    return showTable(stage, complexTable(moduli, load === "bulk" ? undefined : measuredComplex(curves, stage, "dynamic")), note);
   }
   const isShear = load !== "bulk";
   const binder = isShear ? binderBeside(stage) : undefined;
-  const measured = isShear ? measuredBeside(curves, stage) : undefined;
+  const measured = isShear ? measuredBeside(curves, stage, "shear") : undefined;
   const at = ({x, y}, time) => valueAt(x, y, time);
   const times = timesOfTable([Math.min(...result.map(({x}) => x[0])), Math.max(...result.map(({x}) => x.at(-1)))], 12);
   const columns = [["time", (time) => display(time, "s")]];
@@ -241,12 +254,19 @@ export function showModuli(curves) {
   for (const bulk of bulks) {
     columns.push([`${bulkSymbolOf(stageOf(stage))}, ${bulk.boundary}`, (time) => modulusText(bulk, time)]);
   }
-  for (const young of othersOf("young", curves, result)) {
-    columns.push([`Young's modulus, ${young.boundary}`, (time) => display(at(young, time), "Pa")]);
-  }
   if (measured !== undefined) {
     columns.push(["measured", (time) => display(at(measured, time), "Pa")], ["over measured", (time) =>
       Number.isFinite(at(measured, time)) ? ratios(at(measured, time), time) : "–"]);
+  }
+  const measuredYoung = measuredBeside(curves, stage, "young");
+  for (const young of othersOf("young", curves, result)) {
+    columns.push([`Young's modulus, ${young.boundary}`, (time) => display(at(young, time), "Pa")]);
+    if (measuredYoung !== undefined) {
+      columns.push(["over measured E", (time) => {
+        const ratio = at(young, time) / at(measuredYoung, time);
+        return Number.isFinite(ratio) ? shortNumber(ratio, 2) : "–";
+      }]);
+    }
   }
   showTable(stage, [columns, times], noteOnErrors(result, stage));
 }

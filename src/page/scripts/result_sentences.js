@@ -76,8 +76,8 @@ export function resultSentences({stage, symbol, curves, error, binder, measured}
   return sentences;
 }
 
-/// The ratio of each curve to the measurement, at the times of the measurement.
-export function sentenceOnMeasurement(curves, measured) {
+/// The ratio of each curve to the measurement, at the times of the measurement. `modulus` is what the curves are of.
+export function sentenceOnMeasurement(curves, measured, modulus = "the modulus") {
   const seen = [];
   const parts = curves.flatMap((curve) => {
     const ratios = measured.x.map((time, i) => [time, valueAt(curve.x, curve.y, time) / measured.y[i]])
@@ -85,7 +85,7 @@ export function sentenceOnMeasurement(curves, measured) {
     if (ratios.length === 0) return [];
     seen.push(...ratios.map(([time]) => time));
     const values = ratios.map(([, ratio]) => ratio);
-    return [`the modulus under the ${curve.boundary} boundary is ${ratioText([Math.min(...values), Math.max(...values)])} times`];
+    return [`${modulus} under the ${curve.boundary} boundary is ${ratioText([Math.min(...values), Math.max(...values)])} times`];
   });
   if (parts.length === 0) return [];
   const [from, to] = [Math.min(...seen), Math.max(...seen)].map((time) => display(time, "s", 2));

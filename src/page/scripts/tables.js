@@ -55,6 +55,16 @@ export function showComparison() {
   }
 }
 
+/// The letter of a modulus that was measured; results of earlier versions do not name it and are of G.
+function letterOf(modulus = "shear") {
+  return {shear: "G", young: "E", bulk: "K"}[modulus];
+}
+
+/// "mixture: rheometer", "mixture, E: tension".
+function titleOfComparison(stage, {measurement, modulus = "shear"}) {
+  return `${stage}${modulus === "shear" ? "" : `, ${letterOf(modulus)}`}: ${measurement}`;
+}
+
 /// "1.020 at 10 ms", "1.020 at 16 Hz".
 function ratioText({ratio, time_s: time, frequency_Hz: frequency}) {
   return `${ratio.toFixed(3)} at ${time === undefined ? display(frequency, "Hz", 2) : display(time, "s", 2)}`;
@@ -63,7 +73,7 @@ function ratioText({ratio, time_s: time, frequency_Hz: frequency}) {
 function showComparisonInTime(rows) {
   const place = document.getElementById("comparison-tables");
   for (const group of groupsOf(rows, ["measurement", "stage"])) {
-    const {measurement, stage} = group[0];
+    const {stage} = group[0];
     const tests = groupsOf(group, ["boundary", "method"]);
     const names = tests.map(([row]) => `${row.boundary}, ${methodNames[row.method]}`);
     const at = (test, column, time) => valueAt(test.map((row) => row.time_s), test.map((row) => row[column]), time);
@@ -75,7 +85,7 @@ function showComparisonInTime(rows) {
         return Number.isFinite(modulus) ? [display(modulus, "Pa"), (modulus / measured).toFixed(3)] : ["–", "–"];
       })];
     });
-    place.append(element("h3", {}, `${stage}: ${measurement}`),
+    place.append(element("h3", {}, titleOfComparison(stage, group[0])),
       table(["time", "measured", ...names.flatMap((name) => [name, "ratio"])], body));
   }
 }
@@ -85,7 +95,8 @@ function showComparisonInFrequency(rows) {
   const most = 20;
   const place = document.getElementById("comparison-tables");
   for (const group of groupsOf(rows, ["measurement", "stage"])) {
-    const {measurement, stage} = group[0];
+    const {stage} = group[0];
+    const letter = letterOf(group[0].modulus);
     const tests = groupsOf(group, ["boundary", "method"]);
     const step = Math.ceil(tests[0].length / most);
     const named = (text, {boundary}) => (tests.length > 1 ? `${text}, ${boundary}` : text);
@@ -99,9 +110,10 @@ function showComparisonInFrequency(rows) {
             .map((ratio) => ratio.toFixed(3)).toSpliced(1, 0, `${minus(here.phase_difference_deg.toFixed(2))}°`);
         })];
     });
-    place.append(element("h3", {}, `${stage}: ${measurement}, over frequency`),
-      table(["frequency", "measured |G*|", "measured phase", ...tests.flatMap(([test]) =>
-        ["|G*| ratio", "phase difference", "G′ ratio", "G″ ratio", "tan δ ratio"].map((text) => named(text, test)))],
+    place.append(element("h3", {}, `${titleOfComparison(stage, group[0])}, over frequency`),
+      table(["frequency", `measured |${letter}*|`, "measured phase", ...tests.flatMap(([test]) =>
+        [`|${letter}*| ratio`, "phase difference", `${letter}′ ratio`, `${letter}″ ratio`, "tan δ ratio"]
+          .map((text) => named(text, test)))],
       body));
   }
 }

@@ -1,5 +1,8 @@
 #include "quasistatic/reduced/greedy_sampling.hpp"
 
+#include <algorithm>
+#include <limits>
+
 namespace breccia::quasistatic {
 
 bool are_equal(std::span<const Moduli> some, std::span<const Moduli> others) {
@@ -30,13 +33,21 @@ void require_complete(std::span<const Load> loads, const TrainingPath& training_
   if (loads.empty()) throw InputError("reduced basis: no loads");
 }
 
-void require_useful(double error, const SamplingOptions& options) {
+void require_useful(double error, const TrainingPath& training_set, const SamplingOptions& options) {
   constexpr double most = 0.1;
   if (error <= std::max(most, options.tolerance)) return;
-  throw NumericalError(
-      fmt::format("reduced basis: the error is still {:.1e} after {} snapshots, wanted {:.1e}; "
-                  "tests.quasistatic.range = \"times\" or tests.solver = \"stepping\" may serve",
-                  error, options.most_snapshots, options.tolerance));
+  double softest = std::numeric_limits<double>::infinity(), stiffest = 0.0;
+  for (const auto& point : training_set.points) {
+    for (const auto& [bulk, shear] : point) {
+      if (shear > 0.0) softest = std::min(softest, shear);
+      stiffest = std::max({stiffest, bulk, shear});
+    }
+  }
+  throw NumericalError(fmt::format(
+      "reduced basis: the error is still {:.1e} after {} snapshots, wanted {:.1e}; the sampled moduli go from "
+      "{:.2g} to {:.2g} Pa (is a unit of one of them wrong?); tests.quasistatic.range = \"times\" takes fewer of them, "
+      "and tests.solver = \"stepping\" has no basis",
+      error, options.most_snapshots, options.tolerance, softest, stiffest));
 }
 
 }  // namespace breccia::quasistatic

@@ -100,10 +100,6 @@ class GreedySampling {
   /// Takes over what a solver has counted, before its first solution too, so that a state that is saved has it.
   void take_effort(const LinearEffort& effort) { effort_ = effort; }
 
-  /// Whether the bases have met the tolerance at Laplace variables at an earlier time. A snapshot that is added later
-  /// may correct the estimates upwards.
-  [[nodiscard]] bool has_met_tolerance() const noexcept { return has_met_tolerance_; }
-  void tolerance_is_met() noexcept { has_met_tolerance_ = true; }
   [[nodiscard]] bool is_snapshot(const std::vector<Moduli>& moduli) const {
     return std::ranges::any_of(bases_.front().response().snapshots,
                                [&](const Snapshot& one) { return are_equal(one.moduli, moduli); });
@@ -122,7 +118,6 @@ class GreedySampling {
   void save(StateWriter& state) const {
     state.write("/sampling/snapshots", std::int64_t{snapshots_});
     state.write("/sampling/error", error_);
-    state.write("/sampling/has_met_tolerance", std::int64_t{has_met_tolerance_ ? 1 : 0});
     state.write("/sampling/scales", scales_);
     breccia::save(state, "/effort", effort_);
     for (std::size_t l = 0; l < bases_.size(); ++l) {
@@ -135,7 +130,6 @@ class GreedySampling {
   void restore(const StateReader& state) {
     snapshots_ = static_cast<int>(state.integer("/sampling/snapshots"));
     error_ = state.number("/sampling/error");
-    has_met_tolerance_ = state.integer("/sampling/has_met_tolerance") != 0;
     scales_ = state.numbers("/sampling/scales", bases_.size());
     effort_ = read_effort(state, "/effort");
     for (std::size_t l = 0; l < bases_.size(); ++l) {
@@ -214,7 +208,6 @@ class GreedySampling {
   LinearEffort effort_;
   int snapshots_ = 0;
   double error_ = 1.0;
-  bool has_met_tolerance_ = false;
 };
 
 /// The middle of a training set, and both of its ends where they differ from the middle.
@@ -225,7 +218,7 @@ class GreedySampling {
 void require_complete(std::span<const Load> loads, const TrainingPath& training_set);
 
 /// Throws NumericalError for an error, where no more snapshots are allowed, that leaves no useful modulus.
-void require_useful(double error, const SamplingOptions& options);
+void require_useful(double error, const TrainingPath& training_set, const SamplingOptions& options);
 
 /// Whether bases that meet the tolerance at Laplace variables have changed the target little by their last vectors, or
 /// would not gain from further ones, because the remaining error of a load at Laplace variables is far below the
@@ -285,12 +278,9 @@ void sample(GreedySampling<Composite>& sampling, Solver& solver, const TrainingP
   while (training_set.points.size() > 1) {
     const auto choice = sampling.greedy_choice(training_set.points);
     const double error = std::max(sampling.error(), choice.estimate);
-    if (error <= options.tolerance) {
-      sampling.tolerance_is_met();
-      if (is_accurate_in_time(sampling, training_set, choice, options.tolerance)) break;
-    }
+    if (error <= options.tolerance && is_accurate_in_time(sampling, training_set, choice, options.tolerance)) break;
     if (sampling.snapshots() >= options.most_snapshots) {
-      if (!sampling.has_met_tolerance()) require_useful(error, options);
+      require_useful(error, training_set, options);
       break;
     }
     save_if_due();
