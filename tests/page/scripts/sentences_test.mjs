@@ -5,7 +5,7 @@ import {test} from "node:test";
 
 import {resultSentences, threeTimes} from "../../../src/page/scripts/result_sentences.js";
 import {complexCurves, sampledComplexCurves} from "../../../src/page/scripts/complex_curves.js";
-import {complexColumns, complexModuli, complexOf, complexSentences, measuredColumns, measuredComplex,
+import {complexColumns, complexModuli, complexOf, complexSentences, complexYoungsModuli, measuredColumns, measuredComplex,
   sentenceOnMeasuredComplex} from "../../../src/page/scripts/complex_moduli.js";
 import {deviationsFrom} from "../../../src/page/scripts/deviation.js";
 import {displayRange, percent, shortNumber, withMicroSign} from "../../../src/page/scripts/numbers.js";
@@ -93,11 +93,11 @@ test("a complex modulus beside a measured one", () => {
   assert.deepEqual(curves.map(({quantity}) => quantity), ["dynamic", "dynamic", "absolute", "phase", "loss-factor"]);
   const omegas = [2 * Math.PI, 10, 20 * Math.PI];
   const measured = sampledComplexCurves({role: "measured", stage: "mix", label: "measured, DMA"}, omegas, omegas.map(at));
-  const beside = measuredComplex([...curves, ...measured], "mix");
+  const beside = measuredComplex([...curves, ...measured], "mix", "dynamic");
   assert.equal(beside.name, "DMA");
   const [modulus] = complexModuli(curves, [relaxed]);
   assert.equal(modulus.at(10 / (2 * Math.PI)).phase, 45, "the series itself, not between samples");
-  assert.equal(sentenceOnMeasuredComplex([modulus], beside),
+  assert.equal(sentenceOnMeasuredComplex([modulus], beside, "G"),
     "From 1 Hz to 10 Hz |G*| is 1 times what was measured (DMA), and the phases are within 0.01°.");
   const columns = measuredColumns([modulus], beside);
   assert.deepEqual(columns.map(([head]) => head), ["measured |G*|", "measured phase", "|G*| over measured"]);
@@ -108,7 +108,18 @@ test("a complex modulus beside a measured one", () => {
     assert.deepEqual(x, omegas);
     assert.ok(y.every((deviation) => Math.abs(deviation) < 1e-9), `${reference.label}: ${y}`);
   }
-  assert.equal(measuredComplex(curves, "mix"), undefined);
+  assert.equal(measuredComplex(curves, "mix", "dynamic"), undefined);
+});
+
+test("a complex Young's modulus beside a measured one", () => {
+  const omegas = [1, 10, 100].map((frequency) => 2 * Math.PI * frequency);
+  const curve = (role, part, size) => ({role, quantity: "young-dynamic", stage: "mix", boundary: "periodic", part,
+    label: `measured, DMA, E${part === "loss" ? "″" : "′"}`, x: omegas, y: omegas.map(() => size)});
+  const computed = [curve("stage", "storage", 3e6), curve("stage", "loss", 4e6)];
+  const measured = measuredComplex([...computed, curve("measured", "storage", 6e6), curve("measured", "loss", 8e6)], "mix",
+    "young-dynamic");
+  assert.equal(sentenceOnMeasuredComplex(complexYoungsModuli(computed), measured, "E"),
+    "From 1 Hz to 100 Hz |E*| is 0.5 times what was measured (DMA), and the phases are within 0.01°.");
 });
 
 test("bounds that cross, and the error of the grid", () => {
