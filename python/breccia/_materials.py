@@ -41,12 +41,13 @@ class Material(Table):
     bulk, shear, young: bulk, shear and Young's modulus [Pa]: a quantity, a PronySeries, or a table as in a deck, such as
     {"prony": "binder.csv"}; poisson: Poisson's ratio, a number between -0.9 and 0.5, constant in time: steel is
     Material("steel", density=7850, young="210 GPa", poisson=0.3); temperature_shift: a table as in a deck, or the law of
-    a master curve, for moduli at its reference temperature.
+    a master curve, for moduli at its reference temperature; thermal_expansion: linear [1/K].
     """
 
     def __init__(self, name: str, *, density: Quantity | None = None, bulk: Modulus | None = None,
                  shear: Modulus | None = None, young: Modulus | None = None, poisson: float | None = None,
-                 temperature_shift: Mapping[str, Any] | _native.WilliamsLandelFerry | None = None, **keys: Any) -> None:
+                 temperature_shift: Mapping[str, Any] | _native.WilliamsLandelFerry | None = None,
+                 thermal_expansion: Quantity | None = None, **keys: Any) -> None:
         self.name = name
         self.density = density
         self.bulk = bulk
@@ -54,11 +55,13 @@ class Material(Table):
         self.young = young
         self.poisson = poisson
         self.temperature_shift = temperature_shift
+        self.thermal_expansion = thermal_expansion
         self.keys = keys
 
     def _table(self, files: _deck.Files) -> dict[str, Any]:
         return {"density": self.density, "bulk": self.bulk, "shear": self.shear, "young": self.young,
-                "poisson": self.poisson, "temperature_shift": self.temperature_shift, **self.keys}
+                "poisson": self.poisson, "temperature_shift": self.temperature_shift,
+                "thermal_expansion": self.thermal_expansion, **self.keys}
 
     def _shifted(self, directory: PathLike = ".") -> _native.ShiftedSolid:
         """The material in SI units with the law of its temperature shift."""

@@ -22,7 +22,7 @@ UNITS = {
     "instantaneous": "1/Pa", "list": "m", "median": "m", "modulus": "Pa", "normal_stiffness": "Pa/m", "pixel": "m",
     "ramp": "s", "reference": "K", "reference_temperature": "K", "resolution": "1/m", "rosin_rammler": "m",
     "shear": "Pa", "size": "m", "sizes": "m", "static": "Pa", "tangential_stiffness": "Pa/m", "temperature": "K",
-    "thickness": "m", "time": "s", "times": "s", "to": "m", "unrelaxed": "Pa", "young": "Pa",
+    "thermal_expansion": "1/K", "thickness": "m", "time": "s", "times": "s", "to": "m", "unrelaxed": "Pa", "young": "Pa",
 }
 
 #: The keys of a distribution, whose numbers have the unit of the key to which it belongs.

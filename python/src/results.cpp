@@ -198,6 +198,26 @@ py::list comparisons_of(const SolvedStage& stage) {
   return comparisons;
 }
 
+py::list expansions_of(const SolvedStage& stage) {
+  py::list expansions;
+  for (const auto& [test, samples] : stage.result.expansions) {
+    std::vector<double> times, values, errors;
+    for (const auto& [time, expansion, error] : samples) {
+      times.push_back(time);
+      values.push_back(expansion);
+      errors.push_back(error.value_or(std::numeric_limits<double>::quiet_NaN()));
+    }
+    py::dict one;
+    one["boundary"] = name_of(test.boundary);
+    one["method"] = name_of(test.method);
+    one["time"] = array_of(times);
+    one["expansion"] = array_of(values);
+    one["error"] = array_of(errors);
+    expansions.append(one);
+  }
+  return expansions;
+}
+
 std::vector<Material> solids_of(const SolvedStage& stage) {
   std::vector<Material> solids;
   for (const auto& each : stage.result.materials) {
@@ -259,6 +279,11 @@ void bind_stage(py::module_& module) {
           "young or bulk), boundary, method; time [s], modulus and measured [Pa]; angular_frequency [rad/s], "
           "complex_modulus "
           "and complex_measured [Pa].")
+      .def_property_readonly("expansions", &expansions_of,
+                             "The linear thermal expansion after a step of the temperature, a dictionary for each "
+                             "boundary and method: time [s], expansion [1/K] and its error [1/K], NaN where it is not "
+                             "known; empty where the study gives no expansion of the materials, or the bulk moduli do "
+                             "not determine that of the stage.")
       .def_property_readonly("solids", &solids_of,
                              "The stage as a solid, for each boundary condition, where it serves as a matrix.")
       .def_property_readonly(

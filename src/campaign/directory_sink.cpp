@@ -11,6 +11,7 @@
 #include "parallel/common_failure.hpp"
 #include "results/comparison_file.hpp"
 #include "results/error_file.hpp"
+#include "results/expansion_file.hpp"
 #include "results/field_files.hpp"
 #include "results/film_field_files.hpp"
 #include "results/history_file.hpp"
@@ -149,6 +150,7 @@ StudyDocument DirectorySink::write_record(const StudyResult& result) const {
 void DirectorySink::write_finished_stage(const Stage& stage, const StudyResult& result) const {
   write_comparisons(directory_, result);
   write_errors(directory_ / "errors.csv", result);
+  write_expansions(directory_ / "thermal_expansion.csv", result);
   const auto record = write_record(result);
   write_plots(directory_ / stage.name, study_, stage, result);
   write_study_report(directory_, record);

@@ -42,7 +42,7 @@ std::vector<StageResult> answered_stages(const Study& study, const std::filesyst
   const auto base = read_responder(directory);
   const auto varying = varying_materials(base.stages());
   std::vector<NewMaterial> materials;
-  for (const auto& [material, shift, constants] : study.materials) {
+  for (const auto& [material, shift, constants, expansion] : study.materials) {
     if (std::ranges::find(varying, material.name) != varying.end()) {
       materials.push_back({material.name, material, shift});
     }

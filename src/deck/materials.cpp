@@ -17,6 +17,7 @@
 #include "io/nearest_name.hpp"
 #include "io/printable.hpp"
 #include "io/units.hpp"
+#include "study/limits.hpp"
 
 namespace breccia {
 
@@ -40,6 +41,8 @@ ShiftedMaterial with_factors(const Section& section, const ShiftedMaterial& mate
 
 ShiftedMaterial read_shifted_material(const Section& section, const std::string& name) {
   Material reference = {name, section.quantity("density", Dimension::density, Range::positive()), {}, {}};
+  const auto expansion =
+      section.optional_quantity("thermal_expansion", Dimension::expansion, allowed::thermal_expansion);
   if (section.has("stiffness")) {
     section.refuse({"bulk", "shear", "young", "poisson", "temperature_shift"},
                    "the stiffness of a crystal gives all of its moduli");
@@ -49,14 +52,16 @@ ShiftedMaterial read_shifted_material(const Section& section, const std::string&
     const auto means = isotropic_means(stiffness_tensor(*constants));
     reference.bulk = PronySeries(means.bulk());
     reference.shear = PronySeries(means.shear());
-    return {.material = reference, .constants = constants};
+    return {.material = reference, .constants = constants, .thermal_expansion = expansion};
   }
   auto moduli = read_moduli(section);
   reference.bulk = std::move(moduli.bulk);
   reference.shear = std::move(moduli.shear);
   const auto shift = read_temperature_shift(section, moduli.shift_law);
   const ShiftedMaterial material = {
-      shift ? shifted(reference, shift_factor(shift->law, shift->temperature)) : reference, shift};
+      .material = shift ? shifted(reference, shift_factor(shift->law, shift->temperature)) : reference,
+      .shift = shift,
+      .thermal_expansion = expansion};
   return with_factors(section, material);
 }
 
@@ -94,7 +99,7 @@ Material read_material_reference(const Section& section, const std::string& key,
   }
   std::vector<std::string> names;
   names.reserve(materials.size());
-  for (const auto& [known, shift, constants] : materials) names.push_back(known.name);
+  for (const auto& known : materials) names.push_back(known.material.name);
   names.emplace_back(name_of_void);
   section.report(key, fmt::format("unknown material \"{}\"{}", name, suggestion(name, names)));
   return {};

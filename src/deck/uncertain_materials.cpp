@@ -132,7 +132,7 @@ ShiftedMaterial material_with(const Deck& document, const std::string& material,
 }
 
 void vary_uncertain_materials(const Deck& document, Study& study) {
-  for (const auto& [material, shift, constants] : study.materials) {
+  for (const auto& [material, shift, constants, expansion] : study.materials) {
     const auto inputs = inputs_of(material.name, study.uncertain);
     if (inputs.empty() || constants || is_varied(study, material.name)) continue;
     const auto extremes = extreme_materials(document, material.name, inputs);

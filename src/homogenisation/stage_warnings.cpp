@@ -25,6 +25,7 @@
 #include "io/units.hpp"
 #include "study/abscissa_words.hpp"
 #include "study/coatings.hpp"
+#include "study/expansion_rules.hpp"
 #include "study/test_rules.hpp"
 
 namespace breccia {
@@ -358,6 +359,11 @@ std::vector<std::string> warnings_on(const Study& study, const Stage& stage,
   // It is of the tests of all stages.
   const bool is_first = study.stages.empty() || study.stages.front().name == stage.name;
   if (auto warning = warning_of_ringing(study.tests); warning && is_first) of_stage.push_back(*std::move(warning));
+  if (asks_for_expansion(study)) {
+    if (const auto obstacle = obstacle_to_expansion(study, stage)) {
+      of_stage.push_back(fmt::format("no thermal expansion: {}", *obstacle));
+    }
+  }
   for (const auto& measurement : study.measurements) {
     if (measurement.stage != stage.name) continue;
     const auto warning = warning_of_other_times(measurement, study.tests);

@@ -54,8 +54,10 @@ constexpr std::array<ReadableUnit, 3> interface_stiffnesses{{{1e9, "MPa/mm"}, {1
 
 constexpr std::array<ReadableUnit, 4> compliances{{{1e-12, "1/TPa"}, {1e-9, "1/GPa"}, {1e-6, "1/MPa"}, {1.0, "1/Pa"}}};
 
+constexpr std::array<ReadableUnit, 1> expansions{{{1.0, "1/K"}}};
+
 const DimensionFacts& facts(Dimension dimension) {
-  static const std::array<DimensionFacts, 13> all{{
+  static const std::array<DimensionFacts, 14> all{{
       {"length", "48 um", "m", lengths, {"nm", "um", "mm", "cm", "m", "km"}},
       {"time", "10 ns", "s", times, {"ps", "ns", "us", "ms", "s", "min", "hour", "day"}},
       {"frequency", "1 kHz", "s-1", frequencies, {"Hz", "kHz", "MHz", "GHz"}},
@@ -73,6 +75,7 @@ const DimensionFacts& facts(Dimension dimension) {
        interface_stiffnesses,
        {"Pa/m", "MPa/mm", "GPa/mm", "MPa/um", "GPa/um"}},
       {"compliance", "0.04 /GPa", "Pa-1", compliances, {"1/Pa", "1/MPa", "1/GPa", "1/TPa"}},
+      {"thermal expansion", "12e-6 /K", "K-1", expansions, {"1/K"}},
   }};
   return all[static_cast<std::size_t>(dimension)];
 }

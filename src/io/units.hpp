@@ -20,7 +20,8 @@ enum class Dimension {
   angle,                   ///< [rad]
   molar_energy,            ///< [J/mol]
   interface_stiffness,     ///< [Pa/m]
-  compliance               ///< [1/Pa]
+  compliance,              ///< [1/Pa]
+  expansion                ///< [1/K]
 };
 
 /// The dimension as a noun: "length", "pressure".

@@ -48,7 +48,8 @@ std::vector<std::string> text_columns_of_tests() {
           "grid_error",
           "sample_error",
           "solver_error",
-          "matrix_error"};
+          "matrix_error",
+          "error_1_per_K"};
 }
 
 }  // namespace breccia

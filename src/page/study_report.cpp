@@ -155,6 +155,7 @@ Json data_of(const fs::path& directory, const StudyDocument& study) {
        histories = Json::object();
   auto names = curve_files();
   std::ranges::copy(comparison_files(), std::back_inserter(names));
+  names.emplace_back("thermal_expansion.csv");
   std::erase(names, "dynamic.csv");  // the page computes dynamic moduli from the series
   for (const auto& name : names) {
     auto table = table_for_page(directory / name, text_columns_of_tests());

@@ -1,7 +1,6 @@
 #include "results/error_file.hpp"
 
 #include <array>
-#include <charconv>
 #include <optional>
 #include <string>
 #include <utility>
@@ -56,17 +55,7 @@ CsvTable read_error_table(const std::filesystem::path& file) {
 
 ModulusError error_in(const CsvTable& table, std::size_t row) {
   ModulusError error;
-  for (const auto& [column, cause] : causes) {
-    const auto& text = table.text(column)[row];
-    if (text.empty()) continue;
-    double share = 0.0;
-    const auto* const end = text.data() + text.size();
-    const auto [stop, mistake] = std::from_chars(text.data(), end, share);
-    if (mistake != std::errc() || stop != end) {
-      throw FileError(fmt::format("{}: not as `breccia run` writes it: {} is no number", table.location(row), column));
-    }
-    error.*cause = share;
-  }
+  for (const auto& [column, cause] : causes) error.*cause = number_if_known(table, column, row);
   return error;
 }
 

@@ -61,12 +61,14 @@ struct MaterialEntry {
   PronySeries bulk = {}, shear = {};
   std::optional<TemperatureShift> shift = {};
   std::optional<std::vector<double>> constants = {};  ///< of a crystal, as ElasticConstants [Pa]
+  std::optional<double> thermal_expansion = {};       ///< linear [1/K]
 };
 template <>
 inline constexpr auto fields<MaterialEntry> =
     std::tuple(field("name", &MaterialEntry::name), field("density_kg_per_m3", &MaterialEntry::density),
                field("bulk", &MaterialEntry::bulk), field("shear", &MaterialEntry::shear),
                field_if_any("temperature_shift", &MaterialEntry::shift),
-               field_if_any("elastic_constants_Pa", &MaterialEntry::constants));
+               field_if_any("elastic_constants_Pa", &MaterialEntry::constants),
+               field_if_any("thermal_expansion_1_per_K", &MaterialEntry::thermal_expansion));
 
 }  // namespace breccia

@@ -41,11 +41,12 @@ class MaterialWriter {
 
   std::vector<std::string> write(const std::string& comment) {
     // A deck gives the moduli at the reference temperature of the shift law.
-    const auto& [material, shift, constants] = shifted_;
+    const auto& [material, shift, constants, expansion] = shifted_;
     const auto reference = shift ? shifted(material, 1.0 / shift_factor(shift->law, shift->temperature)) : material;
     auto text = fmt::format("# {}\ndensity = {}\n", comment, quantity(material.density, "kg/m^3"));
     text += fmt::format("bulk    = {}\n", modulus(reference.bulk, ModulusKind::bulk));
     text += fmt::format("shear   = {}\n", modulus(reference.shear, ModulusKind::shear));
+    if (expansion) text += fmt::format("thermal_expansion = {}\n", quantity(*expansion, "1/K"));
     if (shift) text += fmt::format("temperature_shift = {}\n", law(*shift));
     write_text(directory_ / names_.front(), text);
     return std::move(names_);

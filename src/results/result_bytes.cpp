@@ -98,6 +98,19 @@ inline constexpr auto fields<Comparison> = std::tuple(field("measurement", &Comp
                                                       field("kind", &Comparison::kind));
 
 template <>
+inline constexpr auto fields<ExpansionSample> = std::tuple(field("time", &ExpansionSample::time),
+                                                           field("expansion", &ExpansionSample::expansion),
+                                                           field("error", &ExpansionSample::error));
+
+template <>
+StageExpansion blank_value() {
+  return {blank_value<TestId>(), {}};
+}
+template <>
+inline constexpr auto fields<StageExpansion> = std::tuple(field("test", &StageExpansion::test),
+                                                          field("samples", &StageExpansion::samples));
+
+template <>
 inline constexpr auto fields<ErrorRules> = std::tuple(field("one_grid", &ErrorRules::one_grid),
                                                       field("sample", &ErrorRules::sample),
                                                       field("effective_particles", &ErrorRules::effective_particles));
@@ -113,11 +126,13 @@ inline constexpr auto fields<StageFindings> =
                field("dimensions", &StageFindings::dimensions), field("points", &StageFindings::points),
                field("point_fraction", &StageFindings::point_fraction), field("tests", &StageFindings::tests),
                field("materials", &StageFindings::materials), field("comparisons", &StageFindings::comparisons),
-               field("accuracy", &StageFindings::accuracy), field("warnings", &StageFindings::warnings));
+               field("expansions", &StageFindings::expansions), field("accuracy", &StageFindings::accuracy),
+               field("warnings", &StageFindings::warnings));
 
 template <>
 inline constexpr auto fields<ShiftedMaterial> = std::tuple(field("material", &ShiftedMaterial::material),
-                                                           field("shift", &ShiftedMaterial::shift));
+                                                           field("shift", &ShiftedMaterial::shift),
+                                                           field("expansion", &ShiftedMaterial::thermal_expansion));
 
 template <>
 inline constexpr auto fields<StageContent> = std::tuple(field("name", &StageContent::name),

@@ -28,8 +28,9 @@ std::optional<std::string> note_on_completeness(const std::filesystem::path& dir
 
 std::vector<ShiftedMaterial> materials_of(const StudyDocument& document) {
   std::vector<ShiftedMaterial> materials;
-  for (const auto& [name, density, bulk, shear, shift, constants] : document.materials) {
+  for (const auto& [name, density, bulk, shear, shift, constants, expansion] : document.materials) {
     auto& material = materials.emplace_back(ShiftedMaterial{{name, density, bulk, shear}, shift});
+    material.thermal_expansion = expansion;
     if (constants && constants->size() == ElasticConstants().size()) {
       std::ranges::copy(*constants, material.constants.emplace().begin());
     }

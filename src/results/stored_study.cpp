@@ -13,6 +13,7 @@
 #include "homogenisation/complex_moduli.hpp"
 #include "results/best_tests.hpp"
 #include "results/error_file.hpp"
+#include "results/expansion_file.hpp"
 #include "results/stored_comparisons.hpp"
 #include "results/stored_composite.hpp"
 #include "results/stored_document.hpp"
@@ -89,6 +90,14 @@ void add_comparisons(const fs::path& directory, std::vector<StageFindings>& stag
     const auto stage = std::ranges::find(stages, name, &StageFindings::name);
     if (stage == stages.end()) refuse(directory.string(), ": a comparison of a stage that study.json has not");
     stage->comparisons = std::move(comparisons);
+  }
+}
+
+void add_expansions(const fs::path& directory, std::vector<StageFindings>& stages) {
+  for (auto& [name, expansions] : read_expansions(directory / "thermal_expansion.csv")) {
+    const auto stage = std::ranges::find(stages, name, &StageFindings::name);
+    if (stage == stages.end()) refuse(directory.string(), ": a thermal expansion of a stage that study.json has not");
+    stage->expansions = std::move(expansions);
   }
 }
 
@@ -171,6 +180,7 @@ StoredStudy read_stored_study(const fs::path& directory) {
   add_half_bands(directory / "extrapolation.csv", stages);
   add_errors(directory / "errors.csv", stages);
   add_comparisons(directory, stages);
+  add_expansions(directory, stages);
   if (document.frequencies) add_dynamic_curves(directory / "dynamic.csv", stages);
   add_series(directory, stages);
   study.responses = read_stored_responses(directory, document);

@@ -358,9 +358,10 @@ StudyDocument document_of(const Study& study, const StudyResult& result, const S
     document.frequencies = {1.0 / (per_cycle * study.tests.last_time), 1.0 / (per_cycle * study.tests.first_time)};
   }
   if (result.seconds) document.date = date_of_now();
-  for (const auto& [material, shift, constants] : study.materials) {
+  for (const auto& [material, shift, constants, expansion] : study.materials) {
     auto& entry = document.materials.emplace_back(entry_of(material));
     entry.shift = shift;
+    entry.thermal_expansion = expansion;
     if (constants) entry.constants.emplace(constants->begin(), constants->end());
   }
   for (const auto& stage : study.stages) document.stage_names.push_back(stage.name);

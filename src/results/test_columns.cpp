@@ -1,5 +1,7 @@
 #include "results/test_columns.hpp"
 
+#include <charconv>
+
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
@@ -8,6 +10,16 @@ namespace breccia {
 
 std::string text_if_known(const std::optional<double>& number) {
   return number ? fmt::format("{}", *number) : "";
+}
+
+std::optional<double> number_if_known(const CsvTable& table, const std::string& column, std::size_t row) {
+  const auto& text = table.text(column)[row];
+  if (text.empty()) return std::nullopt;
+  double number = 0.0;
+  const auto* const end = text.data() + text.size();
+  const auto [stop, mistake] = std::from_chars(text.data(), end, number);
+  if (mistake == std::errc() && stop == end) return number;
+  throw FileError(fmt::format("{}: not as `breccia run` writes it: {} is no number", table.location(row), column));
 }
 
 TestId id_of_row(const CsvTable& table, std::size_t row) {

@@ -13,6 +13,8 @@ namespace breccia {
 
 /// A number of a table with all its digits; empty where it is not known.
 std::string text_if_known(const std::optional<double>& number);
+/// The number that text_if_known() has written into a column of texts. Throws FileError for other texts.
+std::optional<double> number_if_known(const CsvTable& table, const std::string& column, std::size_t row);
 
 /// The identity of the test to which a row of a table of samples belongs. The table of extrapolated curves has no
 /// column of grids, that of comparisons none of loads. Throws FileError where a word is not as `breccia run` writes it.

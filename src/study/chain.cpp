@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "study/expansion_rules.hpp"
+
 namespace breccia {
 namespace {
 
@@ -34,7 +36,8 @@ std::vector<Load> loads_of(const Study& study, const Stage& stage) {
   const bool is_compared_in_bulk = std::ranges::any_of(study.measurements, [&stage](const Measurement& one) {
     return one.stage == stage.name && one.kind != ModulusKind::shear;
   });
-  if (!is_compared_in_bulk && !serves_as_matrix(study.stages, stage.name)) return loads;
+  const bool expands = asks_for_expansion(study) && !obstacle_to_expansion(study, stage);
+  if (!is_compared_in_bulk && !expands && !serves_as_matrix(study.stages, stage.name)) return loads;
   add(shear_of_material(study.tests));
   add(Load::bulk);
   return loads;

@@ -26,7 +26,7 @@ bool serves_as_matrix(const Stages& stages, const std::string& stage) {
 }
 
 /// The loads under which a stage is tested, each once: those of the study, and also shear and bulk if its result is the
-/// matrix of a later stage or is compared with a measured bulk or Young's modulus.
+/// matrix of a later stage, is compared with a measured bulk or Young's modulus, or gives a thermal expansion.
 std::vector<Load> loads_of(const Study& study, const Stage& stage);
 
 /// Whether the tests ask for the isotropic mean of all shears.

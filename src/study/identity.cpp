@@ -88,9 +88,10 @@ class Content {
     add_all(name, density, bulk, shear);
   }
   void add(const ShiftedMaterial& shifted) {
-    const auto& [material, shift, constants] = shifted;
+    const auto& [material, shift, constants, expansion] = shifted;
     add_all(material, shift);
     if (constants) add_all(std::string("crystal"), *constants);
+    if (expansion) add_all(std::string("thermal expansion"), *expansion);
   }
   void add(const TemperatureShift& shift) {
     const auto& [law, temperature] = shift;

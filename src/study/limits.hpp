@@ -10,6 +10,9 @@ namespace breccia::allowed {
 /// Poisson's ratio [-]. Below -0.9 no material is known; more likely the units are wrong.
 inline constexpr Range poisson = Range::between(-0.9, 0.5);
 
+/// Linear thermal expansion [1/K]. Those of solids are between some -1e-5 and 1e-3; beyond, a unit is wrong.
+inline constexpr Range thermal_expansion = Range::between(-0.01, 0.01);
+
 inline constexpr Range side = {.lower = 1e-12, .upper = 1e6};          ///< side of a box [m]
 inline constexpr Range dimensions = {.lower = 2.0, .upper = 3.0};      ///< number of dimensions of a box
 inline constexpr Range cells = {.lower = 2.0, .upper = 1048576.0};     ///< number of cells per side

@@ -52,11 +52,14 @@ void check_material(const Material& material, const std::string& part, StudyMist
 
 void check_materials(const Study& study, StudyMistakes& mistakes) {
   for (const auto& one : study.materials) {
-    const auto& [material, shift, constants] = one;
+    const auto& [material, shift, constants, expansion] = one;
     const auto part = "material " + material.name;
     check_material(material, part, mistakes);
     if (find_material(study.materials, material.name) != &one) mistakes.add(part, "another material has this name");
     if (shift) check_shift(*shift, "temperature shift of " + material.name, mistakes);
+    if (expansion) {
+      mistakes.check_quantity(part, "thermal expansion", *expansion, allowed::thermal_expansion, Dimension::expansion);
+    }
   }
 }
 

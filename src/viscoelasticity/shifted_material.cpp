@@ -36,7 +36,7 @@ const ShiftedMaterial* find_material(const std::vector<ShiftedMaterial>& materia
 }
 
 ShiftedMaterial at_temperature(ShiftedMaterial shifted, double temperature) {
-  auto& [material, shift, constants] = shifted;
+  auto& [material, shift, constants, expansion] = shifted;
   if (!is_elastic(material)) {
     if (!shift) {
       throw InputError(fmt::format(

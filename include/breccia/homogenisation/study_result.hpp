@@ -148,6 +148,19 @@ struct Comparison {
   [[nodiscard]] const ComparedComplexSample* worst_in_frequency() const;
 };
 
+/// The linear thermal expansion of a stage at a time after a step of the temperature.
+struct ExpansionSample {
+  double time = 0.0;                 ///< [s]
+  double expansion = 0.0;            ///< [1/K]
+  std::optional<double> error = {};  ///< from that of the bulk moduli [1/K]; nothing where one of them is not known
+};
+
+/// The linear thermal expansion of a stage under one boundary and by one method, by Levin's equation.
+struct StageExpansion {
+  TestId test;  ///< the preferred test in bulk of its boundary and method
+  std::vector<ExpansionSample> samples = {};
+};
+
 /// The kind of sample that a box is of its material, on which the scatter from box to box depends.
 enum class SampleKind {
   whole,      ///< a regular array, or a box without particles: another box of the same make has the same moduli
@@ -187,8 +200,11 @@ struct StageFindings {
   std::vector<TestResult> tests;
   std::vector<StageMaterial> materials;  ///< the stage as a material, for later stages
   std::vector<Comparison> comparisons;   ///< comparisons with all measurements of the stage
-  StageAccuracy accuracy = {};           ///< of the complete stage
-  std::vector<std::string> warnings;     ///< reasons to doubt the results
+  /// The thermal expansion for each boundary and method where the deck gives those of the materials and the bulk moduli
+  /// determine it.
+  std::vector<StageExpansion> expansions = {};
+  StageAccuracy accuracy = {};        ///< of the complete stage
+  std::vector<std::string> warnings;  ///< reasons to doubt the results
 };
 
 /// The results of one stage that was computed.

@@ -16,6 +16,7 @@ struct ShiftedMaterial {
   std::optional<TemperatureShift> shift = {};  ///< nothing where no law is known
   /// Constants of a crystal, whose material has Hill's means of them; nothing for an isotropic material.
   std::optional<ElasticConstants> constants = {};
+  std::optional<double> thermal_expansion = {};  ///< linear [1/K]; nothing where it is not given
 };
 
 /// Whether neither modulus of a material relaxes.

@@ -236,7 +236,7 @@ std::vector<StageResult> Responder::respond() const {
 ModulusAndGradient Responder::modulus_and_gradient(const std::string& stage, TestLoad load, Boundary boundary,
                                                    std::complex<double> laplace_variable) const {
   std::map<std::string, ComplexModuli> moduli;
-  for (const auto& [material, shift, constants] : materials_)
+  for (const auto& [material, shift, constants, expansion] : materials_)
     moduli[material.name] = carson_moduli(material, laplace_variable);
   return modulus_and_gradient(stage, load, boundary, moduli);
 }

@@ -11,6 +11,7 @@
 #include "homogenisation/quality.hpp"
 #include "homogenisation/run/comparison.hpp"
 #include "homogenisation/run/solve_stage.hpp"
+#include "homogenisation/run/stage_expansions.hpp"
 #include "parallel/available_memory.hpp"
 #include "parallel/session.hpp"
 #include "study/chain.hpp"
@@ -25,6 +26,7 @@ void solve_stage(const Study& study, const Stage& stage, int threads, StudySink&
     add_errors(*known, error_rules_of(study, stage, known->microstructure), stage.matrix, result.stages);
     if (study.tests.by_frequency) add_complex_moduli(known->tests, study.tests.points_per_decade);
     known->comparisons = compare(study.measurements, *known, shear_of_material(study.tests));
+    add_expansions(study, stage, result.stages, *known);
     known->accuracy = accuracy_of(quality_of(study, stage, *known));
     result.stages.push_back(std::move(*known));
     sink.happened(StageAdopted{stage, result});

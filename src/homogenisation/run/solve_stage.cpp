@@ -18,6 +18,7 @@
 #include "homogenisation/run/comparison.hpp"
 #include "homogenisation/run/isotropic_mean.hpp"
 #include "homogenisation/run/packed_stage.hpp"
+#include "homogenisation/run/stage_expansions.hpp"
 #include "homogenisation/run/stage_extrapolation.hpp"
 #include "homogenisation/run/stage_tests.hpp"
 #include "homogenisation/stage_materials.hpp"
@@ -60,6 +61,7 @@ class StageSolution {
       done_.materials = materials_from(study_, stage_, result_.stages, done_);
     if (study_.tests.by_frequency) add_complex_moduli(done_.tests, study_.tests.points_per_decade);
     done_.comparisons = compare(study_.measurements, done_, shear_of_material(study_.tests));
+    add_expansions(study_, stage_, result_.stages, done_);
     sink_.happened(StageFinished{stage_, result_});
   }
 

@@ -167,10 +167,20 @@ function engineeringCurves() {
   ];
 }
 
+/// The thermal expansion of the stages, in 10⁻⁶/K.
+function expansionCurves() {
+  return groupsOf(readTable("thermal_expansion.csv"), testColumns).map((group) => {
+    const {stage, boundary, method} = group[0];
+    return {role: "stage", quantity: "thermal-expansion", stage, load: shearOf(stageNamed(stage)), boundary, method,
+      label: `${stage}, ${boundary}`, x: group.map((row) => row.time_s),
+      y: group.map((row) => 1e6 * row.thermal_expansion_1_per_K)};
+  });
+}
+
 /// The curves of all kinds.
 export function allCurves() {
   const tested = [...curvesInTime("curves.csv", "modulus_Pa"),
     ...curvesInTime("compliance.csv", "compliance_1_per_Pa")];
   addErrors(tested);
-  return [...tested, ...curvesOfProny(), ...engineeringCurves(), ...measuredCurves(), ...matrixCurves()];
+  return [...tested, ...curvesOfProny(), ...engineeringCurves(), ...expansionCurves(), ...measuredCurves(), ...matrixCurves()];
 }

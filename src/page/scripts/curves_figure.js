@@ -74,10 +74,13 @@ function endLabel(curve, seen) {
   return curve.role === "stage" && isAlone ? curve.label.slice(curve.stage.length + 2) : curve.label;
 }
 
-/// The quantity that is shown first: complex moduli where the deck gives frequencies.
+/// The quantity that is shown first: complex moduli where the deck gives frequencies, and those of Young's modulus where
+/// it alone was measured.
 function firstQuantity(curves) {
-  const known = quantities.filter(({name}) => curves.some(({role, quantity}) => role === "stage" && quantity === name));
-  const wanted = study.frequencies_Hz === undefined ? undefined : known.find(({name}) => name === "dynamic");
+  const has = (wanted, name) => curves.some(({role, quantity}) => role === wanted && quantity === name);
+  const [ofShear, ofYoung] = study.frequencies_Hz === undefined ? ["shear", "young"] : ["dynamic", "young-dynamic"];
+  const first = has("measured", ofYoung) && !has("measured", ofShear) ? ofYoung : ofShear;
+  const wanted = quantities.find(({name}) => name === first && has("stage", name));
   return wanted ?? quantities.find((quantity) => curves.some((curve) => curve.quantity === quantity.name));
 }
 

@@ -3,6 +3,7 @@
 
 import {currentInks, isPrinting, setPrinting} from "./colours.js";
 import {fileName, save} from "./files.js";
+import {perMillionAndKelvin} from "./names.js";
 import {display, shortNumber} from "./numbers.js";
 import {followZoom, withTicks} from "./plot_ticks.js";
 import {extent} from "./sampling.js";
@@ -53,15 +54,16 @@ function abscissaAxis({x, xUnit}, values) {
     zeroline: false};
 }
 
-/// Relative deviations and angles have a linear axis, all other quantities a logarithmic one.
+/// Relative deviations, angles and thermal expansions have a linear axis, all other quantities a logarithmic one.
 function valueAxis(quantity, curves) {
-  const axis = ["%", "°"].includes(quantity.unit) ? linearAxis : logAxis;
+  const axis = ["%", "°", perMillionAndKelvin].includes(quantity.unit) ? linearAxis : logAxis;
   return axis(quantity.title, quantity.unit, curves.flatMap((curve) => curve.y));
 }
 
 /// A value of a quantity as text, with its unit.
 export function valueText(value, quantity) {
   if (quantity.unit === "°") return `${shortNumber(value)}°`;
+  if (quantity.unit === perMillionAndKelvin) return `${shortNumber(value)} ${perMillionAndKelvin}`;
   return quantity.unit === "%" ? `${shortNumber(value)} %` : withUnit(value, quantity.unit);
 }
 

@@ -6,6 +6,9 @@ import {display, percent, percentOfWhole} from "./numbers.js";
 export const boundaryNames = ["displacement", "traction", "periodic"];
 export const methodNames = {quasistatic: "quasi-static", dynamic: "dynamic"};
 
+/// The unit of thermal expansions in figures.
+export const perMillionAndKelvin = "10⁻⁶/K";
+
 /// The quantities that a figure can show, in the order in which the page offers them.
 export const quantities = [
   {name: "shear", title: "Relaxation modulus G(t)", x: "time", xUnit: "s", unit: "Pa"},
@@ -13,6 +16,8 @@ export const quantities = [
   {name: "young", title: "Young's modulus E(t)", x: "time", xUnit: "s", unit: "Pa"},
   {name: "poisson", title: "Poisson's ratio", x: "time", xUnit: "s", unit: ""},
   {name: "tensile-compliance", title: "Creep compliance in tension D(t)", x: "time", xUnit: "s", unit: "1/Pa"},
+  {name: "thermal-expansion", title: "Linear thermal expansion after a step of temperature", x: "time", xUnit: "s",
+    unit: perMillionAndKelvin},
   {name: "compliance", title: "Creep compliance", x: "time", xUnit: "s", unit: "1/Pa"},
   {name: "dynamic", title: "Storage and loss modulus G′, G″", x: "angular frequency", xUnit: "rad/s", unit: "Pa"},
   {name: "absolute", title: "Absolute value |G*|", x: "angular frequency", xUnit: "rad/s", unit: "Pa"},

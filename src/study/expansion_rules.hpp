@@ -1,0 +1,17 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "breccia/study/study.hpp"
+
+namespace breccia {
+
+/// Whether a study gives the thermal expansion of a material, and so asks for that of its stages.
+bool asks_for_expansion(const Study& study);
+
+/// Why Levin's equation (theory, Eq. 23g) does not give the thermal expansion of a stage, as the rest of a sentence;
+/// nothing where it does, if the bulk moduli of filler and matrix do not cross.
+std::optional<std::string> obstacle_to_expansion(const Study& study, const Stage& stage);
+
+}  // namespace breccia
