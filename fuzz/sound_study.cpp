@@ -113,7 +113,10 @@ void require_sound(const Stage& stage) {
 }  // namespace
 
 void require_sound(const Study& study) {
-  for (const auto& [material, shift, constants] : study.materials) require_sound(material);
+  for (const auto& [material, shift, constants, expansion] : study.materials) {
+    require_sound(material);
+    require(!expansion || std::isfinite(*expansion), "a finite thermal expansion");
+  }
   require(!study.stages.empty(), "stages");
   for (const auto& stage : study.stages) require_sound(stage);
   const auto& tests = study.tests;

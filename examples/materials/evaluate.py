@@ -55,6 +55,9 @@ def of_stage(run, table, stage):
     return [row for row in rows_of(run / table) if row["stage"] == stage]
 
 
+HEAD = ("| composite | quantity | predicted over measured | at | deck |", "|---|---|---|---|---|")
+
+
 class Table:
     """The table of predictions over measurements, a line for each composite."""
 
@@ -67,10 +70,12 @@ class Table:
         deck = json.loads((run / "study.json").read_text(encoding="utf-8"))["hash"]
         self.lines.append(f"| {composite} | {quantity} | {min(ratios.values()):.3g} to {max(ratios.values()):.3g} | {at} | {deck} |")
 
+    def begin(self, title):
+        """Begins another table, below a title."""
+        self.lines += ["", title, "", *HEAD]
+
     def show(self):
-        print("| composite | quantity | predicted over measured | at | deck |")
-        print("|---|---|---|---|---|")
-        print("\n".join(self.lines))
+        print("\n".join([*HEAD, *self.lines]))
 
 
 def concrete(table):
@@ -125,8 +130,14 @@ def bitumen_file(law, name, times=1.0, equilibrium=0.0):
 def answered(run, bitumen, name):
     """The directory of the answer of a run with another bitumen; None where it is beyond what the run has sampled."""
     response = RESULTS / name
-    command = [BRECCIA, "respond", run, "--material", f"bitumen={bitumen}", "--out", response, "--overwrite", "--quiet"]
-    return response if subprocess.run(command).returncode == 0 else None
+    answer = subprocess.run([BRECCIA, "respond", run, "--material", f"bitumen={bitumen}", "--out", response, "--overwrite",
+                             "--quiet"], stderr=subprocess.PIPE, text=True)
+    if answer.returncode == 0:
+        return response
+    print(answer.stderr, file=sys.stderr)
+    if "the responses hold from" not in answer.stderr:
+        sys.exit(f"{name}: the answer failed")
+    return None
 
 
 def add_mixture(table, name, run, response, law):
@@ -170,13 +181,15 @@ def asphalt(table):
                 response = answered(run, bitumen_file(laws[sample, "binder"], sample), f"asphalt-{model}-{sample}")
             add_mixture(table, f"asphalt {sample} as {model}", run, response, laws[sample, "mixture"])
     times, equilibrium = found_on_one_mixture(run)
+    table.begin(f"With what the mixture H0 shows of its bitumen, times by a factor {times:.3g} and an equilibrium shear modulus "
+                f"of {equilibrium / 1e6:.3g} MPa, in all bitumens:")
     for sample in samples:
         bitumen = bitumen_file(laws[sample, "binder"], f"{sample}-calibrated", times, equilibrium)
         response = answered(run, bitumen, f"asphalt-grains-{sample}-calibrated")
         add_mixture(table, f"asphalt {sample} as grains, calibrated on H0", run, response, laws[sample, "mixture"])
 
 
-MATERIALS = {"concrete": concrete, "asphalt": asphalt, "polyethylene": polyethylene}
+MATERIALS = {"concrete": concrete, "polyethylene": polyethylene, "asphalt": asphalt}
 
 
 def main():

@@ -25,6 +25,34 @@ def maxwell_study(tmp_path):
                          measurements=breccia.Measurement("DMA", shear={"measured": str(tmp_path / "dma.csv")}))
 
 
+def test_a_measured_youngs_modulus_stands_beside_that_of_the_stage():
+    times, shear = np.array([0.01, 0.1, 1.0]), 2e6
+    binder = breccia.Material("binder", density=1000, bulk="3 GPa", shear=breccia.PronySeries([(0.1, shear)]))
+    box = breccia.Stage("box", matrix=binder, box="6 mm", cells=4)
+    tests = breccia.Tests(times=("10 ms", "1 s"), loads=["shear"], boundaries="periodic")
+    tension = breccia.Measurement("tension", young=(times, 3 * shear * np.exp(-times / 0.1)))
+    [comparison] = breccia.solve(breccia.Study(box, tests, measurements=tension))["box"].comparisons
+    assert comparison["kind"] == "young"
+    # Nearly incompressible, K = 1500 G: E is 3 G but for some thousandths.
+    [first, *_, last] = comparison["modulus"] / (3 * shear * np.exp(-comparison["time"] / 0.1))
+    assert [first, last] == pytest.approx([1.0, 1.0], rel=3e-3)
+    with pytest.raises(breccia.InputError, match="exactly one of shear, young, bulk"):
+        breccia.Study(box, tests, measurements=breccia.Measurement("none"))
+
+
+def test_the_thermal_expansion_of_a_composite():
+    resin = breccia.Material("resin", density=1200, bulk="4 GPa", shear="1 GPa", thermal_expansion="60e-6 /K")
+    glass = breccia.Material("glass", density=2500, bulk="40 GPa", shear="30 GPa", thermal_expansion=8e-6)
+    beads = breccia.Stage("A", matrix=resin, box="1 mm", cells=6, fillers=breccia.Filler(glass, diameter="0.8 mm"),
+                          packing=breccia.Packing("regular", lattice="sc"))
+    stage = breccia.solve(breccia.Study([beads], {"times": (1.0, 10.0), "loads": ["bulk"]}, dimensions=3))["A"]
+    [found] = stage.expansions
+    bulk = stage.test("bulk").modulus
+    weight = (1 / bulk - 1 / 4e9) / (1 / 40e9 - 1 / 4e9)
+    assert found["expansion"] == pytest.approx(60e-6 + weight * (8e-6 - 60e-6), rel=1e-9)
+    assert len(found["error"]) == len(found["time"]) == len(bulk)
+
+
 def test_complex_moduli_at_the_frequencies_of_the_deck(tmp_path):
     study = maxwell_study(tmp_path)
     result = breccia.run(study, tmp_path / "run")

@@ -26,18 +26,28 @@ namespace breccia::cli {
 
 namespace {
 
-/// A modulus, and what it is at the first and the last time of the tests.
+/// What a modulus is at the first and the last time of the tests or, of tests over frequency, its absolute value at the
+/// first and the last frequency.
+std::string at_both_ends(const PronySeries& modulus, const Tests& tests) {
+  if (!tests.by_frequency) {
+    return fmt::format("{} at {}, {} at {}", display(modulus.at(tests.first_time), "Pa"), time(tests.first_time),
+                       display(modulus.at(tests.last_time), "Pa"), time(tests.last_time));
+  }
+  const auto size_at = [&](double instant) {
+    return fmt::format("{} at {}", display(std::abs(modulus.complex_modulus(1.0 / instant)), "Pa"),
+                       display_in(Abscissa::frequency, instant));
+  };
+  return fmt::format("|M*| {}, {}", size_at(tests.last_time), size_at(tests.first_time));
+}
+
 std::string describe(const PronySeries& modulus, const Tests& tests) {
   if (modulus.is_elastic()) return pressure(modulus.equilibrium());
-  const auto at = [&](double instant) {
-    return fmt::format("{} at {}", display(modulus.at(instant), "Pa"), time(instant));
-  };
   const auto& terms = modulus.terms();
   const auto fastest = time(terms.back().relaxation_time), slowest = time(terms.front().relaxation_time);
-  return fmt::format("{} relaxing to {}, {} {}; {}, {}", pressure(modulus.unrelaxed()), pressure(modulus.equilibrium()),
+  return fmt::format("{} relaxing to {}, {} {}; {}", pressure(modulus.unrelaxed()), pressure(modulus.equilibrium()),
                      display_count(terms.size(), "term"),
                      terms.size() == 1 ? "of " + slowest : fmt::format("from {} to {}", fastest, slowest),
-                     at(tests.first_time), at(tests.last_time));
+                     at_both_ends(modulus, tests));
 }
 
 /// Poisson's ratio at the first and last time.
@@ -53,10 +63,12 @@ std::string poisson_ratios(const Material& material, const Tests& tests) {
 
 std::string describe(const ShiftedMaterial& shifted, const Tests& tests) {
   const auto& material = shifted.material;
-  return fmt::format("  {}{}\n    density  {}\n    bulk     {}\n    shear    {}\n    Poisson  {}\n", material.name,
-                     shifted.constants ? ", a crystal: isotropic means by Hill" : "",
-                     readable(material.density, Dimension::density), describe(material.bulk, tests),
-                     describe(material.shear, tests), poisson_ratios(material, tests));
+  auto text = fmt::format("  {}{}\n    density  {}\n    bulk     {}\n    shear    {}\n    Poisson  {}\n", material.name,
+                          shifted.constants ? ", a crystal: isotropic means by Hill" : "",
+                          readable(material.density, Dimension::density), describe(material.bulk, tests),
+                          describe(material.shear, tests), poisson_ratios(material, tests));
+  if (shifted.thermal_expansion) text += fmt::format("    expands  {:.4g} 10^-6/K\n", 1e6 * *shifted.thermal_expansion);
+  return text;
 }
 
 struct DescribeSizes {
@@ -151,7 +163,7 @@ std::string describe_filler(const Stage& stage, const Filler& filler) {
   constexpr double whole = 0.9995;
   const auto distribution = distribution_of(filler);
   if (distribution && distribution->share_of_law() < whole) {
-    text += fmt::format(", which is {:.3g} % of its volume", 100.0 * distribution->share_of_law());
+    text += fmt::format(" ({:.3g} % of the volume)", 100.0 * distribution->share_of_law());
   }
   text += '\n';
   if (filler.shape) text += fmt::format("    shape    {}\n", in_words(*filler.shape, stage.dimensions()));

@@ -13,7 +13,6 @@
 #include "cli/shown_tests.hpp"
 #include "homogenisation/quality.hpp"
 #include "io/display.hpp"
-#include "study/abscissa_words.hpp"
 
 namespace breccia::cli {
 namespace {
@@ -53,18 +52,19 @@ bool is_matrix(const Study& study, const std::string& stage) {
   });
 }
 
-/// A line for each boundary and method with the thermal expansion of a stage at its first and last time.
-std::string lines_on_expansion(const Study& study, const StageResult& stage) {
+/// A line for each boundary and method with the thermal expansion of a stage at its first and last time after a step of
+/// the temperature.
+std::string lines_on_expansion(const StageResult& stage) {
   std::string text;
   for (const auto& [test, samples] : stage.expansions) {
     const auto at = [&](const ExpansionSample& sample) {
       const auto error = sample.error ? fmt::format(" +- {:.2g}", 1e6 * *sample.error) : "";
-      return fmt::format("{:.4g}{} 10^-6/K at {}", 1e6 * sample.expansion, error,
-                         display_in(study.tests.abscissa(), sample.time));
+      return fmt::format("{:.4g}{} 10^-6/K at {}", 1e6 * sample.expansion, error, display_time(sample.time));
     };
-    text += fmt::format("{}, {}: linear thermal expansion {}, {}{}\n", stage.name, name_of(test.boundary),
-                        at(samples.front()), at(samples.back()),
-                        samples.front().error ? "" : "; error unknown, as that of the bulk modulus is");
+    const bool is_known = samples.front().error && samples.back().error;
+    text += fmt::format("{}, {}, {}: linear thermal expansion {}, {}{}\n", stage.name, name_of(test.boundary),
+                        name_of(test.method), at(samples.front()), at(samples.back()),
+                        is_known ? "" : "; error unknown, as that of the bulk modulus is");
   }
   return text;
 }
@@ -106,7 +106,7 @@ std::string closing_tables(const Study& study, const StudyResult& result, Detail
   std::vector<std::vector<FillerStatistics>> fillers;
   for (const auto& stage : result.stages) fillers.push_back(stage.microstructure.fillers);
   auto remarks = filler_summary(study, fillers);
-  for (const auto i : shown_stages(study, result, detail)) remarks += lines_on_expansion(study, result.stages[i]);
+  for (const auto i : shown_stages(study, result, detail)) remarks += lines_on_expansion(result.stages[i]);
   for (const auto& stage : result.stages) {
     for (const auto& test : stage.tests) {
       const auto* dynamic = std::get_if<DynamicRecord>(&test.record);

@@ -14,9 +14,8 @@ MeasuredComposite read_measured_composite(const DeckAssessment& deck, const Aske
                                 .notes = {}};
   CollectedMistakes mistakes;
   measured.observations = read_observations(asked, measured.notes, mistakes);
-  mistakes.collect([&] {
-    require_observable(deck.inputs(), measured.observations, curves_of(deck.sweep().tasks.front().study.tests));
-  });
+  mistakes.collect(
+      [&] { require_observable(deck.inputs(), measured.observations, curves_of(deck.sweep().tasks.front().study)); });
   mistakes.refuse();
   return measured;
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "study/chain.hpp"
+
 namespace breccia {
 namespace {
 
@@ -15,9 +17,11 @@ std::size_t nearest(const SampledCurve& curve, double at) {
 
 }  // namespace
 
-CurvesOfStudy curves_of(const Tests& tests) {
+CurvesOfStudy curves_of(const Study& study) {
+  const auto& tests = study.tests;
+  const auto loads = loads_of(study, study.stages.back());
   CurvesOfStudy curves = {.are_over_frequency = tests.by_frequency,
-                          .have_bulk = std::ranges::find(tests.loads, TestLoad(Load::bulk)) != tests.loads.end(),
+                          .have_bulk = std::ranges::find(loads, Load::bulk) != loads.end(),
                           .first = tests.first_time,
                           .last = tests.last_time};
   if (tests.by_frequency) {

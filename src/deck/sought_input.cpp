@@ -99,7 +99,7 @@ SoughtInput read_sought_input(const DeckAssessment& deck, const std::string& key
     sought.condition = read_condition(condition);
     wanted.push_back(sought.condition.wanted);
   });
-  const auto curves = curves_of(deck.sweep().tasks.front().study.tests);
+  const auto curves = curves_of(deck.sweep().tasks.front().study);
   mistakes.collect([&] { require_observable(deck.inputs(), {}, curves); });
   mistakes.collect([&] { require_known(sought.condition, wanted, curves); });
   mistakes.collect([&] { require_enough_boxes(deck, sought.index); });

@@ -362,6 +362,9 @@ std::vector<std::string> warnings_on(const Study& study, const Stage& stage,
   if (asks_for_expansion(study)) {
     if (const auto obstacle = obstacle_to_expansion(study, stage)) {
       of_stage.push_back(fmt::format("no thermal expansion: {}", *obstacle));
+    } else if (stage.has_image() || stage.is_listed()) {
+      of_stage.push_back(fmt::format("its thermal expansion is that of an isotropic composite, which {} may not show",
+                                     stage.has_image() ? "an image" : "a list of particles"));
     }
   }
   for (const auto& measurement : study.measurements) {

@@ -33,13 +33,16 @@ std::vector<Load> loads_of(const Study& study, const Stage& stage) {
     }
   };
   std::ranges::for_each(study.tests.loads, add);
-  const bool is_compared_in_bulk = std::ranges::any_of(study.measurements, [&stage](const Measurement& one) {
-    return one.stage == stage.name && one.kind != ModulusKind::shear;
-  });
+  const auto is_compared = [&](ModulusKind kind) {
+    return std::ranges::any_of(study.measurements,
+                               [&](const Measurement& one) { return one.stage == stage.name && one.kind == kind; });
+  };
+  // In the plane the bulk modulus is a difference of those of both tests.
+  const bool needs_both = serves_as_matrix(study.stages, stage.name) || is_compared(ModulusKind::young) ||
+                          (is_compared(ModulusKind::bulk) && stage.dimensions() == 2);
   const bool expands = asks_for_expansion(study) && !obstacle_to_expansion(study, stage);
-  if (!is_compared_in_bulk && !expands && !serves_as_matrix(study.stages, stage.name)) return loads;
-  add(shear_of_material(study.tests));
-  add(Load::bulk);
+  if (needs_both) add(shear_of_material(study.tests));
+  if (needs_both || expands || is_compared(ModulusKind::bulk)) add(Load::bulk);
   return loads;
 }
 

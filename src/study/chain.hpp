@@ -25,8 +25,8 @@ bool serves_as_matrix(const Stages& stages, const std::string& stage) {
   });
 }
 
-/// The loads under which a stage is tested, each once: those of the study, and also shear and bulk if its result is the
-/// matrix of a later stage, is compared with a measured bulk or Young's modulus, or gives a thermal expansion.
+/// The loads under which a stage is tested, each once: those of the study, and also shear and bulk as far as its result
+/// as the matrix of a later stage, measured bulk or Young's moduli, or its thermal expansion need them.
 std::vector<Load> loads_of(const Study& study, const Stage& stage);
 
 /// Whether the tests ask for the isotropic mean of all shears.

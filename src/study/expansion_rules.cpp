@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "breccia/viscoelasticity/thermal_expansion.hpp"
+
 #include "study/chain.hpp"
 
 namespace breccia {
@@ -42,7 +44,19 @@ std::optional<std::string> obstacle_to_expansion(const Study& study, const Stage
   if (earlier != nullptr && obstacle_to_expansion(study, *earlier)) {
     return fmt::format("that of its matrix, {}, is not known", earlier->name);
   }
+  if (earlier == nullptr && !stage.fillers.empty()) {
+    return obstacle_in_moduli(stage.fillers.front().material, std::get<Material>(stage.matrix));
+  }
   return std::nullopt;
+}
+
+std::optional<std::string> obstacle_in_moduli(const Material& filler, const Material& matrix) {
+  if (determines_expansion(filler.bulk, matrix.bulk)) return std::nullopt;
+  if (!filler.bulk.is_elastic()) return fmt::format("the bulk modulus of {} relaxes", filler.name);
+  return fmt::format(
+      "the bulk moduli of {} and {} come within a tenth of each other, so that that of the composite does "
+      "not determine it",
+      filler.name, matrix.name);
 }
 
 }  // namespace breccia

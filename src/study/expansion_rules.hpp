@@ -11,7 +11,11 @@ namespace breccia {
 bool asks_for_expansion(const Study& study);
 
 /// Why Levin's equation (theory, Eq. 23g) does not give the thermal expansion of a stage, as the rest of a sentence;
-/// nothing where it does, if the bulk moduli of filler and matrix do not cross.
+/// nothing where it does, as far as that is known before its matrix is computed.
 std::optional<std::string> obstacle_to_expansion(const Study& study, const Stage& stage);
+
+/// Why the bulk modulus of a composite does not determine its thermal expansion (determines_expansion), as the rest of
+/// a sentence; nothing where it does.
+std::optional<std::string> obstacle_in_moduli(const Material& filler, const Material& matrix);
 
 }  // namespace breccia

@@ -140,12 +140,10 @@ TEST(DeckWarnings, TheSizesAreShownAsTheyWereUnderstood) {
   };
   EXPECT_THAT(
       shown(R"(sizes = { fuller = "2 mm" }, from = "0.5 mm")"),
-      HasSubstr(
-          "    sizes    Fuller's curve to 2 mm, exponent 0.5, cut to 500 um .. 2 mm, which is 50 % of its volume\n"));
+      HasSubstr("    sizes    Fuller's curve to 2 mm, exponent 0.5, cut to 500 um .. 2 mm (50 % of the volume)\n"));
   EXPECT_THAT(shown(R"(sizes = { rosin_rammler = "1 mm", exponent = 1.2 }, from = "0.5 mm", to = "2 mm")"),
-              HasSubstr("    sizes    Rosin and Rammler, 63.2 % below 1 mm, exponent 1.2, cut to 500 um .. 2 mm, which "
-                        "is 54.7 % of its "
-                        "volume\n"));
+              HasSubstr("    sizes    Rosin and Rammler, 63.2 % below 1 mm, exponent 1.2, cut to 500 um .. 2 mm "
+                        "(54.7 % of the volume)\n"));
   EXPECT_THAT(shown(R"(sizes = { d10 = "0.6 mm", d50 = "1 mm", d90 = "1.5 mm" }, from = "0.5 mm", to = "2 mm")"),
               HasSubstr("    sizes    d10 600 um, d50 1 mm, d90 1.5 mm, lognormal between and beyond them, cut to"));
   EXPECT_THAT(shown(R"(sizes = { from = "0.5 mm", to = "2 mm" })"),

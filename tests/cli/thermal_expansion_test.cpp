@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/text_file.hpp"
+#include "messages.hpp"
 #include "study_directory.hpp"
 #include "tables/csv.hpp"
 
@@ -75,7 +76,7 @@ TEST(ThermalExpansionOfARun, FollowsFromTheBulkModulus) {
   const StudyDirectory study(deck);
   const auto run = study.breccia("run");
   ASSERT_EQ(run.exit_code, 0) << run.errors;
-  EXPECT_THAT(run.output, HasSubstr("A, periodic: linear thermal expansion "));
+  EXPECT_THAT(run.output, HasSubstr("A, periodic, quasistatic: linear thermal expansion "));
   EXPECT_THAT(run.output, HasSubstr("10^-6/K at 10 us, "));
   const auto table = read_expansion(study);
   const auto bulk = read_curve(study.result("curves.csv"), "A", "bulk");
@@ -111,11 +112,15 @@ TEST(ThermalExpansionOfARun, OfASecondStageIsBelowThatOfTheFirst) {
     EXPECT_LT(expansion[half + i], expansion[i]);
     EXPECT_GT(expansion[half + i], 8e-6);
   }
-  // A resumed run takes the first stage as it is, and gives the same.
-  const auto before = read_text(study.result("thermal_expansion.csv"));
-  std::filesystem::remove(study.result("study.json"));
-  ASSERT_EQ(study.breccia("run", {"--overwrite"}).exit_code, 0);
-  EXPECT_EQ(read_text(study.result("thermal_expansion.csv")), before);
+}
+
+// The tasks of a sweep over the second stage share the first one.
+TEST(ThermalExpansionOfARun, OfASharedStageIsThatOfARunOfItsOwn) {
+  const StudyDirectory study(std::string(deck) + std::string(second_stage));
+  ASSERT_EQ(study.breccia("run", {"--sweep", "stages.1.cells=[6, 8]"}).exit_code, 0);
+  const auto shared = read_text(study.result("cells-8/thermal_expansion.csv"));
+  ASSERT_EQ(run_breccia(study.path(), {"run", "deck.toml", "--out", "alone"}).exit_code, 0);
+  EXPECT_EQ(read_text(study.path() / "alone/thermal_expansion.csv"), shared);
 }
 
 TEST(ThermalExpansionOfARun, AVoidTakesNothingFromItsMatrix) {
@@ -137,12 +142,30 @@ TEST(ThermalExpansionOfARun, SaysWhatIsInItsWay) {
               HasSubstr("A: no thermal expansion: glass has no thermal_expansion"));
   EXPECT_THAT(of({"--set", R"(stages.0.filler.coating={ material = "rubber", thickness = "50 um" })"}),
               HasSubstr("A: no thermal expansion: it has more than two phases"));
-  const auto crossing = study.breccia(
-      "run", {"--set", R"(materials.glass.bulk="1.5 GPa")", "--set",
-              R"(materials.rubber.bulk={ terms = [{ time = "1 ms", modulus = "1 GPa" }], equilibrium = "1 GPa" })"});
-  ASSERT_EQ(crossing.exit_code, 0) << crossing.errors;
-  EXPECT_THAT(crossing.output + crossing.errors,
-              HasSubstr("A: no thermal expansion: the bulk moduli of filler and matrix cross as they relax"));
+  EXPECT_THAT(
+      of({"--set", R"(materials.glass.bulk="2.1 GPa")"}),
+      HasSubstr("A: no thermal expansion: the bulk moduli of glass and rubber come within a tenth of each other"));
+  EXPECT_THAT(of({"--set",
+                  R"(materials.glass.bulk={ terms = [{ time = "1 ms", modulus = "9 GPa" }], equilibrium = "9 GPa" })"}),
+              HasSubstr("A: no thermal expansion: the bulk modulus of glass relaxes"));
+}
+
+// The bulk modulus of the first stage comes near that of the filler of the second, 2.7 GPa.
+TEST(ThermalExpansionOfARun, WarnsOfAMatrixThatComesNearItsFiller) {
+  const StudyDirectory study(std::string(deck) + std::string(second_stage));
+  study.write("deck.toml", replaced(std::string(deck), "[[stages]]", R"([materials.resin]
+density = "1.2 g/cm^3"
+bulk    = "2.7 GPa"
+shear   = "1 GPa"
+thermal_expansion = "60e-6 /K"
+
+[[stages]])") + replaced(std::string(second_stage), "glass", "resin"));
+  const auto run = study.breccia("run");
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_THAT(run.output + run.errors,
+              HasSubstr("B, periodic: no thermal expansion: the bulk moduli of resin and A come "
+                        "within a tenth of each other"));
+  EXPECT_THAT(read_expansion(study).text("stage"), Each("A"));
 }
 
 TEST(ThermalExpansionOfARun, RefusesWhatIsNoExpansion) {

@@ -96,6 +96,7 @@ TEST(ContentOf, EveryChangeOfWhatIsAskedMakesAnother) {
         study.stages[0].packing =
             ExplicitPacking<2>{"", std::vector{Particle{Ellipse{{2e-3, 1e-3}}, Pose({2e-3, 2e-3}, 0.0)}}};
       },
+      [](Study& study) { study.materials[0].thermal_expansion = 1e-5; },
       [](Study& study) { study.tests.last_time *= 2.0; },
       [](Study& study) { study.tests.loads = {Load::bulk}; },
       [](Study& study) { study.tests.quasistatic.sampling.tolerance = 1e-4; },

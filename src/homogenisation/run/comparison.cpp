@@ -15,8 +15,8 @@ namespace {
 /// A modulus of a stage under one boundary and by one method.
 struct ComputedModulus {
   Curve in_time;
-  std::function<std::complex<double>(double)>
-      at;  ///< complex modulus [Pa] at an angular frequency [rad/s]; may be empty
+  /// The complex modulus [Pa] at an angular frequency [rad/s]; empty where there is none.
+  std::function<std::complex<double>(double)> at;
 };
 
 bool is_under(const TestResult& test, TestLoad load, Boundary boundary) {
@@ -34,14 +34,21 @@ bool has_series(const TestResult& test) {
   return test.series.unrelaxed() > 0.0;
 }
 
-/// The modulus of a kind from a test in shear and, for K and E, that in bulk under the same boundary, by the same
-/// method and on the same grid; nothing without this test.
-std::optional<ComputedModulus> computed_modulus(ModulusKind kind, const StageFindings& stage, const TestResult& shear) {
-  if (kind == ModulusKind::shear) {
-    ComputedModulus modulus{shear.modulus, {}};
-    if (has_series(shear)) modulus.at = [&shear](double omega) { return shear.series.complex_modulus(omega); };
-    return modulus;
-  }
+/// Whether a test has a measured modulus as its own: G, and in three dimensions K.
+bool is_tested(ModulusKind kind, int dimensions) {
+  return kind == ModulusKind::shear || (kind == ModulusKind::bulk && !is_plane_strain(dimensions));
+}
+
+/// The modulus of a test itself.
+ComputedModulus tested_modulus(const TestResult& test) {
+  ComputedModulus modulus{test.modulus, {}};
+  if (has_series(test)) modulus.at = [&test](double omega) { return test.series.complex_modulus(omega); };
+  return modulus;
+}
+
+/// E, or K in the plane, from a test in shear and that in bulk under the same boundary, by the same method and on the
+/// same grid; nothing without this test.
+std::optional<ComputedModulus> modulus_of_both(ModulusKind kind, const StageFindings& stage, const TestResult& shear) {
   const auto* tested = find_preferred_test(stage.tests, Load::bulk, shear.id.boundary, shear.id.method);
   if (tested == nullptr || tested->id.grid != shear.id.grid || !has_series(*tested) || !has_series(shear)) {
     return std::nullopt;
@@ -92,10 +99,12 @@ std::vector<Comparison> compare(const std::vector<Measurement>& measurements, co
   std::vector<Comparison> comparisons;
   for (const auto& measurement : measurements) {
     if (measurement.stage != stage.name) continue;
+    const bool is_of_one_test = is_tested(measurement.kind, stage.dimensions);
+    const TestLoad load = is_of_one_test && measurement.kind == ModulusKind::bulk ? Load::bulk : shear;
     for (const auto& test : tests) {
-      if (!is_under(test, shear, test.id.boundary)) continue;
-      if (find_preferred_test(tests, shear, test.id.boundary, test.id.method) != &test) continue;
-      const auto modulus = computed_modulus(measurement.kind, stage, test);
+      if (!is_under(test, load, test.id.boundary)) continue;
+      if (find_preferred_test(tests, load, test.id.boundary, test.id.method) != &test) continue;
+      const auto modulus = is_of_one_test ? tested_modulus(test) : modulus_of_both(measurement.kind, stage, test);
       if (!modulus) continue;
       Comparison comparison{measurement.label, test.id, compared_in_time(measurement, modulus->in_time)};
       comparison.kind = measurement.kind;

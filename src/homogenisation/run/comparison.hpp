@@ -8,9 +8,9 @@
 
 namespace breccia {
 
-/// The comparisons of a stage with those of the measurements that are of it: of its preferred tests under one load,
-/// that of its shear modulus, and for a measured bulk or Young's modulus of these and the tests in bulk (theory, Eqs.
-/// 23a and 23b). Complex moduli are compared for the preferred method.
+/// The comparisons of a stage with those of the measurements that are of it: of its preferred tests under the load of
+/// its shear modulus, of those in bulk for a bulk modulus in three dimensions, and of both for a Young's modulus, and
+/// for a bulk modulus in the plane (theory, Eqs. 23a and 23b). Complex moduli are compared for the preferred method.
 std::vector<Comparison> compare(const std::vector<Measurement>& measurements, const StageFindings& stage,
                                 TestLoad shear);
 

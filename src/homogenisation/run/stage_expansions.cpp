@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "breccia/error.hpp"
 #include "breccia/viscoelasticity/thermal_expansion.hpp"
 
 #include "homogenisation/stage_materials.hpp"
@@ -17,20 +17,24 @@
 namespace breccia {
 namespace {
 
+void add_once(std::vector<std::string>& warnings, std::string warning) {
+  if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(std::move(warning));
+}
+
 double expansion_of(const Study& study, const Material& material) {
   if (is_void(material)) return 0.0;
   return *find_material(study.materials, material.name)->thermal_expansion;
 }
 
 /// What a stage adds to the expansion of its matrix, where it has a filler.
-std::optional<ExpandingFiller> filler_of(const Study& study, const Stage& stage, double fraction,
-                                         const Material& matrix, const PronySeries& composite) {
+std::optional<ExpandingFiller> filler_of(const Study& study, const Stage& stage, const Material& matrix,
+                                         const PronySeries& composite) {
   if (stage.fillers.empty()) return std::nullopt;
   const auto& filler = stage.fillers.front().material;
-  return ExpandingFiller{expansion_of(study, filler), fraction, filler.bulk, matrix.bulk, composite};
+  return ExpandingFiller{expansion_of(study, filler), filler.bulk, matrix.bulk, composite};
 }
 
-/// The expansion of the material that is the matrix of a stage, and how it is built from the binder on.
+/// The expansion of the material that is the matrix of a stage, from the binder on.
 ThermalExpansion expansion_of_matrix(const Study& study, const Stage& stage, const std::vector<StageResult>& earlier,
                                      const TestId& test) {
   const auto* inner = stage_of_matrix(study, stage);
@@ -38,61 +42,67 @@ ThermalExpansion expansion_of_matrix(const Study& study, const Stage& stage, con
   auto expansion = expansion_of_matrix(study, *inner, earlier, test);
   const auto& matrix = matrix_of(inner->name, inner->matrix, earlier, test.boundary, test.method);
   const auto& composite = matrix_of(stage.name, stage.matrix, earlier, test.boundary, test.method);
-  const auto& found = *std::ranges::find(earlier, inner->name, &StageResult::name);
-  if (auto filler = filler_of(study, *inner, found.point_fraction, matrix, composite.bulk)) {
-    expansion.add(*std::move(filler));
-  }
+  if (auto filler = filler_of(study, *inner, matrix, composite.bulk)) expansion.add(*std::move(filler));
   return expansion;
 }
 
-/// The error of the expansion of the matrix of a stage at a time of its curves; nothing where it is not known.
-std::optional<double> error_of_matrix(const Study& study, const Stage& stage, const std::vector<StageResult>& earlier,
-                                      const TestId& test, std::size_t time) {
-  const auto* inner = stage_of_matrix(study, stage);
-  if (inner == nullptr) return 0.0;
-  const auto& found = *std::ranges::find(earlier, inner->name, &StageResult::name);
-  for (const auto& [of, samples] : found.expansions) {
-    if (of.boundary == test.boundary && of.method == test.method && time < samples.size()) return samples[time].error;
+/// The expansion of an earlier stage under the boundary and by the method of a test; nullptr where it has none.
+const StageExpansion* expansion_under(const TestId& test, const Stage& stage, const std::vector<StageResult>& results) {
+  const auto& found = *std::ranges::find(results, stage.name, &StageResult::name);
+  const auto known = std::ranges::find_if(found.expansions, [&test](const StageExpansion& one) {
+    return one.test.boundary == test.boundary && one.test.method == test.method;
+  });
+  return known == found.expansions.end() ? nullptr : &*known;
+}
+
+/// The error of an expansion at a time; nothing where it is not known.
+std::optional<double> error_at(const StageExpansion& expansion, double time) {
+  constexpr double rounding = 1e-9;
+  const auto sample = std::ranges::find_if(
+      expansion.samples, [time](const ExpansionSample& one) { return std::abs(one.time / time - 1.0) < rounding; });
+  return sample == expansion.samples.end() ? std::nullopt : sample->error;
+}
+
+/// The expansion by a test in bulk. `of_matrix` is that of the matrix where this is an earlier stage, or nullptr.
+StageExpansion expansion_by(const TestResult& test, const ThermalExpansion& expansion,
+                            const StageExpansion* of_matrix) {
+  StageExpansion result{test.id, {}};
+  for (std::size_t i = 0; i < test.modulus.size(); ++i) {
+    const double time = test.modulus[i].time;
+    const auto of_bulk = i < test.errors.size() ? test.errors[i].whole() : std::nullopt;
+    const auto error_of_matrix = of_matrix == nullptr ? std::optional(0.0) : error_at(*of_matrix, time);
+    std::optional<double> error;
+    if (of_bulk && error_of_matrix) error = std::hypot(expansion.sensitivity(time) * *of_bulk, *error_of_matrix);
+    result.samples.push_back({time, expansion.at(time), error});
   }
-  return std::nullopt;
+  return result;
 }
 
 }  // namespace
 
-std::vector<StageExpansion> stage_expansions(const Study& study, const Stage& stage, const StageFindings& found,
-                                             const std::vector<StageResult>& earlier) {
-  if (!asks_for_expansion(study) || obstacle_to_expansion(study, stage)) return {};
-  std::vector<StageExpansion> expansions;
-  for (const auto& test : found.tests) {
-    const bool is_preferred_one =
-        find_preferred_test(found.tests, Load::bulk, test.id.boundary, test.id.method) == &test;
-    if (!is_preferred_one || !(test.series.unrelaxed() > 0.0)) continue;
-    auto expansion = expansion_of_matrix(study, stage, earlier, test.id);
-    const auto& matrix = matrix_of(stage.name, stage.matrix, earlier, test.id.boundary, test.id.method);
-    if (auto filler = filler_of(study, stage, found.point_fraction, matrix, test.series)) {
-      expansion.add(*std::move(filler));
-    }
-    auto& samples = expansions.emplace_back(StageExpansion{test.id, {}}).samples;
-    for (std::size_t i = 0; i < test.modulus.size(); ++i) {
-      const double time = test.modulus[i].time;
-      const auto of_bulk = i < test.errors.size() ? test.errors[i].whole() : std::nullopt;
-      const auto of_matrix = error_of_matrix(study, stage, earlier, test.id, i);
-      std::optional<double> error;
-      if (of_bulk && of_matrix) error = std::hypot(expansion.sensitivity(time) * *of_bulk, *of_matrix);
-      samples.push_back({time, expansion.at(time), error});
-    }
-  }
-  return expansions;
-}
-
 void add_expansions(const Study& study, const Stage& stage, const std::vector<StageResult>& earlier,
                     StageFindings& found) {
-  try {
-    found.expansions = stage_expansions(study, stage, found, earlier);
-  } catch (const InputError& error) {
-    auto warning = fmt::format("{}: no thermal expansion: {}", stage.name, error.what());
-    const bool is_known = std::ranges::find(found.warnings, warning) != found.warnings.end();
-    if (!is_known) found.warnings.push_back(std::move(warning));
+  found.expansions.clear();
+  if (!asks_for_expansion(study) || obstacle_to_expansion(study, stage)) return;
+  const auto* inner = stage_of_matrix(study, stage);
+  for (const auto& test : found.tests) {
+    const auto* preferred = find_preferred_test(found.tests, Load::bulk, test.id.boundary, test.id.method);
+    if (preferred != &test || !(test.series.unrelaxed() > 0.0)) continue;
+    const auto* of_matrix = inner == nullptr ? nullptr : expansion_under(test.id, *inner, earlier);
+    // The warning of the earlier stage says why.
+    if (inner != nullptr && of_matrix == nullptr) continue;
+    const auto& matrix = matrix_of(stage.name, stage.matrix, earlier, test.id.boundary, test.id.method);
+    auto filler = filler_of(study, stage, matrix, test.series);
+    if (filler) {
+      if (const auto obstacle = obstacle_in_moduli(stage.fillers.front().material, matrix)) {
+        add_once(found.warnings,
+                 fmt::format("{}, {}: no thermal expansion: {}", stage.name, name_of(test.id.boundary), *obstacle));
+        continue;
+      }
+    }
+    auto expansion = expansion_of_matrix(study, stage, earlier, test.id);
+    if (filler) expansion.add(*std::move(filler));
+    found.expansions.push_back(expansion_by(test, expansion, of_matrix));
   }
 }
 

@@ -115,9 +115,10 @@ function deviationsFrom(measured, {at}) {
   });
 }
 
-/// A sentence on complex moduli beside a measured one, of a letter: G or E.
+/// A sentence on complex moduli beside a measured one, of a letter: G or E; empty where they have no frequency in common.
 export function sentenceOnMeasuredComplex(moduli, measured, letter) {
-  const found = moduli.flatMap((modulus) => deviationsFrom(measured, modulus));
+  const found = moduli.flatMap((modulus) => deviationsFrom(measured, modulus)).filter(({ratio}) => Number.isFinite(ratio));
+  if (found.length === 0) return "";
   const [from, to] = rangeOf(found.map(({ratio}) => ratio)).map((ratio) => shortNumber(ratio, 3));
   const largest = Math.max(...found.map(({phase}) => Math.abs(phase)));
   const [first, last] = [measured.x[0], measured.x.at(-1)].map((frequency) => display(frequency, "Hz", 2));

@@ -93,7 +93,7 @@ function addErrors(curves) {
 function ofYoungsModulus(curves) {
   const quantities = {dynamic: "young-dynamic", "loss-factor": "young-loss-factor"};
   return curves.filter(({quantity}) => quantity in quantities).map((curve) =>
-    ({...curve, quantity: quantities[curve.quantity], label: curve.label.replace(", G", ", E")}));
+    ({...curve, quantity: quantities[curve.quantity], label: curve.label.replace(/, G([′″])$/, ", E$1")}));
 }
 
 /// The measured moduli as curves of the quantity that was measured. What the figures have no curve of is left out: the
@@ -171,9 +171,12 @@ function engineeringCurves() {
 function expansionCurves() {
   return groupsOf(readTable("thermal_expansion.csv"), testColumns).map((group) => {
     const {stage, boundary, method} = group[0];
+    const errors = group.map((row) => (row.error_1_per_K === "" ? NaN : 1e6 * Number(row.error_1_per_K)));
+    const y = group.map((row) => 1e6 * row.thermal_expansion_1_per_K);
+    const isKnown = errors.every(Number.isFinite);
     return {role: "stage", quantity: "thermal-expansion", stage, load: shearOf(stageNamed(stage)), boundary, method,
-      label: `${stage}, ${boundary}`, x: group.map((row) => row.time_s),
-      y: group.map((row) => 1e6 * row.thermal_expansion_1_per_K)};
+      label: `${stage}, ${boundary}`, x: group.map((row) => row.time_s), y,
+      ...(isKnown && {band: errors, error: {whole: errors.map((error, i) => Math.abs(error / y[i]))}})};
   });
 }
 

@@ -161,7 +161,8 @@ function noteOn(curves, quantity, shown) {
 
 function noteOnPoints(curves, shown) {
   const isLoss = curves.some(({role, part}) => role === "measured" && part === "loss");
-  const symbols = isLoss ? "Points: measured, G″ as open circles" : "Points: measured";
+  const letter = shown.quantity.name.startsWith("young") ? "E" : "G";
+  const symbols = isLoss ? `Points: measured, ${letter}″ as open circles` : "Points: measured";
   return shown.axis === "temperature" ? `${symbols}, moved by the shift of the binder.` : `${symbols}.`;
 }
 

@@ -1,6 +1,7 @@
 /// Files that the reader of the page can keep.
 
 import {element} from "./elements.js";
+import {perMillionAndKelvin} from "./names.js";
 
 /// Offers the reader a file with a text for download.
 export function save(name, text, type) {
@@ -22,7 +23,8 @@ function csvText(value) {
 
 /// Curves of a quantity as the text of a CSV file.
 export function csvOf(curves, quantity) {
-  const unit = {Pa: "_Pa", "1/Pa": "_1_per_Pa", "%": "_percent"}[quantity.unit] ?? "";
+  const unit = {Pa: "_Pa", "1/Pa": "_1_per_Pa", "%": "_percent",
+    [perMillionAndKelvin]: "_1e-6_per_K"}[quantity.unit] ?? "";
   const x = {s: "time_s", "rad/s": "angular_frequency_rad_per_s", Hz: "frequency_Hz", "°C": "temperature_degC"};
   const lines = curves.flatMap((curve) => curve.x.map((at, i) => `${csvText(curve.label)},${at},${curve.y[i]}`));
   return [`curve,${x[quantity.xUnit]},value${unit}`, ...lines, ""].join("\n");

@@ -54,7 +54,7 @@ function answersFirst(result) {
   return [...new Set([...curvesOfAnswer(result), ...result])];
 }
 
-/// The measured relaxation modulus of a stage, of a quantity: "shear", "young", or "bulk".
+/// The measured relaxation modulus of a stage, of a quantity: "shear" or "young".
 function measuredBeside(curves, stage, quantity) {
   const found = curves.find((curve) => curve.role === "measured" && curve.stage === stage && curve.quantity === quantity);
   return found && {name: found.label.replace("measured, ", ""), x: found.x, y: found.y};

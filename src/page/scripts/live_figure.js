@@ -96,7 +96,8 @@ export function liveFigure(curves) {
   document.getElementById("live-choices").append(...liveChoices(candidates, state, compute), select);
   spectrumButtons(state, compute);
   compute();
-  showAgreement(results, curveOfRun, curves.filter(({role}) => role === "measured"));
+  showAgreement(results, curveOfRun, curves.filter((curve) => curve.role === "measured" &&
+    shownQuantities.includes(curve.quantity)));
   return draw;
 }
 

@@ -45,7 +45,8 @@ export function showComparison() {
   const extremes = study.stages.flatMap((stage) => (stage.comparisons ?? []).map((one) => {
     const [best, worst] = one.best === undefined || (isShownInFrequency && one.best_in_frequency !== undefined)
       ? [one.best_in_frequency, one.worst_in_frequency] : [one.best, one.worst];
-    return [stage.name, one.measurement, one.boundary, methodNames[one.method], ratioText(best),
+    const name = one.modulus === "shear" || one.modulus === undefined ? stage.name : `${stage.name}, ${letterOf(one.modulus)}`;
+    return [name, one.measurement, one.boundary, methodNames[one.method], ratioText(best),
       ratioText(worst)];
   }));
   if (extremes.length > 0) {
