@@ -15,6 +15,7 @@
 #include "io/display.hpp"
 #include "io/units.hpp"
 #include "study/abscissa_words.hpp"
+#include "study/chain.hpp"
 #include "study/filler_shapes.hpp"
 #include "study/filler_sizes.hpp"
 #include "study/gap.hpp"
@@ -283,16 +284,32 @@ std::string describe(const FilmOptions& films, int dimensions) {
   return fmt::format("    films    elements along the faces up to {:.4g} of a grain{}\n", films.face_share, layers);
 }
 
+/// The loads of the tests, and those that stages need beside them: "shear; A also bulk".
+std::string describe_loads(const Study& study) {
+  const auto& asked = study.tests.loads;
+  std::vector<std::string> names;
+  for (const auto load : asked) names.push_back(name_of(load));
+  auto text = fmt::format("{}", fmt::join(names, ", "));
+  for (const auto& stage : study.stages) {
+    std::vector<std::string> added;
+    for (const auto load : loads_of(study, stage)) {
+      const bool is_of_mean = asks_for_isotropic(study.tests) && load != Load::bulk;
+      if (!is_of_mean && std::ranges::find(asked, TestLoad(load)) == asked.end()) added.push_back(name_of(load));
+    }
+    if (!added.empty()) text += fmt::format("; {} also {}", stage.name, fmt::join(added, ", "));
+  }
+  return text;
+}
+
 std::string describe(const Study& study) {
   const auto& tests = study.tests;
-  std::vector<std::string> loads, boundaries;
-  for (const auto load : tests.loads) loads.push_back(name_of(load));
+  std::vector<std::string> boundaries;
   for (const auto boundary : tests.boundaries) boundaries.push_back(name_of(boundary));
   const auto hertz = [](double time) { return display_in(Abscissa::frequency, time); };
   const auto range = tests.by_frequency
                          ? fmt::format("frequencies {} to {}", hertz(tests.last_time), hertz(tests.first_time))
                          : fmt::format("times    {} to {}", time(tests.first_time), time(tests.last_time));
-  auto text = fmt::format("    loads    {}\n    boundary {}\n    {}, {} a decade\n", fmt::join(loads, ", "),
+  auto text = fmt::format("    loads    {}\n    boundary {}\n    {}, {} a decade\n", describe_loads(study),
                           fmt::join(boundaries, ", "), range, tests.points_per_decade);
   if (tests.accuracy) text += fmt::format("    accuracy {:.3g} % of the moduli\n", 100.0 * *tests.accuracy);
   const auto has_some = [&tests](const Stage& stage) { return has_fields(tests, stage); };

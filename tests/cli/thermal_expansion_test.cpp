@@ -137,7 +137,8 @@ TEST(ThermalExpansionOfARun, SaysWhatIsInItsWay) {
     EXPECT_EQ(check.exit_code, 0) << check.errors;
     return check.output + check.errors;
   };
-  EXPECT_THAT(of({}), Not(HasSubstr("thermal")));
+  EXPECT_THAT(of({}), AllOf(Not(HasSubstr("thermal")), HasSubstr("    expands  200 10^-6/K\n"),
+                            HasSubstr("    loads    shear; A also bulk\n")));
   EXPECT_THAT(of({"--set", "materials.glass.thermal_expansion="}),
               HasSubstr("A: no thermal expansion: glass has no thermal_expansion"));
   EXPECT_THAT(of({"--set", R"(stages.0.filler.coating={ material = "rubber", thickness = "50 um" })"}),

@@ -152,6 +152,20 @@ TEST_F(Compare, TakesYoungsAndBulkModulusFromTheTestsInShearAndInBulk) {
   EXPECT_THAT(compared({test, volume}), IsEmpty()) << "nothing from tests on two grids";
 }
 
+TEST_F(Compare, TakesABulkModulusInSpaceFromTheTestInBulkAlone) {
+  Measurement bulk{"pressure", "A", PronySeries(2.0)};
+  bulk.kind = ModulusKind::bulk;
+  StageFindings found;
+  found.name = "A";
+  found.dimensions = 3;
+  found.tests = {
+      test_with({Load::bulk, Boundary::periodic, Method::quasistatic, TestGrid(12)}, {{1.0, 6.0}, {2.0, 5.0}})};
+  const auto comparisons = compare({bulk}, found, TestLoad::isotropic());
+  ASSERT_EQ(comparisons.size(), 1U);
+  EXPECT_EQ(comparisons[0].test.load, Load::bulk);
+  EXPECT_EQ(comparisons[0].samples[1].ratio(), 2.5);
+}
+
 TEST_F(Compare, TellsMeasurementsFromTheirComparisons) {
   Measurement measurement{"rheometer", "A", Curve{{1.0, 8.0}, {10.0, 4.0}}};
   measurement.dynamic = {{0.5, 2.0, 1.0}};

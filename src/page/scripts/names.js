@@ -16,7 +16,7 @@ export const quantities = [
   {name: "young", title: "Young's modulus E(t)", x: "time", xUnit: "s", unit: "Pa"},
   {name: "poisson", title: "Poisson's ratio", x: "time", xUnit: "s", unit: ""},
   {name: "tensile-compliance", title: "Creep compliance in tension D(t)", x: "time", xUnit: "s", unit: "1/Pa"},
-  {name: "thermal-expansion", title: "Linear thermal expansion after a step of temperature", x: "time", xUnit: "s",
+  {name: "thermal-expansion", title: "Linear thermal expansion", x: "time", xUnit: "s",
     unit: perMillionAndKelvin},
   {name: "compliance", title: "Creep compliance", x: "time", xUnit: "s", unit: "1/Pa"},
   {name: "dynamic", title: "Storage and loss modulus G′, G″", x: "angular frequency", xUnit: "rad/s", unit: "Pa"},
