@@ -68,7 +68,7 @@ std::string describe(const ShiftedMaterial& shifted, const Tests& tests) {
                           shifted.constants ? ", a crystal: isotropic means by Hill" : "",
                           readable(material.density, Dimension::density), describe(material.bulk, tests),
                           describe(material.shear, tests), poisson_ratios(material, tests));
-  if (shifted.thermal_expansion) text += fmt::format("    expands  {:.4g} 10^-6/K\n", 1e6 * *shifted.thermal_expansion);
+  if (shifted.thermal_expansion) text += fmt::format("    expands  {:.4g}e-6 /K\n", 1e6 * *shifted.thermal_expansion);
   return text;
 }
 

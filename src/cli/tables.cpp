@@ -58,8 +58,8 @@ std::string lines_on_expansion(const StageResult& stage) {
   std::string text;
   for (const auto& [test, samples] : stage.expansions) {
     const auto at = [&](const ExpansionSample& sample) {
-      const auto error = sample.error ? fmt::format(" +- {:.2g}", 1e6 * *sample.error) : "";
-      return fmt::format("{:.4g}{} 10^-6/K at {}", 1e6 * sample.expansion, error, display_time(sample.time));
+      const auto error = sample.error ? fmt::format(" +- {:.2g}e-6", 1e6 * *sample.error) : "";
+      return fmt::format("{:.4g}e-6{} /K at {}", 1e6 * sample.expansion, error, display_time(sample.time));
     };
     const bool is_known = samples.front().error && samples.back().error;
     text += fmt::format("{}, {}, {}: linear thermal expansion {}, {}{}\n", stage.name, name_of(test.boundary),

@@ -15,6 +15,7 @@
 #include "deck/time_window.hpp"
 #include "io/file_mistakes.hpp"
 #include "io/nearest_name.hpp"
+#include "io/units.hpp"
 #include "study/chain.hpp"
 
 namespace breccia {
@@ -54,11 +55,24 @@ Curve read_measured_curve(const std::filesystem::path& path, ModulusKind kind) {
   return curve;
 }
 
+/// Makes a remark on each material at another temperature [K] than that of a measured modulus.
+void remark_on_temperatures(const Section& modulus, double measured, const std::vector<ShiftedMaterial>& materials) {
+  constexpr double least_difference = 0.5;  // as of a sweep that is taken for one at the reference temperature [K]
+  for (const auto& one : materials) {
+    if (!one.shift || std::abs(one.shift->temperature - measured) <= least_difference) continue;
+    modulus.remark("reference_temperature", fmt::format("the measured modulus is at {}, and {} is at {}",
+                                                        readable(measured, Dimension::temperature), one.material.name,
+                                                        readable(one.shift->temperature, Dimension::temperature)));
+  }
+}
+
 /// Reads creep, dynamic or relaxation data and fits a series to them, which is valid at the times of the data.
-void read_fitted(const Section& modulus, const std::filesystem::path& path, Measurement& measurement) {
+void read_fitted(const Section& modulus, const std::filesystem::path& path,
+                 const std::vector<ShiftedMaterial>& materials, Measurement& measurement) {
   const auto temperature =
       modulus.optional_quantity("reference_temperature", Dimension::temperature, Range::not_negative());
   if (temperature && std::isnan(*temperature)) return;
+  if (temperature) remark_on_temperatures(modulus, *temperature, materials);
   modulus.report_errors_of("measured", [&] {
     auto fitted = fitted_modulus(path, measurement.kind, temperature);
     measurement.modulus = std::move(fitted.series);
@@ -69,7 +83,8 @@ void read_fitted(const Section& modulus, const std::filesystem::path& path, Meas
 }
 
 /// Reads the measured modulus of the kind of a measurement.
-void read_measured_modulus(const Section& modulus, Measurement& measurement) {
+void read_measured_modulus(const Section& modulus, const std::vector<ShiftedMaterial>& materials,
+                           Measurement& measurement) {
   const auto source = modulus.exactly_one({"prony", "curve", "measured", "law"});
   if (source.empty()) return;
   if (source == "law") {
@@ -78,7 +93,7 @@ void read_measured_modulus(const Section& modulus, Measurement& measurement) {
   }
   const auto path = modulus.file(source);
   if (path.empty()) return;
-  if (source == "measured") return read_fitted(modulus, path, measurement);
+  if (source == "measured") return read_fitted(modulus, path, materials, measurement);
   modulus.report_errors_of(source, [&] {
     if (source == "prony") {
       measurement.modulus = read_measured_series(path, measurement.kind);
@@ -101,7 +116,8 @@ std::string read_stage(const Section& section, const std::vector<Stage>& stages)
 
 }  // namespace
 
-std::vector<Measurement> read_measurements(const Section& deck, const std::vector<Stage>& stages, const Tests& tests) {
+std::vector<Measurement> read_measurements(const Section& deck, const std::vector<ShiftedMaterial>& materials,
+                                           const std::vector<Stage>& stages, const Tests& tests) {
   std::vector<Measurement> measurements;
   if (!deck.has("measurements")) return measurements;
   for (const auto& section : deck.sections("measurements")) {
@@ -114,7 +130,7 @@ std::vector<Measurement> read_measurements(const Section& deck, const std::vecto
     const auto key = section.exactly_one({"shear", "young", "bulk"});
     if (!key.empty()) {
       measurement.kind = *value_named<ModulusKind>(key);
-      read_measured_modulus(section.section(key), measurement);
+      read_measured_modulus(section.section(key), materials, measurement);
     }
     if (section.has("times")) measurement.times = read_time_window(section, "times");
     const bool tests_shear = std::ranges::find(tests.loads, shear_of_material(tests)) != tests.loads.end();

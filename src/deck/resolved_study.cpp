@@ -52,7 +52,7 @@ Study resolve(const Deck& document) {
   study.tests = read_tests(root, study.stages, defaults);
   const auto mixing = read_mixing(root);
   study.tests.mixing = mixing ? *mixing : default_mixing(study);
-  study.measurements = read_measurements(root, study.stages, study.tests);
+  study.measurements = read_measurements(root, study.materials, study.stages, study.tests);
   for (const auto& mistake : contradictions(study)) root.report("tests", mistake);
   const auto budget = read_budget(root, study);
   study.uncertain = document.uncertain_inputs();

@@ -135,6 +135,11 @@ TEST_F(MeasuredFrequencies, OfSeveralTemperaturesAreComparedAtTheReference) {
   const auto found = compared("out/comparison_dynamic.csv");
   EXPECT_GT(found.rows(), 7U) << "frequencies of both temperatures";
   EXPECT_THAT(found.numbers("ratio"), Each(DoubleNear(1.0, 1e-3)));
+  const auto warmer = study.breccia("check", {"--set", R"(measurements.0.shear.reference_temperature="20 degC")",
+                                              "--set", R"(materials.binder.temperature_shift.temperature="40 degC")"});
+  EXPECT_THAT(warmer.output + warmer.errors,
+              HasSubstr("reference_temperature: the measured modulus is at 293.15 K, and "
+                        "binder is at 313.15 K"));
 }
 
 TEST_F(MeasuredFrequencies, StandBesideAnAnswer) {

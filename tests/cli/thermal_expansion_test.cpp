@@ -1,6 +1,7 @@
 // The thermal expansion of composites, through the command line: beads of glass in a rubber that relaxes in shear
 // alone.
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -12,6 +13,7 @@
 
 #include "io/text_file.hpp"
 #include "messages.hpp"
+#include "rasters/npy.hpp"
 #include "study_directory.hpp"
 #include "tables/csv.hpp"
 
@@ -77,7 +79,7 @@ TEST(ThermalExpansionOfARun, FollowsFromTheBulkModulus) {
   const auto run = study.breccia("run");
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   EXPECT_THAT(run.output, HasSubstr("A, periodic, quasistatic: linear thermal expansion "));
-  EXPECT_THAT(run.output, HasSubstr("10^-6/K at 10 us, "));
+  EXPECT_THAT(run.output, HasSubstr("e-6 /K at 10 us, "));
   const auto table = read_expansion(study);
   const auto bulk = read_curve(study.result("curves.csv"), "A", "bulk");
   ASSERT_EQ(table.rows(), bulk.size()) << "the test in bulk was added";
@@ -127,6 +129,7 @@ TEST(ThermalExpansionOfARun, AVoidTakesNothingFromItsMatrix) {
   const StudyDirectory study(deck);
   const auto run = study.breccia("run", {"--set", R"(stages.0.filler.material="void")"});
   ASSERT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_THAT(run.output, HasSubstr("thermal expansion 200e-6 +- 0e-6 /K at 10 us"));
   EXPECT_THAT(read_expansion(study).numbers("thermal_expansion_1_per_K"), Each(::testing::DoubleNear(200e-6, 1e-10)));
 }
 
@@ -137,7 +140,7 @@ TEST(ThermalExpansionOfARun, SaysWhatIsInItsWay) {
     EXPECT_EQ(check.exit_code, 0) << check.errors;
     return check.output + check.errors;
   };
-  EXPECT_THAT(of({}), AllOf(Not(HasSubstr("thermal")), HasSubstr("    expands  200 10^-6/K\n"),
+  EXPECT_THAT(of({}), AllOf(Not(HasSubstr("thermal")), HasSubstr("    expands  200e-6 /K\n"),
                             HasSubstr("    loads    shear; A also bulk\n")));
   EXPECT_THAT(of({"--set", "materials.glass.thermal_expansion="}),
               HasSubstr("A: no thermal expansion: glass has no thermal_expansion"));
@@ -167,6 +170,27 @@ thermal_expansion = "60e-6 /K"
               HasSubstr("B, periodic: no thermal expansion: the bulk moduli of resin and A come "
                         "within a tenth of each other"));
   EXPECT_THAT(read_expansion(study).text("stage"), Each("A"));
+}
+
+TEST(ThermalExpansionOfARun, OfALaminateIsNotGiven) {
+  StudyDirectory study(replaced(std::string(deck), R"(box     = "1 mm"
+cells   = 8
+filler  = { material = "glass", sizes = { diameter = "0.8 mm" } }
+packing = { method = "regular", lattice = "sc" })",
+                                R"(packing = { method = "image", file = "layers.npy", pixel = "10 um", periodic = true,
+  labels = [{ value = 0, material = "rubber" }, { value = 1, material = "glass" }] })"));
+  std::vector<std::uint16_t> labels;
+  for (std::size_t i = 0; i < 64; ++i) labels.push_back(i < 16 ? 1 : 0);
+  const std::vector<std::size_t> extents = {4, 4, 4};
+  write_npy(study.path() / "layers.npy", extents, labels);
+  const std::vector<std::string> shears = {"--set", R"(tests.loads="isotropic")"};
+  const auto check = study.breccia("check", shears);
+  EXPECT_THAT(check.output + check.errors,
+              HasSubstr("A: its thermal expansion is that of an isotropic composite, which an image may not show"));
+  const auto run = study.breccia("run", shears);
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_THAT(run.output + run.errors, HasSubstr("A: no thermal expansion: its shears are more than a fifth apart"));
+  EXPECT_FALSE(std::filesystem::exists(study.result("thermal_expansion.csv")));
 }
 
 TEST(ThermalExpansionOfARun, RefusesWhatIsNoExpansion) {

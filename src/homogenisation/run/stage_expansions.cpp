@@ -10,6 +10,7 @@
 
 #include "breccia/viscoelasticity/thermal_expansion.hpp"
 
+#include "homogenisation/anisotropy.hpp"
 #include "homogenisation/stage_materials.hpp"
 #include "study/chain.hpp"
 #include "study/expansion_rules.hpp"
@@ -19,6 +20,14 @@ namespace {
 
 void add_once(std::vector<std::string>& warnings, std::string warning) {
   if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(std::move(warning));
+}
+
+/// Whether a box whose particles or pixels are given shows by its shears that it is not isotropic.
+bool is_anisotropic(const Stage& stage, const StageFindings& found) {
+  constexpr double most = 0.2;
+  const auto anisotropy = anisotropy_of_tests(stage.dimensions(), found.tests);
+  const bool is_given = stage.has_image() || stage.is_listed();
+  return is_given && anisotropy && std::max(anisotropy->first.distance, anisotropy->last.distance) > most;
 }
 
 double expansion_of(const Study& study, const Material& material) {
@@ -69,10 +78,12 @@ StageExpansion expansion_by(const TestResult& test, const ThermalExpansion& expa
   StageExpansion result{test.id, {}};
   for (std::size_t i = 0; i < test.modulus.size(); ++i) {
     const double time = test.modulus[i].time;
-    const auto of_bulk = i < test.errors.size() ? test.errors[i].whole() : std::nullopt;
+    const double sensitivity = expansion.sensitivity(time);
+    auto of_bulk = i < test.errors.size() ? test.errors[i].whole() : std::nullopt;
+    if (sensitivity == 0.0) of_bulk = 0.0;
     const auto error_of_matrix = of_matrix == nullptr ? std::optional(0.0) : error_at(*of_matrix, time);
     std::optional<double> error;
-    if (of_bulk && error_of_matrix) error = std::hypot(expansion.sensitivity(time) * *of_bulk, *error_of_matrix);
+    if (of_bulk && error_of_matrix) error = std::hypot(sensitivity * *of_bulk, *error_of_matrix);
     result.samples.push_back({time, expansion.at(time), error});
   }
   return result;
@@ -84,6 +95,13 @@ void add_expansions(const Study& study, const Stage& stage, const std::vector<St
                     StageFindings& found) {
   found.expansions.clear();
   if (!asks_for_expansion(study) || obstacle_to_expansion(study, stage)) return;
+  if (is_anisotropic(stage, found)) {
+    add_once(found.warnings,
+             fmt::format("{}: no thermal expansion: its shears are more than a fifth apart, so that it is "
+                         "not isotropic",
+                         stage.name));
+    return;
+  }
   const auto* inner = stage_of_matrix(study, stage);
   for (const auto& test : found.tests) {
     const auto* preferred = find_preferred_test(found.tests, Load::bulk, test.id.boundary, test.id.method);
