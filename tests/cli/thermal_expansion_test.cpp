@@ -173,15 +173,15 @@ thermal_expansion = "60e-6 /K"
 }
 
 TEST(ThermalExpansionOfARun, OfALaminateIsNotGiven) {
-  StudyDirectory study(replaced(std::string(deck), R"(box     = "1 mm"
+  StudyDirectory study(replaced(
+      std::string(deck), R"(box     = "1 mm"
 cells   = 8
 filler  = { material = "glass", sizes = { diameter = "0.8 mm" } }
 packing = { method = "regular", lattice = "sc" })",
-                                R"(packing = { method = "image", file = "layers.npy", pixel = "10 um", periodic = true,
-  labels = [{ value = 0, material = "rubber" }, { value = 1, material = "glass" }] })"));
+      R"(packing = { method = "image", file = "layers.npy", pixel = "10 um", periodic = true, labels = [{ value = 0, material = "rubber" }, { value = 1, material = "glass" }] })"));
   std::vector<std::uint16_t> labels;
-  for (std::size_t i = 0; i < 64; ++i) labels.push_back(i < 16 ? 1 : 0);
-  const std::vector<std::size_t> extents = {4, 4, 4};
+  for (std::size_t i = 0; i < 512; ++i) labels.push_back(i < 128 ? 1 : 0);
+  const std::vector<std::size_t> extents = {8, 8, 8};
   write_npy(study.path() / "layers.npy", extents, labels);
   const std::vector<std::string> shears = {"--set", R"(tests.loads="isotropic")"};
   const auto check = study.breccia("check", shears);

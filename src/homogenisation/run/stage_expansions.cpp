@@ -79,11 +79,11 @@ StageExpansion expansion_by(const TestResult& test, const ThermalExpansion& expa
   for (std::size_t i = 0; i < test.modulus.size(); ++i) {
     const double time = test.modulus[i].time;
     const double sensitivity = expansion.sensitivity(time);
-    auto of_bulk = i < test.errors.size() ? test.errors[i].whole() : std::nullopt;
-    if (sensitivity == 0.0) of_bulk = 0.0;
-    const auto error_of_matrix = of_matrix == nullptr ? std::optional(0.0) : error_at(*of_matrix, time);
-    std::optional<double> error;
-    if (of_bulk && error_of_matrix) error = std::hypot(sensitivity * *of_bulk, *error_of_matrix);
+    std::optional<double> error = of_matrix == nullptr ? std::optional(0.0) : error_at(*of_matrix, time);
+    if (sensitivity > 0.0) {
+      const auto of_bulk = i < test.errors.size() ? test.errors[i].whole() : std::nullopt;
+      error = error && of_bulk ? std::optional(std::hypot(sensitivity * *of_bulk, *error)) : std::nullopt;
+    }
     result.samples.push_back({time, expansion.at(time), error});
   }
   return result;
