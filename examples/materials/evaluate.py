@@ -4,9 +4,10 @@ docs/validation.md.
 
     examples/materials/evaluate.py [MATERIAL ...]
 
-MATERIAL is concrete, asphalt or polyethylene; all of them unless told. The program is `breccia` of the path, or BRECCIA of
-the environment; results are in `results/materials`, or the directory RESULTS of the environment; runs of the same decks
-that are there already are taken as they are. The rules by which each deck was written are in docs/validation.md."""
+MATERIAL is concrete, asphalt, asphalt-of-spheres or polyethylene; all of them unless told, but for asphalt-of-spheres, which
+takes hours. The program is `breccia` of the path, or BRECCIA of the environment; results are in `results/materials`, or the
+directory RESULTS of the environment; runs of the same decks that are there already are taken as they are. The rules by
+which each deck was written are in docs/validation.md."""
 
 import cmath
 import csv
@@ -163,37 +164,56 @@ def found_on_one_mixture(run):
     found = RESULTS / "asphalt-calibrated"
     subprocess.run([BRECCIA, "calibrate", run, "--measured", HERE / "asphalt" / "mixture_H0.csv",
                     "--unknown", 'bitumen.equilibrium={ from = "0.01 Pa", to = "1 MPa" }',
-                    "--unknown", "bitumen.times={ value = 1, factor = 30 }", "--out", found, "--overwrite"], check=True)
+                    "--unknown", "bitumen.times={ value = 1, factor = 30 }", "--out", found, "--overwrite"], check=True,
+                   stdout=sys.stderr)
     values = {row["unknown"]: float(row["value"]) for row in rows_of(found / "estimates.csv")}
     return values["bitumen.times"], values["bitumen.equilibrium"]
 
 
+SAMPLES = ("H0", "H3", "H9", "W0", "W3", "W6")
+
+
+def laws_of_samples():
+    """The 2S2P1D models of each sample, as binder and as mixture."""
+    return {(row["sample"], row["what"]): row for row in rows_of(HERE / "asphalt" / "parameters.csv")}
+
+
+def mixtures_as(model, table):
+    """Six mixtures, from one run with the bitumen H0 whose response answers the others; returns the run."""
+    laws = laws_of_samples()
+    run = solved(f"asphalt-{model}", f"asphalt/{model}.toml")
+    for sample in SAMPLES:
+        response = run
+        if sample != "H0":
+            response = answered(run, bitumen_file(laws[sample, "binder"], sample), f"asphalt-{model}-{sample}")
+        add_mixture(table, f"asphalt {sample} as {model}", run, response, laws[sample, "mixture"])
+    return run
+
+
+def asphalt_of_spheres(table):
+    """The mixtures as spheres in stages."""
+    mixtures_as("spheres", table)
+
+
 def asphalt(table):
-    """Six mixtures, from one run with the bitumen H0 whose response answers the others; then the same with what the
-    mixture H0 shows of its bitumen."""
-    laws = {(row["sample"], row["what"]): row for row in rows_of(HERE / "asphalt" / "parameters.csv")}
-    samples = ("H0", "H3", "H9", "W0", "W3", "W6")
-    for model in ("spheres", "grains"):
-        run = solved(f"asphalt-{model}", f"asphalt/{model}.toml")
-        for sample in samples:
-            response = run
-            if sample != "H0":
-                response = answered(run, bitumen_file(laws[sample, "binder"], sample), f"asphalt-{model}-{sample}")
-            add_mixture(table, f"asphalt {sample} as {model}", run, response, laws[sample, "mixture"])
+    """The mixtures as grains with films; then the same with what the mixture H0 shows of its bitumen."""
+    run = mixtures_as("grains", table)
+    laws = laws_of_samples()
     times, equilibrium = found_on_one_mixture(run)
     table.begin(f"With what the mixture H0 shows of its bitumen, times by a factor {times:.3g} and an equilibrium shear modulus "
                 f"of {equilibrium / 1e6:.3g} MPa, in all bitumens:")
-    for sample in samples:
+    for sample in SAMPLES:
         bitumen = bitumen_file(laws[sample, "binder"], f"{sample}-calibrated", times, equilibrium)
         response = answered(run, bitumen, f"asphalt-grains-{sample}-calibrated")
         add_mixture(table, f"asphalt {sample} as grains, calibrated on H0", run, response, laws[sample, "mixture"])
 
 
-MATERIALS = {"concrete": concrete, "polyethylene": polyethylene, "asphalt": asphalt}
+MATERIALS = {"concrete": concrete, "polyethylene": polyethylene, "asphalt": asphalt,
+             "asphalt-of-spheres": asphalt_of_spheres}
 
 
 def main():
-    chosen = sys.argv[1:] or list(MATERIALS)
+    chosen = sys.argv[1:] or [name for name in MATERIALS if name != "asphalt-of-spheres"]
     unknown = [name for name in chosen if name not in MATERIALS]
     if unknown:
         sys.exit(f"unknown material {', '.join(unknown)}; expected some of {', '.join(MATERIALS)}")
