@@ -82,6 +82,7 @@ std::vector<ComparedComplexSample> compared_in_frequency(const Measurement& meas
   std::vector<ComparedComplexSample> samples;
   if (!modulus.at) return samples;
   std::vector<double> frequencies;
+  frequencies.reserve(of_study.size());
   for (const auto& sample : of_study) frequencies.push_back(sample.angular_frequency);
   const TimeWindow window = {modulus.in_time.front().time, modulus.in_time.back().time};
   for (const auto& [omega, storage, loss] : measurement.complex_within(window, frequencies)) {
