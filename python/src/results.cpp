@@ -25,6 +25,7 @@
 #include "materials.hpp"
 #include "solution.hpp"
 #include "solution_state.hpp"
+#include "stage_dictionaries.hpp"
 #include "test_fields.hpp"
 #include "views.hpp"
 
@@ -156,66 +157,6 @@ auto of_test(const Answer& answer) {
     const auto& stage = self.cast<const SolvedStage&>().result;
     return answer(self, test_of(stage, {load, boundary, method, grid_word(grid)}));
   };
-}
-
-/// The complex moduli of a comparison: computed and measured ones at angular frequencies.
-void add_in_frequency(const Comparison& comparison, py::dict& one) {
-  std::vector<double> frequencies;
-  std::vector<std::complex<double>> moduli, measured;
-  for (const auto& sample : comparison.in_frequency) {
-    frequencies.push_back(sample.angular_frequency);
-    moduli.emplace_back(sample.storage, sample.loss);
-    measured.emplace_back(sample.measured_storage, sample.measured_loss);
-  }
-  const auto complex_array = [](const std::vector<std::complex<double>>& values) {
-    return py::array_t<std::complex<double>>(static_cast<py::ssize_t>(values.size()), values.data());
-  };
-  one["angular_frequency"] = array_of(frequencies);
-  one["complex_modulus"] = complex_array(moduli);
-  one["complex_measured"] = complex_array(measured);
-}
-
-py::list comparisons_of(const SolvedStage& stage) {
-  py::list comparisons;
-  for (const auto& comparison : stage.result.comparisons) {
-    std::vector<double> times, moduli, measured;
-    for (const auto& [time, modulus, value] : comparison.samples) {
-      times.push_back(time);
-      moduli.push_back(modulus);
-      measured.push_back(value);
-    }
-    py::dict one;
-    one["measurement"] = comparison.measurement;
-    one["kind"] = name_of(comparison.kind);
-    one["boundary"] = name_of(comparison.test.boundary);
-    one["method"] = name_of(comparison.test.method);
-    one["time"] = array_of(times);
-    one["modulus"] = array_of(moduli);
-    one["measured"] = array_of(measured);
-    add_in_frequency(comparison, one);
-    comparisons.append(one);
-  }
-  return comparisons;
-}
-
-py::list expansions_of(const SolvedStage& stage) {
-  py::list expansions;
-  for (const auto& [test, samples] : stage.result.expansions) {
-    std::vector<double> times, values, errors;
-    for (const auto& [time, expansion, error] : samples) {
-      times.push_back(time);
-      values.push_back(expansion);
-      errors.push_back(error.value_or(std::numeric_limits<double>::quiet_NaN()));
-    }
-    py::dict one;
-    one["boundary"] = name_of(test.boundary);
-    one["method"] = name_of(test.method);
-    one["time"] = array_of(times);
-    one["expansion"] = array_of(values);
-    one["error"] = array_of(errors);
-    expansions.append(one);
-  }
-  return expansions;
 }
 
 std::vector<Material> solids_of(const SolvedStage& stage) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "homogenisation/tests_of_solid.hpp"
 #include "results/best_tests.hpp"
 #include "virtual_test/bulk_test.hpp"
 #include "viscoelasticity/engineering_moduli.hpp"
@@ -20,13 +21,11 @@ std::vector<TestPair> pairs_of(const StageFindings& stage) {
   const auto best = best_tests(stage);
   std::vector<TestPair> pairs;
   for (const auto* bulk : best) {
-    if (!bulk->id.load.is_bulk() || !(bulk->series.unrelaxed() > 0.0)) continue;
+    if (!bulk->id.load.is_bulk()) continue;
     std::vector<const TestResult*> shears;
     std::vector<TestLoad> loads;
     for (const auto* test : best) {
-      const bool is_beside = test->id.boundary == bulk->id.boundary && test->id.method == bulk->id.method &&
-                             test->id.grid == bulk->id.grid && test->series.unrelaxed() > 0.0;
-      if (test->id.load.is_bulk() || !is_beside) continue;
+      if (test->id.load.is_bulk() || !are_of_one_solid(*test, *bulk)) continue;
       shears.push_back(test);
       loads.push_back(test->id.load);
     }

@@ -87,9 +87,7 @@ void check_measurement(const Measurement& measurement, const Study& study, Study
                             Dimension::pressure);
   }
   if (times && !is_rising_window(*times)) mistakes.add(part, "expected two rising positive times");
-  if (kind != ModulusKind::shear && kind != ModulusKind::young && kind != ModulusKind::bulk) {
-    mistakes.add(part, "expected a shear, Young's or bulk modulus");
-  }
+  if (name_of(kind).empty()) mistakes.add(part, "expected a shear, Young's or bulk modulus");
   const auto& loads = study.tests.loads;
   if (kind == ModulusKind::shear && std::ranges::find(loads, shear_of_material(study.tests)) == loads.end()) {
     mistakes.add(part, "there is no test in shear that could be compared");

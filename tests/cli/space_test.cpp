@@ -17,6 +17,7 @@
 
 #include "io/hdf5.hpp"
 #include "io/text_file.hpp"
+#include "lattice_stage.hpp"
 #include "study_directory.hpp"
 
 namespace breccia {
@@ -50,15 +51,7 @@ loads  = ["shear", "shear-xx-yy", "bulk"]
 points_per_decade = 3
 )";
 
-constexpr std::string_view lattice = R"(
-[[stages]]
-name    = "A"
-matrix  = "rubber"
-box     = "1 mm"
-cells   = 8
-filler  = { material = "glass", sizes = { diameter = "0.8 mm" } }
-packing = { method = "regular", lattice = "sc" }
-)";
+const std::string lattice = test::lattice_stage("A", "rubber", "glass");
 
 double shear_of_rubber(double time) {
   return 10e6 + 90e6 * std::exp(-time / 1e-3);

@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/text_file.hpp"
-#include "messages.hpp"
+#include "lattice_stage.hpp"
 #include "rasters/npy.hpp"
 #include "study_directory.hpp"
 #include "tables/csv.hpp"
@@ -25,7 +25,7 @@ using ::testing::Each;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-constexpr std::string_view deck = R"(title = "Glass in rubber"
+constexpr std::string_view materials_and_tests = R"(title = "Glass in rubber"
 dimensions = 3
 
 [materials.rubber]
@@ -40,29 +40,20 @@ bulk    = "40 GPa"
 shear   = "30 GPa"
 thermal_expansion = "8e-6 /K"
 
-[[stages]]
-name    = "A"
-matrix  = "rubber"
-box     = "1 mm"
-cells   = 8
-filler  = { material = "glass", sizes = { diameter = "0.8 mm" } }
-packing = { method = "regular", lattice = "sc" }
-
 [tests]
 times  = ["10 us", "100 ms"]
 loads  = ["shear"]
 points_per_decade = 3
 )";
 
-constexpr std::string_view second_stage = R"(
-[[stages]]
-name    = "B"
-matrix  = "A"
-box     = "10 mm"
-cells   = 8
-filler  = { material = "glass", sizes = { diameter = "8 mm" } }
-packing = { method = "regular", lattice = "sc" }
-)";
+std::string one_stage() {
+  return std::string(materials_and_tests) + lattice_stage("A", "rubber", "glass");
+}
+
+/// Larger spheres of a filler in the composite of the first stage.
+std::string two_stages(const std::string& filler = "glass") {
+  return one_stage() + lattice_stage("B", "A", filler, 10.0);
+}
 
 CsvTable read_expansion(const StudyDirectory& study) {
   return read_csv(study.result("thermal_expansion.csv"),
@@ -75,7 +66,7 @@ double by_levin(double matrix, double filler, double composite) {
 }
 
 TEST(ThermalExpansionOfARun, FollowsFromTheBulkModulus) {
-  const StudyDirectory study(deck);
+  const StudyDirectory study(one_stage());
   const auto run = study.breccia("run");
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   EXPECT_THAT(run.output, HasSubstr("A, periodic, quasistatic: linear thermal expansion "));
@@ -95,7 +86,7 @@ TEST(ThermalExpansionOfARun, FollowsFromTheBulkModulus) {
 }
 
 TEST(ThermalExpansionOfARun, OfEqualExpansionsIsTheSameInEveryStage) {
-  const StudyDirectory study(std::string(deck) + std::string(second_stage));
+  const StudyDirectory study(two_stages());
   const auto run = study.breccia("run", {"--set", R"(materials.glass.thermal_expansion="200e-6 /K")"});
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   const auto table = read_expansion(study);
@@ -104,7 +95,7 @@ TEST(ThermalExpansionOfARun, OfEqualExpansionsIsTheSameInEveryStage) {
 }
 
 TEST(ThermalExpansionOfARun, OfASecondStageIsBelowThatOfTheFirst) {
-  const StudyDirectory study(std::string(deck) + std::string(second_stage));
+  const StudyDirectory study(two_stages());
   ASSERT_EQ(study.breccia("run").exit_code, 0);
   const auto table = read_expansion(study);
   const auto& expansion = table.numbers("thermal_expansion_1_per_K");
@@ -118,7 +109,7 @@ TEST(ThermalExpansionOfARun, OfASecondStageIsBelowThatOfTheFirst) {
 
 // The tasks of a sweep over the second stage share the first one.
 TEST(ThermalExpansionOfARun, OfASharedStageIsThatOfARunOfItsOwn) {
-  const StudyDirectory study(std::string(deck) + std::string(second_stage));
+  const StudyDirectory study(two_stages());
   ASSERT_EQ(study.breccia("run", {"--sweep", "stages.1.cells=[6, 8]"}).exit_code, 0);
   const auto shared = read_text(study.result("cells-8/thermal_expansion.csv"));
   ASSERT_EQ(run_breccia(study.path(), {"run", "deck.toml", "--out", "alone"}).exit_code, 0);
@@ -126,7 +117,7 @@ TEST(ThermalExpansionOfARun, OfASharedStageIsThatOfARunOfItsOwn) {
 }
 
 TEST(ThermalExpansionOfARun, AVoidTakesNothingFromItsMatrix) {
-  const StudyDirectory study(deck);
+  const StudyDirectory study(one_stage());
   const auto run = study.breccia("run", {"--set", R"(stages.0.filler.material="void")"});
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   EXPECT_THAT(run.output, HasSubstr("thermal expansion 200e-6 +- 0e-6 /K at 10 us"));
@@ -134,7 +125,7 @@ TEST(ThermalExpansionOfARun, AVoidTakesNothingFromItsMatrix) {
 }
 
 TEST(ThermalExpansionOfARun, SaysWhatIsInItsWay) {
-  const StudyDirectory study(deck);
+  const StudyDirectory study(one_stage());
   const auto of = [&](const std::vector<std::string>& settings) {
     const auto check = study.breccia("check", settings);
     EXPECT_EQ(check.exit_code, 0) << check.errors;
@@ -156,14 +147,13 @@ TEST(ThermalExpansionOfARun, SaysWhatIsInItsWay) {
 
 // The bulk modulus of the first stage comes near that of the filler of the second, 2.7 GPa.
 TEST(ThermalExpansionOfARun, WarnsOfAMatrixThatComesNearItsFiller) {
-  const StudyDirectory study(std::string(deck) + std::string(second_stage));
-  study.write("deck.toml", replaced(std::string(deck), "[[stages]]", R"([materials.resin]
+  const StudyDirectory study(two_stages("resin") + R"(
+[materials.resin]
 density = "1.2 g/cm^3"
 bulk    = "2.7 GPa"
 shear   = "1 GPa"
 thermal_expansion = "60e-6 /K"
-
-[[stages]])") + replaced(std::string(second_stage), "glass", "resin"));
+)");
   const auto run = study.breccia("run");
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   EXPECT_THAT(run.output + run.errors,
@@ -173,12 +163,13 @@ thermal_expansion = "60e-6 /K"
 }
 
 TEST(ThermalExpansionOfARun, OfALaminateIsNotGiven) {
-  StudyDirectory study(replaced(
-      std::string(deck), R"(box     = "1 mm"
-cells   = 8
-filler  = { material = "glass", sizes = { diameter = "0.8 mm" } }
-packing = { method = "regular", lattice = "sc" })",
-      R"(packing = { method = "image", file = "layers.npy", pixel = "10 um", periodic = true, labels = [{ value = 0, material = "rubber" }, { value = 1, material = "glass" }] })"));
+  const StudyDirectory study(std::string(materials_and_tests) + R"(
+[[stages]]
+name    = "A"
+matrix  = "rubber"
+packing = { method = "image", file = "layers.npy", pixel = "10 um", periodic = true, labels = [
+  { value = 0, material = "rubber" }, { value = 1, material = "glass" }] }
+)");
   std::vector<std::uint16_t> labels;
   for (std::size_t i = 0; i < 512; ++i) labels.push_back(i < 128 ? 1 : 0);
   const std::vector<std::size_t> extents = {8, 8, 8};
@@ -194,7 +185,7 @@ packing = { method = "regular", lattice = "sc" })",
 }
 
 TEST(ThermalExpansionOfARun, RefusesWhatIsNoExpansion) {
-  const StudyDirectory study(deck);
+  const StudyDirectory study(one_stage());
   const auto mistake = [&](const std::string& value) {
     const auto check = study.breccia("check", {"--set", "materials.glass.thermal_expansion=" + value});
     EXPECT_EQ(check.exit_code, 2);

@@ -1,7 +1,6 @@
 #include "breccia/study/soundness.hpp"
 
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <string>
 #include <utility>
@@ -12,37 +11,19 @@
 
 #include "breccia/error.hpp"
 
-#include "messages.hpp"
+#include "study/expected_mistakes.hpp"
 #include "study/two_stages.hpp"
 
 namespace breccia {
 namespace {
 
+using test::expect_each;
+using test::mistakes_of;
 using testing::AllOf;
 using testing::HasSubstr;
-using testing::Not;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-std::string mistakes_of(const Study& study) {
-  return test::message_of<InputError>([&] { require_sound(study); });
-}
-
-/// One mistake in a sound study, and its message.
-struct Case {
-  std::function<void(Study&)> make;
-  std::string message;
-};
-
-/// Expects each mistake to be reported, and no other one.
-void expect_each(const std::vector<Case>& cases, const Study& sound) {
-  for (const auto& [make, message] : cases) {
-    auto study = sound;
-    make(study);
-    EXPECT_THAT(mistakes_of(study), AllOf(HasSubstr(message), Not(HasSubstr("\n")))) << message;
-  }
-}
 
 Filler& filler_of(Study& study) {
   return study.stages[0].fillers[0];
@@ -58,17 +39,8 @@ Study with_random_packing(Sizes sizes) {
   return study;
 }
 
-Study with_measurement() {
-  auto study = test::two_stages();
-  study.measurements = {
-      {.label = "a", .stage = "fine", .modulus = Curve{{1e-3, 2e6}, {1.0, 1e6}}, .times = TimeWindow{1e-3, 0.1}},
-      {.label = "b", .stage = "coarse", .modulus = PronySeries(1e6)}};
-  return study;
-}
-
 TEST(RequireSound, LetsAStudyPass) {
   EXPECT_NO_THROW(require_sound(test::two_stages()));
-  EXPECT_NO_THROW(require_sound(with_measurement()));
   EXPECT_NO_THROW(require_sound(with_random_packing(SingleSize{1e-3})));
 }
 
@@ -398,34 +370,6 @@ TEST(RequireSound, NamesWhatFlowThroughGapsDoesNotServe) {
   EXPECT_THAT(mistakes_of(study),
               AllOf(HasSubstr("in three dimensions: expected a periodic box (packing.walls = false)"),
                     HasSubstr("stage coarse: in three dimensions: expected spheres")));
-}
-
-TEST(RequireSound, NamesEachMistakeOfMeasurements) {
-  const auto with_curve = [](const Curve& curve) {
-    return [curve](Study& study) { study.measurements[0].modulus = curve; };
-  };
-  expect_each({{[](Study& study) { study.measurements[1].label = "a"; }, "measurement a: another measurement"},
-               {[](Study& study) { study.measurements[1].label = ""; }, "expected a name"},
-               {[](Study& study) { study.measurements[1].label = "b\nc"; }, "expected a name without line breaks"},
-               {[](Study& study) { study.measurements[1].stage = "C"; }, "measurement b: there is no stage \"C\""},
-               {[](Study& study) { study.measurements[1].modulus = PronySeries(); },
-                "measurement b: unrelaxed modulus: expected a positive pressure"},
-               {[](Study& study) {
-                  study.measurements[0].times = TimeWindow{0.1, 0.1};
-                },
-                "measurement a: expected two rising positive times"},
-               {with_curve({{1.0, 1e6}}), "measurement a: expected at least 2 points of the curve"},
-               {with_curve({{1.0, 1e6}, {1.0, 1e6}}), "measurement a: expected rising positive times of the curve"},
-               {with_curve({{0.0, 1e6}, {1.0, 1e6}}), "measurement a: expected rising positive times of the curve"},
-               {with_curve({{1.0, 1e6}, {2.0, 0.0}}), "measurement a: expected positive moduli of the curve"}},
-              with_measurement());
-  auto study = with_measurement();
-  study.tests.loads = {Load::bulk};
-  EXPECT_THAT(mistakes_of(study), HasSubstr("measurement b: there is no test in shear that could be compared"));
-  study.measurements[1].kind = ModulusKind::young;
-  EXPECT_THAT(mistakes_of(study), Not(HasSubstr("measurement b"))) << "both loads are added";
-  study.measurements[1].kind = ModulusKind::other;
-  EXPECT_THAT(mistakes_of(study), HasSubstr("measurement b: expected a shear, Young's or bulk modulus"));
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 // Tests of the mistakes in boxes of three dimensions that a program makes.
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -8,16 +7,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/error.hpp"
-#include "breccia/study/soundness.hpp"
-
-#include "messages.hpp"
+#include "study/expected_mistakes.hpp"
 #include "study/identity.hpp"
 #include "study/two_stages.hpp"
 
 namespace breccia {
 namespace {
 
+using test::mistakes_of;
 using testing::HasSubstr;
 
 /// A study with the first of two stages alone, as a box of three dimensions without sizes.
@@ -49,10 +46,6 @@ LaguerrePacking<3> grains(const Vector<3>& site) {
   return {.film = 0.01 * side(), .sites = {{site, 0.0}}};
 }
 
-std::string mistakes_in(const Study& study) {
-  return test::message_of<InputError>([&] { require_sound(study); });
-}
-
 TEST(SpaceSoundness, OfBoxesThatAreSound) {
   const double a = side();
   EXPECT_NO_THROW(require_sound(study_with(stack_of({{2, 2, 2}, 0.5 * a, Walls::hard, {0, 1, 1, 0, 0, 0, 0, 1}}))));
@@ -62,11 +55,11 @@ TEST(SpaceSoundness, OfBoxesThatAreSound) {
 
 TEST(SpaceSoundness, EachMistakeIsTold) {
   const double a = side();
-  EXPECT_THAT(mistakes_in(study_with(ImagePacking<3>{})), HasSubstr("expected a stack of images"));
-  EXPECT_THAT(mistakes_in(study_with(stack_of({{2, 2, 1}, 0.5 * a, Walls::hard, {0, 1, 1, 0}}))),
+  EXPECT_THAT(mistakes_of(study_with(ImagePacking<3>{})), HasSubstr("expected a stack of images"));
+  EXPECT_THAT(mistakes_of(study_with(stack_of({{2, 2, 1}, 0.5 * a, Walls::hard, {0, 1, 1, 0}}))),
               HasSubstr("expected a cubic image, got 2 x 2 x 1 pixels"));
-  EXPECT_THAT(mistakes_in(study_with(ellipsoid({0.5 * a, 0.4 * a, 1.3 * a}))), HasSubstr("crosses a wall"));
-  EXPECT_THAT(mistakes_in(study_with(grains({0.5 * a, 0.5 * a, 1.5 * a}))), HasSubstr("site 1: "));
+  EXPECT_THAT(mistakes_of(study_with(ellipsoid({0.5 * a, 0.4 * a, 1.3 * a}))), HasSubstr("crosses a wall"));
+  EXPECT_THAT(mistakes_of(study_with(grains({0.5 * a, 0.5 * a, 1.5 * a}))), HasSubstr("site 1: "));
 }
 
 TEST(SpaceSoundness, AngledShapesAreOfThePlane) {
@@ -77,7 +70,7 @@ TEST(SpaceSoundness, AngledShapesAreOfThePlane) {
   filler.shape = FillerShape{EllipticOutline{2.0}, {}};
   EXPECT_NO_THROW(require_sound(study));
   filler.shape->angle = 0.1;
-  EXPECT_THAT(mistakes_in(study), HasSubstr("expected ellipsoids without an angle"));
+  EXPECT_THAT(mistakes_of(study), HasSubstr("expected ellipsoids without an angle"));
 }
 
 TEST(SpaceSoundness, ThePlacesOfEachKindAreOfTheIdentity) {

@@ -133,7 +133,7 @@ struct ComparedComplexSample {
 /// time or in frequency at least.
 struct Comparison {
   std::string measurement;              ///< label of the measurement
-  TestId test;                          ///< the preferred test in shear of its boundary and method
+  TestId test;                          ///< the preferred one of its boundary and method, in shear or, for K, in bulk
   std::vector<ComparedSample> samples;  ///< the relaxation modulus at the times of the curve
   /// The complex modulus at rising frequencies: those that were measured or else, of a measured series, those of the
   /// study.

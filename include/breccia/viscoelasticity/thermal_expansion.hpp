@@ -29,13 +29,14 @@ class ThermalExpansion {
   /// Of a homogeneous solid with this expansion [1/K].
   explicit ThermalExpansion(double of_solid) : of_binder_(of_solid) {}
 
-  /// Takes what was so far as the matrix of a filler. Throws InputError where the bulk moduli do not determine the
+  /// Makes the solid so far the matrix of a filler. Throws InputError where the bulk moduli do not determine the
   /// expansion (determines_expansion).
   void add(ExpandingFiller filler);
 
   /// alpha(t) [1/K] at a time [s], t > 0, with an error below 1e-9 of the largest expansion of a phase.
   [[nodiscard]] double at(double time) const;
-  /// The absolute derivative of alpha at a time [s] by the logarithm of the bulk modulus of the last composite [1/K].
+  /// The absolute derivative of alpha by the logarithm of the bulk modulus of the last composite [1/K], with the moduli
+  /// at a time [s].
   [[nodiscard]] double sensitivity(double time) const;
 
  private:

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "homogenisation/tests_of_solid.hpp"
 #include "virtual_test/bulk_test.hpp"
 #include "viscoelasticity/engineering_moduli.hpp"
 
@@ -30,29 +31,24 @@ bool is_best(const TestResult& test, const std::vector<TestResult>& tests) {
   });
 }
 
-bool has_series(const TestResult& test) {
-  return test.series.unrelaxed() > 0.0;
-}
-
-/// Whether a test has a measured modulus as its own: G, and in three dimensions K.
-bool is_tested(ModulusKind kind, int dimensions) {
-  return kind == ModulusKind::shear || (kind == ModulusKind::bulk && !is_plane_strain(dimensions));
+/// The load of the tests of which a measured modulus is: bulk for K in three dimensions, where it is what is tested.
+TestLoad load_of(ModulusKind kind, int dimensions, TestLoad shear) {
+  return kind == ModulusKind::bulk && !is_plane_strain(dimensions) ? TestLoad(Load::bulk) : shear;
 }
 
 /// The modulus of a test itself.
 ComputedModulus tested_modulus(const TestResult& test) {
   ComputedModulus modulus{test.modulus, {}};
-  if (has_series(test)) modulus.at = [&test](double omega) { return test.series.complex_modulus(omega); };
+  if (test.series.unrelaxed() > 0.0) {
+    modulus.at = [&test](double omega) { return test.series.complex_modulus(omega); };
+  }
   return modulus;
 }
 
-/// E, or K in the plane, from a test in shear and that in bulk under the same boundary, by the same method and on the
-/// same grid; nothing without this test.
+/// E, or K in the plane, from a test in shear and the one in bulk beside it; nothing without this test.
 std::optional<ComputedModulus> modulus_of_both(ModulusKind kind, const StageFindings& stage, const TestResult& shear) {
   const auto* tested = find_preferred_test(stage.tests, Load::bulk, shear.id.boundary, shear.id.method);
-  if (tested == nullptr || tested->id.grid != shear.id.grid || !has_series(*tested) || !has_series(shear)) {
-    return std::nullopt;
-  }
+  if (tested == nullptr || !are_of_one_solid(shear, *tested)) return std::nullopt;
   const auto bulk = bulk_modulus_of(tested->series, shear.series, stage.dimensions);
   ComputedModulus modulus;
   if (kind == ModulusKind::bulk) {
@@ -64,6 +60,12 @@ std::optional<ComputedModulus> modulus_of_both(ModulusKind kind, const StageFind
   for (const auto& [time, of_shear] : shear.modulus) modulus.in_time.push_back({time, moduli.youngs_modulus(time)});
   modulus.at = [moduli](double omega) { return moduli.complex_youngs_modulus(omega); };
   return modulus;
+}
+
+/// The modulus of a kind from a test under its load (load_of); nothing where that takes another test that is missing.
+std::optional<ComputedModulus> computed_modulus(ModulusKind kind, const StageFindings& stage, const TestResult& test) {
+  const bool is_tested = kind == ModulusKind::shear || test.id.load.is_bulk();
+  return is_tested ? tested_modulus(test) : modulus_of_both(kind, stage, test);
 }
 
 std::vector<ComparedSample> compared_in_time(const Measurement& measurement, const Curve& curve) {
@@ -100,12 +102,11 @@ std::vector<Comparison> compare(const std::vector<Measurement>& measurements, co
   std::vector<Comparison> comparisons;
   for (const auto& measurement : measurements) {
     if (measurement.stage != stage.name) continue;
-    const bool is_of_one_test = is_tested(measurement.kind, stage.dimensions);
-    const TestLoad load = is_of_one_test && measurement.kind == ModulusKind::bulk ? Load::bulk : shear;
+    const auto load = load_of(measurement.kind, stage.dimensions, shear);
     for (const auto& test : tests) {
       if (!is_under(test, load, test.id.boundary)) continue;
       if (find_preferred_test(tests, load, test.id.boundary, test.id.method) != &test) continue;
-      const auto modulus = is_of_one_test ? tested_modulus(test) : modulus_of_both(measurement.kind, stage, test);
+      const auto modulus = computed_modulus(measurement.kind, stage, test);
       if (!modulus) continue;
       Comparison comparison{measurement.label, test.id, compared_in_time(measurement, modulus->in_time)};
       comparison.kind = measurement.kind;

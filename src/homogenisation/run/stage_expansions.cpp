@@ -35,23 +35,16 @@ double expansion_of(const Study& study, const Material& material) {
   return *find_material(study.materials, material.name)->thermal_expansion;
 }
 
-/// What a stage adds to the expansion of its matrix, where it has a filler.
-std::optional<ExpandingFiller> filler_of(const Study& study, const Stage& stage, const Material& matrix,
-                                         const PronySeries& composite) {
-  if (stage.fillers.empty()) return std::nullopt;
-  const auto& filler = stage.fillers.front().material;
-  return ExpandingFiller{expansion_of(study, filler), filler.bulk, matrix.bulk, composite};
-}
-
-/// The expansion of the material that is the matrix of a stage, from the binder on.
-ThermalExpansion expansion_of_matrix(const Study& study, const Stage& stage, const std::vector<StageResult>& earlier,
-                                     const TestId& test) {
+/// The expansion of a stage whose bulk modulus is given, from the binder on.
+ThermalExpansion expansion_of(const Study& study, const Stage& stage, const PronySeries& bulk,
+                              const std::vector<StageResult>& earlier, const TestId& test) {
+  const auto& matrix = matrix_of(stage.name, stage.matrix, earlier, test.boundary, test.method);
   const auto* inner = stage_of_matrix(study, stage);
-  if (inner == nullptr) return ThermalExpansion(expansion_of(study, std::get<Material>(stage.matrix)));
-  auto expansion = expansion_of_matrix(study, *inner, earlier, test);
-  const auto& matrix = matrix_of(inner->name, inner->matrix, earlier, test.boundary, test.method);
-  const auto& composite = matrix_of(stage.name, stage.matrix, earlier, test.boundary, test.method);
-  if (auto filler = filler_of(study, *inner, matrix, composite.bulk)) expansion.add(*std::move(filler));
+  auto expansion = inner == nullptr ? ThermalExpansion(expansion_of(study, matrix))
+                                    : expansion_of(study, *inner, matrix.bulk, earlier, test);
+  if (stage.fillers.empty()) return expansion;
+  const auto& filler = stage.fillers.front().material;
+  expansion.add({expansion_of(study, filler), filler.bulk, matrix.bulk, bulk});
   return expansion;
 }
 
@@ -110,16 +103,14 @@ void add_expansions(const Study& study, const Stage& stage, const std::vector<St
     // The warning of the earlier stage says why.
     if (inner != nullptr && of_matrix == nullptr) continue;
     const auto& matrix = matrix_of(stage.name, stage.matrix, earlier, test.id.boundary, test.id.method);
-    auto filler = filler_of(study, stage, matrix, test.series);
-    if (filler) {
-      if (const auto obstacle = obstacle_in_moduli(stage.fillers.front().material, matrix)) {
-        add_once(found.warnings,
-                 fmt::format("{}, {}: no thermal expansion: {}", stage.name, name_of(test.id.boundary), *obstacle));
-        continue;
-      }
+    const auto obstacle =
+        stage.fillers.empty() ? std::nullopt : obstacle_in_moduli(stage.fillers.front().material, matrix);
+    if (obstacle) {
+      add_once(found.warnings,
+               fmt::format("{}, {}: no thermal expansion: {}", stage.name, name_of(test.id.boundary), *obstacle));
+      continue;
     }
-    auto expansion = expansion_of_matrix(study, stage, earlier, test.id);
-    if (filler) expansion.add(*std::move(filler));
+    const auto expansion = expansion_of(study, stage, test.series, earlier, test.id);
     found.expansions.push_back(expansion_by(test, expansion, of_matrix));
   }
 }

@@ -173,10 +173,11 @@ function expansionCurves() {
     const {stage, boundary, method} = group[0];
     const errors = group.map((row) => (row.error_1_per_K === "" ? NaN : 1e6 * Number(row.error_1_per_K)));
     const y = group.map((row) => 1e6 * row.thermal_expansion_1_per_K);
-    const isKnown = errors.every(Number.isFinite);
+    const isKnown = errors.every(Number.isFinite), unknown = errors.map(() => NaN);
     return {role: "stage", quantity: "thermal-expansion", stage, load: shearOf(stageNamed(stage)), boundary, method,
       label: `${stage}, ${boundary}`, x: group.map((row) => row.time_s), y,
-      ...(isKnown && {band: errors, error: {whole: errors.map((error, i) => Math.abs(error / y[i]))}})};
+      ...(isKnown && {band: errors, error: {whole: errors.map((error, i) => Math.abs(error / y[i])), grid: unknown,
+        sample: unknown, solver: unknown, matrix: unknown}})};
   });
 }
 

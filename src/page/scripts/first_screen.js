@@ -179,7 +179,8 @@ export function showResult(curves) {
       ...sentencesBesideMeasured(curves, moduli, result, measured)]
     : resultSentences({stage: name, symbol: symbolOf(load, loadsOf(stage)), curves: result, error,
       binder: isShear ? binderBeside(stage) : undefined, measured});
-  const [first, ...others] = [...sentences, ...sentencesOnYoungsModulus(curves, result), onSpace(study, qualityOf(stage))].filter((sentence) => sentence !== "");
+  sentences.push(...sentencesOnYoungsModulus(curves, result), onSpace(study, qualityOf(stage)));
+  const [first, ...others] = sentences.filter((sentence) => sentence !== "");
   place.append(element("p", {id: "answer"}, element("strong", {}, unbroken(first)), ` ${unbroken(others.join(" "))}`));
   const next = nextStep(stageOf(stage));
   if (next !== "") place.append(element("p", {id: "next-step", className: "note"}, next));
@@ -234,7 +235,8 @@ export function showModuli(curves) {
   const moduli = study.frequencies_Hz === undefined ? [] : complexModuli(curves, result);
   if (moduli.length > 0) {
     const note = moduli.some(showsError) ? noteOnErrors(result, stage) : onAnisotropy(study, qualityOf(stage));
-    return showTable(stage, complexTable(moduli, load === "bulk" ? undefined : measuredComplex(curves, stage, "dynamic")), note);
+    const beside = load === "bulk" ? undefined : measuredComplex(curves, stage, "dynamic");
+    return showTable(stage, complexTable(moduli, beside), note);
   }
   const isShear = load !== "bulk";
   const binder = isShear ? binderBeside(stage) : undefined;

@@ -45,9 +45,8 @@ export function showComparison() {
   const extremes = study.stages.flatMap((stage) => (stage.comparisons ?? []).map((one) => {
     const [best, worst] = one.best === undefined || (isShownInFrequency && one.best_in_frequency !== undefined)
       ? [one.best_in_frequency, one.worst_in_frequency] : [one.best, one.worst];
-    const name = one.modulus === "shear" || one.modulus === undefined ? stage.name : `${stage.name}, ${letterOf(one.modulus)}`;
-    return [name, one.measurement, one.boundary, methodNames[one.method], ratioText(best),
-      ratioText(worst)];
+    return [nameOfModulus(stage.name, one.modulus), one.measurement, one.boundary, methodNames[one.method],
+      ratioText(best), ratioText(worst)];
   }));
   if (extremes.length > 0) {
     document.getElementById("comparison-tables").append(
@@ -61,9 +60,14 @@ function letterOf(modulus = "shear") {
   return {shear: "G", young: "E", bulk: "K"}[modulus];
 }
 
+/// The stage and the modulus that are compared: "mixture" for G, "mixture, E".
+function nameOfModulus(stage, modulus = "shear") {
+  return modulus === "shear" ? stage : `${stage}, ${letterOf(modulus)}`;
+}
+
 /// "mixture: rheometer", "mixture, E: tension".
-function titleOfComparison(stage, {measurement, modulus = "shear"}) {
-  return `${stage}${modulus === "shear" ? "" : `, ${letterOf(modulus)}`}: ${measurement}`;
+function titleOfComparison({stage, measurement, modulus}) {
+  return `${nameOfModulus(stage, modulus)}: ${measurement}`;
 }
 
 /// "1.020 at 10 ms", "1.020 at 16 Hz".
@@ -74,7 +78,6 @@ function ratioText({ratio, time_s: time, frequency_Hz: frequency}) {
 function showComparisonInTime(rows) {
   const place = document.getElementById("comparison-tables");
   for (const group of groupsOf(rows, ["measurement", "stage"])) {
-    const {stage} = group[0];
     const tests = groupsOf(group, ["boundary", "method"]);
     const names = tests.map(([row]) => `${row.boundary}, ${methodNames[row.method]}`);
     const at = (test, column, time) => valueAt(test.map((row) => row.time_s), test.map((row) => row[column]), time);
@@ -86,7 +89,7 @@ function showComparisonInTime(rows) {
         return Number.isFinite(modulus) ? [display(modulus, "Pa"), (modulus / measured).toFixed(3)] : ["–", "–"];
       })];
     });
-    place.append(element("h3", {}, titleOfComparison(stage, group[0])),
+    place.append(element("h3", {}, titleOfComparison(group[0])),
       table(["time", "measured", ...names.flatMap((name) => [name, "ratio"])], body));
   }
 }
@@ -96,7 +99,6 @@ function showComparisonInFrequency(rows) {
   const most = 20;
   const place = document.getElementById("comparison-tables");
   for (const group of groupsOf(rows, ["measurement", "stage"])) {
-    const {stage} = group[0];
     const letter = letterOf(group[0].modulus);
     const tests = groupsOf(group, ["boundary", "method"]);
     const step = Math.ceil(tests[0].length / most);
@@ -111,7 +113,7 @@ function showComparisonInFrequency(rows) {
             .map((ratio) => ratio.toFixed(3)).toSpliced(1, 0, `${minus(here.phase_difference_deg.toFixed(2))}°`);
         })];
     });
-    place.append(element("h3", {}, `${titleOfComparison(stage, group[0])}, over frequency`),
+    place.append(element("h3", {}, `${titleOfComparison(group[0])}, over frequency`),
       table(["frequency", `measured |${letter}*|`, "measured phase", ...tests.flatMap(([test]) =>
         [`|${letter}*| ratio`, "phase difference", `${letter}′ ratio`, `${letter}″ ratio`, "tan δ ratio"]
           .map((text) => named(text, test)))],
