@@ -17,6 +17,7 @@ function(breccia_library_versions variable)
     "libpng ${png_VERSION}"
     "libtiff ${tiff_VERSION}"
     "pugixml ${pugixml_VERSION}"
+    "libzip ${libzip_VERSION}"
     "zlib ${zlib_VERSION}"
     "xxHash ${xxhash_VERSION}"
     "PETSc ${petsc_VERSION}"

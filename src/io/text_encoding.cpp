@@ -97,6 +97,12 @@ std::string from_latin1(std::string_view text) {
 }  // namespace
 
 void refuse_binary(const std::filesystem::path& path, std::string_view text) {
+  if (text.starts_with("\xD0\xCF\x11\xE0")) {
+    throw InputError(
+        fmt::format("{}: expected text, got a document of an old format (.xls) or with a password; save its table as "
+                    "CSV, or in the format .xlsx without a password",
+                    path.string()));
+  }
   if (text.starts_with("PK\x03\x04")) {
     throw InputError(fmt::format(
         "{}: expected text, got a workbook of a spreadsheet or an archive; save its table as CSV", path.string()));
@@ -119,10 +125,9 @@ void require_utf8(const std::filesystem::path& path, std::string_view text) {
                                column, static_cast<std::uint8_t>(text[valid])));
 }
 
-TableText read_table_text(const std::filesystem::path& path) {
-  TableText table;
+TableText decoded_table(const std::filesystem::path& path, std::string bytes) {
+  TableText table = {std::move(bytes)};
   auto& [text, encoding] = table;
-  text = read_text(path);
   if (is_utf16(text)) {
     encoding = TextEncoding::utf16;
     auto decoded = from_utf16(text);
@@ -138,6 +143,10 @@ TableText read_table_text(const std::filesystem::path& path) {
   // On old systems lines end with a carriage return alone.
   if (text.find('\n') == std::string::npos) std::ranges::replace(text, '\r', '\n');
   return table;
+}
+
+TableText read_table_text(const std::filesystem::path& path) {
+  return decoded_table(path, read_text(path));
 }
 
 }  // namespace breccia::detail

@@ -21,8 +21,12 @@ void refuse_binary(const std::filesystem::path& path, std::string_view text);
 /// Throws InputError, with line and column, at the first byte that is not UTF-8.
 void require_utf8(const std::filesystem::path& path, std::string_view text);
 
-/// The text of a table. A file that is not UTF-8 is read as Latin-1, in which some instruments write "°", or, with a
-/// byte order mark or zero bytes, as UTF-16. Throws FileError, and InputError as refuse_binary() for other files.
+/// The text of a table from the bytes of its file. A file that is not UTF-8 is read as Latin-1, in which some
+/// instruments write "°", or, with a byte order mark or zero bytes, as UTF-16. Throws InputError as refuse_binary() for
+/// other files.
+TableText decoded_table(const std::filesystem::path& path, std::string bytes);
+
+/// The text of a table in a file, as decoded_table() has it. Throws FileError, and InputError as it does.
 TableText read_table_text(const std::filesystem::path& path);
 
 }  // namespace breccia::detail

@@ -14,13 +14,13 @@
 #include "breccia/error.hpp"
 
 #include "io/file_mistakes.hpp"
-#include "io/text_encoding.hpp"
 #include "tables/column_meaning.hpp"
 #include "tables/column_units.hpp"
 #include "tables/complex_modulus.hpp"
 #include "tables/csv_records.hpp"
 #include "tables/repeated_tables.hpp"
 #include "tables/table_layout.hpp"
+#include "tables/table_source.hpp"
 
 namespace breccia {
 
@@ -33,12 +33,9 @@ class MeasuredTableReader {
   }
 
   MeasuredTable read() {
-    auto [text, encoding] = detail::read_table_text(table_.path_);
-    try {
-      layout_ = detail::layout_of(text, choices_);
-    } catch (const InputError& error) {
-      throw InputError(fmt::format("{}: {}", table_.path_.string(), error.what()));
-    }
+    auto source = detail::read_table_source(table_.path_, choices_);
+    auto text = std::move(source.text);
+    layout_ = std::move(source.layout);
     table_.names_ = layout_.header.fields;
     if (layout_.is_aligned_by_blanks) text = detail::with_tabs(text);
     if (table_.names_.empty()) throw InputError(fmt::format("{}: expected a header line", table_.path_.string()));
@@ -48,7 +45,7 @@ class MeasuredTableReader {
     while (record && record->line <= layout_.header.line) record = records.next();
     read_meanings();
     find_labels();
-    table_.reading_ = {name_of(encoding), layout_.is_aligned_by_blanks ? ' ' : layout_.separator,
+    table_.reading_ = {source.encoding, source.sheet, layout_.is_aligned_by_blanks ? ' ' : layout_.separator,
                        layout_.has_decimal_commas, layout_.header.line};
     std::vector<std::string> units;
     if (record && is_row_of_units(record->fields)) {
@@ -71,11 +68,6 @@ class MeasuredTableReader {
  private:
   [[nodiscard]] std::string location(std::size_t line) const {
     return fmt::format("{}:{}", table_.path_.string(), line);
-  }
-
-  static std::string name_of(detail::TextEncoding encoding) {
-    if (encoding == detail::TextEncoding::utf16) return "UTF-16";
-    return encoding == detail::TextEncoding::latin1 ? "Latin-1" : "UTF-8";
   }
 
   /// Reports a file without names of columns, without separators or without a chosen column.

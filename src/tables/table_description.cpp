@@ -76,6 +76,12 @@ std::string_view words_of(char separator) {
 std::string layout_of(const MeasuredTable& table) {
   const auto& reading = table.reading();
   const auto tables = reading.tables > 1 ? fmt::format(" of {} tables", reading.tables) : "";
+  if (!reading.sheet.empty()) {
+    return fmt::format("{}: {}{}, sheet {}, {}names in row {}{}", table.path().string(),
+                       display_count(table.rows(), "row"), tables, shown_value(reading.sheet),
+                       reading.has_decimal_commas ? "decimal commas, " : "", reading.line_of_names,
+                       reading.has_row_of_units ? ", units below" : "");
+  }
   return fmt::format("{}: {}{}, {}, {}{} between columns, names in line {}{}", table.path().string(),
                      display_count(table.rows(), "row"), tables, reading.encoding,
                      reading.has_decimal_commas ? "decimal commas, " : "", words_of(reading.separator),

@@ -226,6 +226,20 @@ TEST_F(Instruments, TablesOfRelaxationAreNotOneCurve) {
                                         "temperatures may have several; keep one of them"));
 }
 
+TEST_F(Instruments, WorkbooksOfTwoLibraries) {
+  const auto beside = fit("openpyxl.xlsx", {"--reference-temperature", "20 degC"});
+  ASSERT_EQ(beside.exit_code, 0) << beside.errors;
+  EXPECT_THAT(beside.output, HasSubstr("openpyxl.xlsx: 27 rows, sheet \"Sweeps\", names in row 3, units below\n"));
+  EXPECT_THAT(beside.output, HasSubstr("not read                   \"Remark\""));
+  expect_the_solid();
+  const auto first = fit("xlsxwriter.xlsx", {"--reference-temperature", "20 degC", "--overwrite"});
+  ASSERT_EQ(first.exit_code, 0) << first.errors;
+  EXPECT_THAT(first.output, HasSubstr("xlsxwriter.xlsx: 27 rows, sheet \"DMA\", names in row 1\n"));
+  EXPECT_THAT(first.output, HasSubstr("storage modulus (shear)    \"G' [Pa]\" [Pa], "));
+  EXPECT_THAT(first.output, HasSubstr("not read                   \"Measured on\""));
+  expect_the_solid();
+}
+
 TEST_F(Instruments, FilesThatAreNotSoundAreRefusedWithWhatIsWrong) {
   struct Broken {
     const char* file;
@@ -242,7 +256,7 @@ TEST_F(Instruments, FilesThatAreNotSoundAreRefusedWithWhatIsWrong) {
       {"broken-signs.csv",
        {":2: Loss modulus [MPa]: expected a positive number, got -0.1",
         ":4: Storage modulus [MPa]: expected a positive number, got 0"}},
-      {"broken-workbook.csv", {"got a workbook of a spreadsheet or an archive; save its table as CSV"}},
+      {"broken-workbook.csv", {"broken-workbook.csv: a damaged archive: "}},
   };
   for (const auto& [file, messages] : files) {
     const auto outcome = fit(file);

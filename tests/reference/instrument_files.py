@@ -3,7 +3,7 @@
 
 The solid is G*(omega, T) of three Maxwell elements beside a spring, with the shift law of Williams, Landel and Ferry
 (c1 = 10, c2 = 100 K at 20 degC); in tension E = 3 G. Headers follow the habits of rheometers and analysers; no file is
-a copy of one. Ten files are sound, five are not.
+a copy of one. Ten files are sound, five are not. workbooks.py writes two more.
 
     python3 tests/reference/instrument_files.py
 """

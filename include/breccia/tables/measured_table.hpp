@@ -21,12 +21,13 @@ struct MeasuredColumn {
   std::vector<double> written;  ///< the numbers in the file
 };
 
-/// The way in which the text of a table was read.
+/// The way in which a table was read.
 struct TableReading {
-  std::string encoding;  ///< "UTF-8", "Latin-1" or "UTF-16"
+  std::string encoding;  ///< of a text: "UTF-8", "Latin-1" or "UTF-16"; empty for a workbook
+  std::string sheet;     ///< of a workbook: the name of the sheet; empty for a text
   char separator = ',';  ///< separator of the columns; a blank stands for two blanks and more
   bool has_decimal_commas = false;
-  std::size_t line_of_names = 0;  ///< line of the names of the columns, from 1
+  std::size_t line_of_names = 0;  ///< line (row of a sheet) of the names of the columns, from 1
   bool has_row_of_units = false;  ///< whether a row of units follows the names
   std::size_t tables = 1;         ///< number of tables of the same columns, one below the other
 };

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+struct zip;
+
+namespace breccia::detail {
+
+/// A ZIP archive in memory, whose entries are read by libzip.
+class ZipArchive {
+ public:
+  /// The bytes must outlive this object. Throws InputError with the reason if they are no sound archive.
+  explicit ZipArchive(std::string_view bytes);
+
+  /// The content of an entry, by its path in the archive; empty if there is none of this name. Throws InputError with
+  /// the reason if it is damaged, encrypted or longer than 256 MiB.
+  [[nodiscard]] std::string entry(const std::string& name) const;
+
+ private:
+  struct Discard {
+    void operator()(zip* archive) const noexcept;
+  };
+  std::unique_ptr<zip, Discard> archive_;
+};
+
+}  // namespace breccia::detail
