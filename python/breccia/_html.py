@@ -223,6 +223,8 @@ def engineering_html(moduli: _native.EngineeringModuli) -> str:
                   Curve("K", moduli.time, moduli.bulk, 2)])
     first, last = _three_digits(moduli.time[0], "s"), _three_digits(moduli.time[-1], "s")
     ratio = f"Poisson's ratio {moduli.poisson[0]:.4g} at {first}, {moduli.poisson[-1]:.4g} at {last}"
+    young, poisson = moduli.young_error.max(), moduli.poisson_error.max()
+    ratio += "; errors unknown" if np.isnan(young) else f"; error of E up to {100 * young:.2g} %, of the ratio {poisson:.2g}"
     return f"<div>{html.escape(repr(moduli))}</div>{drawn}<div>{html.escape(ratio)}</div>"
 
 

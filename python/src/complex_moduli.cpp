@@ -93,9 +93,7 @@ void bind_complex_moduli(py::module_& module) {
                              "Phase of M* [degrees].")
       .def_property_readonly("loss_tangent", each([](const ComplexSample& one) { return one.loss / one.storage; }),
                              "tan delta = M'' / M' [-].")
-      .def_property_readonly("error", each([](const ComplexSample& one) {
-                               return one.error.value_or(std::numeric_limits<double>::quiet_NaN());
-                             }),
+      .def_property_readonly("error", each([](const ComplexSample& one) { return number_or_nan(one.error); }),
                              "Error of the modulus over it [-], that of the relaxation modulus at the time 1/omega "
                              "(TestResult.error); NaN where it is not known.")
       .def_readonly("is_of_deck", &ComplexModuli::is_of_deck, "Whether the deck gives these frequencies.")

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <complex>
+#include <cstddef>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -37,6 +39,15 @@ auto column(std::vector<Sample> EngineeringCurves::*samples, Number Sample::*mem
   };
 }
 
+/// An error of each sample in time as an array; NaN where it is not known.
+auto errors_of(std::optional<double> EngineeringErrors::*member) {
+  return [member](const EngineeringCurves& self) {
+    std::vector<double> errors;
+    for (const auto& sample : self.in_time) errors.push_back(number_or_nan(sample.errors.*member));
+    return array_of(errors);
+  };
+}
+
 /// The tests that are missing under a boundary condition for Young's modulus.
 std::string lacking(const StageFindings& stage, const std::optional<std::string>& boundary) {
   bool has_shear = false, has_bulk = false;
@@ -55,11 +66,15 @@ std::string lacking(const StageFindings& stage, const std::optional<std::string>
 /// What the curves follow from: the test, where they are sampled, and the series.
 py::tuple state_of(const EngineeringCurves& curves) {
   std::vector<double> times, frequencies;
-  for (const auto& sample : curves.in_time) times.push_back(sample.time);
+  std::vector<std::vector<std::optional<double>>> errors;
+  for (const auto& sample : curves.in_time) {
+    times.push_back(sample.time);
+    errors.push_back({sample.errors.bulk, sample.errors.young, sample.errors.poisson});
+  }
   for (const auto& sample : curves.in_frequency) frequencies.push_back(sample.angular_frequency);
   const auto& test = curves.test;
   return py::make_tuple(name_of(test.load), name_of(test.boundary), name_of(test.method), name_of(test.grid), times,
-                        frequencies, python::state_of(curves.shear), python::state_of(curves.bulk));
+                        frequencies, python::state_of(curves.shear), python::state_of(curves.bulk), errors);
 }
 
 EngineeringCurves curves_from(const py::tuple& state) {
@@ -72,7 +87,12 @@ EngineeringCurves curves_from(const py::tuple& state) {
                               {},
                               series_from(state[6].cast<py::tuple>()),
                               series_from(state[7].cast<py::tuple>())};
-  for (const double time : state[4].cast<std::vector<double>>()) curves.in_time.push_back(curves.at_time(time));
+  const auto times = state[4].cast<std::vector<double>>();
+  const auto errors = state[8].cast<std::vector<std::vector<std::optional<double>>>>();
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    curves.in_time.push_back(curves.at_time(times[i]));
+    curves.in_time.back().errors = {.bulk = errors.at(i).at(0), .young = errors[i].at(1), .poisson = errors[i].at(2)};
+  }
   for (const double frequency : state[5].cast<std::vector<double>>()) {
     curves.in_frequency.push_back(curves.at(frequency));
   }
@@ -132,6 +152,12 @@ void bind_engineering(py::module_& module) {
       .def_property_readonly("poisson", column(in_time, &Timed::poisson), "Poisson's ratio nu(t) [-].")
       .def_property_readonly("tensile_compliance", column(in_time, &Timed::tensile_compliance),
                              "Creep compliance in tension D(t) [1/Pa].")
+      .def_property_readonly("bulk_error", errors_of(&EngineeringErrors::bulk),
+                             "Error of K(t), a share of it; NaN where those of the tests are not known.")
+      .def_property_readonly("young_error", errors_of(&EngineeringErrors::young),
+                             "Error of E(t) and of D(t), a share of them; NaN as above.")
+      .def_property_readonly("poisson_error", errors_of(&EngineeringErrors::poisson),
+                             "Error of nu(t) itself; NaN as above.")
       .def_property_readonly(
           "angular_frequency", column(in_frequency, &Complex::angular_frequency),
           "Angular frequencies of the complex moduli [rad/s], rising: those of the deck, or one over the "

@@ -62,7 +62,7 @@ template <class Part>
 py::array_t<double> shares_of(const TestResult& test, const Part& part) {
   std::vector<double> shares;
   for (const auto& error : test.errors) {
-    shares.push_back(std::optional<double>(part(error)).value_or(std::numeric_limits<double>::quiet_NaN()));
+    shares.push_back(number_or_nan(part(error)));
   }
   return py::array_t<double>(static_cast<py::ssize_t>(shares.size()), shares.data());
 }

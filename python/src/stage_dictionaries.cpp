@@ -16,12 +16,13 @@ namespace py = pybind11;
 
 /// The complex moduli of a comparison: computed and measured ones at angular frequencies.
 void add_in_frequency(const Comparison& comparison, py::dict& one) {
-  std::vector<double> frequencies;
+  std::vector<double> frequencies, errors;
   std::vector<std::complex<double>> moduli, measured;
   for (const auto& sample : comparison.in_frequency) {
     frequencies.push_back(sample.angular_frequency);
     moduli.emplace_back(sample.storage, sample.loss);
     measured.emplace_back(sample.measured_storage, sample.measured_loss);
+    errors.push_back(number_or_nan(sample.error));
   }
   const auto complex_array = [](const std::vector<std::complex<double>>& values) {
     return py::array_t<std::complex<double>>(static_cast<py::ssize_t>(values.size()), values.data());
@@ -29,6 +30,7 @@ void add_in_frequency(const Comparison& comparison, py::dict& one) {
   one["angular_frequency"] = array_of(frequencies);
   one["complex_modulus"] = complex_array(moduli);
   one["complex_measured"] = complex_array(measured);
+  one["complex_error"] = array_of(errors);
 }
 
 }  // namespace
@@ -36,11 +38,12 @@ void add_in_frequency(const Comparison& comparison, py::dict& one) {
 py::list comparisons_of(const SolvedStage& stage) {
   py::list comparisons;
   for (const auto& comparison : stage.result.comparisons) {
-    std::vector<double> times, moduli, measured;
-    for (const auto& [time, modulus, value] : comparison.samples) {
+    std::vector<double> times, moduli, measured, errors;
+    for (const auto& [time, modulus, value, error] : comparison.samples) {
       times.push_back(time);
       moduli.push_back(modulus);
       measured.push_back(value);
+      errors.push_back(number_or_nan(error));
     }
     py::dict one;
     one["measurement"] = comparison.measurement;
@@ -50,6 +53,7 @@ py::list comparisons_of(const SolvedStage& stage) {
     one["time"] = array_of(times);
     one["modulus"] = array_of(moduli);
     one["measured"] = array_of(measured);
+    one["error"] = array_of(errors);
     add_in_frequency(comparison, one);
     comparisons.append(one);
   }
@@ -63,7 +67,7 @@ py::list expansions_of(const SolvedStage& stage) {
     for (const auto& [time, expansion, error] : samples) {
       times.push_back(time);
       values.push_back(expansion);
-      errors.push_back(error.value_or(std::numeric_limits<double>::quiet_NaN()));
+      errors.push_back(number_or_nan(error));
     }
     py::dict one;
     one["boundary"] = name_of(test.boundary);

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include <pybind11/numpy.h>
@@ -28,6 +30,11 @@ pybind11::array view_of(const std::vector<Element>& list, double Element::*membe
 template <class Number>
 pybind11::array view_of(const Number* first, std::vector<pybind11::ssize_t> shape, pybind11::handle owner) {
   return read_only(pybind11::array_t<Number>(std::move(shape), first, owner));
+}
+
+/// A number, or NaN where it is not known.
+inline double number_or_nan(const std::optional<double>& number) {
+  return number.value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
 /// The numbers of a list as a NumPy array of their own.

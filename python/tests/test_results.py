@@ -192,6 +192,8 @@ def test_engineering_moduli_are_those_of_the_files(binder, particle, tmp_path):
     result = breccia.run(breccia.Study(stage, tests), tmp_path / "run")
     columns = {"time_s": "time", "shear_modulus_Pa": "shear", "bulk_modulus_Pa": "bulk", "youngs_modulus_Pa": "young",
                "poisson_ratio": "poisson", "tensile_compliance_1_per_Pa": "tensile_compliance"}
+    errors = {"bulk_modulus_error": "bulk_error", "youngs_modulus_error": "young_error",
+              "poisson_ratio_error": "poisson_error"}
     with open(tmp_path / "run" / "engineering.csv") as file:
         in_time = list(csv.DictReader(line for line in file if not line.startswith("#")))
     with open(tmp_path / "run" / "engineering_dynamic.csv") as file:
@@ -203,6 +205,10 @@ def test_engineering_moduli_are_those_of_the_files(binder, particle, tmp_path):
         for column, name in columns.items():
             written = [float(row[column]) for row in rows]
             assert written == getattr(moduli, name).tolist() == getattr(stored.engineering(boundary), name).tolist()
+        for column, name in errors.items():
+            written = [float(row[column] or "nan") for row in rows]
+            for one in (moduli, stored.engineering(boundary), pickle.loads(pickle.dumps(moduli))):
+                assert np.array_equal(written, getattr(one, name), equal_nan=True)
         rows = [row for row in in_frequency if row["boundary"] == boundary]
         assert [float(row["angular_frequency_rad_per_s"]) for row in rows] == moduli.angular_frequency.tolist()
         for column, name in (("shear", "shear"), ("bulk", "bulk"), ("youngs", "young")):

@@ -148,8 +148,9 @@ StudyDocument DirectorySink::write_record(const StudyResult& result) const {
 }
 
 void DirectorySink::write_finished_stage(const Stage& stage, const StudyResult& result) const {
+  // Errors are known now.
+  write_curves(directory_, result, FrequencyRows::of(study_.tests));
   write_comparisons(directory_, result);
-  write_errors(directory_ / "errors.csv", result);
   write_expansions(directory_ / "thermal_expansion.csv", result);
   const auto record = write_record(result);
   write_plots(directory_ / stage.name, study_, stage, result);

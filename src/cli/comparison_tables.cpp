@@ -24,6 +24,17 @@ std::string words_on_modulus(const StageResult& stage, const Comparison& compare
   return kind + (is_one ? " in shear xy, one of several shears," : "");
 }
 
+/// Words on the errors of the computed moduli of samples.
+template <class Sample>
+std::string words_on_errors(const std::vector<Sample>& samples) {
+  double largest = 0.0;
+  for (const auto& sample : samples) {
+    if (!sample.error) return "error of the computed modulus unknown";
+    largest = std::max(largest, *sample.error);
+  }
+  return fmt::format("error of the computed modulus up to {:.2g} %", 100.0 * largest);
+}
+
 /// A table of the ratios of all computed moduli to one measurement, at whole decades; empty without samples in time.
 std::string table_in_time(const std::string& measurement, const StageResult& stage) {
   std::vector<const Comparison*> compared;
@@ -55,9 +66,10 @@ std::string table_in_time(const std::string& measurement, const StageResult& sta
   }
   for (const auto* comparison : compared) {
     const auto &best = *comparison->best(), &worst = *comparison->worst();
-    text += fmt::format("\n  {}, {}: nearest {:.3f} at {}, furthest {:.3f} at {}", name_of(comparison->test.boundary),
-                        name_of(comparison->test.method), best.ratio(), display_time(best.time), worst.ratio(),
-                        display_time(worst.time));
+    text +=
+        fmt::format("\n  {}, {}: nearest {:.3f} at {}, furthest {:.3f} at {}; {}", name_of(comparison->test.boundary),
+                    name_of(comparison->test.method), best.ratio(), display_time(best.time), worst.ratio(),
+                    display_time(worst.time), words_on_errors(comparison->samples));
   }
   return text + "\n";
 }
@@ -88,8 +100,9 @@ std::string table_in_frequency(const StageResult& stage, const Comparison& compa
                         fmt::format("{:.3g} deg", degrees * std::atan2(one.measured_loss, one.measured_storage)));
   }
   const auto &best = *comparison.best_in_frequency(), &worst = *comparison.worst_in_frequency();
-  return text + fmt::format("\n  |{}*|: nearest {:.3f} at {}, furthest {:.3f} at {}\n", letter, best.ratio(),
-                            hertz(best.angular_frequency), worst.ratio(), hertz(worst.angular_frequency));
+  return text + fmt::format("\n  |{}*|: nearest {:.3f} at {}, furthest {:.3f} at {}; {}\n", letter, best.ratio(),
+                            hertz(best.angular_frequency), worst.ratio(), hertz(worst.angular_frequency),
+                            words_on_errors(samples));
 }
 
 std::string table_of(const std::string& measurement, const StageResult& stage, Abscissa abscissa) {

@@ -1,5 +1,6 @@
 #include "cli/frequency_tables.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -47,12 +48,15 @@ std::string table_of(const StageResult& stage, const TestResult& test) {
 
 /// Young's modulus, with Poisson's ratio.
 std::string table_of(const StageResult& stage, const EngineeringCurves& curves) {
+  const bool has_errors =
+      std::ranges::any_of(curves.in_frequency, [](const auto& sample) { return sample.errors.young.has_value(); });
   auto text = head_of_table(fmt::format("{}, E, {}, {}; nu is the real part of Poisson's ratio", stage.name,
                                         name_of(curves.test.boundary), name_of(curves.test.method)),
-                            "E", false);
+                            "E", has_errors);
   text.insert(text.size() - 1, fmt::format("  {:>8}", "nu"));
   for (const auto& sample : curves.in_frequency) {
-    text += row_of({sample.angular_frequency, sample.young.real(), sample.young.imag()}, "") +
+    const auto error = has_errors ? fmt::format("  {:>8}", error_text(sample.errors.young)) : "";
+    text += row_of({sample.angular_frequency, sample.young.real(), sample.young.imag()}, error) +
             fmt::format("  {:>8.4f}\n", sample.poisson.real());
   }
   return text;

@@ -16,11 +16,14 @@ std::vector<double> frequencies_in_hertz(const Curve& curve, int per_decade) {
   return frequencies;
 }
 
-std::optional<double> whole_error_at(const TestResult& test, double time) {
-  if (test.errors.empty()) return std::nullopt;
+std::size_t nearest_sample(const Curve& curve, double time) {
   const auto nearest = std::ranges::min_element(
-      test.modulus, {}, [time](const Sample& sample) { return std::abs(std::log(sample.time / time)); });
-  return test.errors.at(static_cast<std::size_t>(nearest - test.modulus.begin())).whole();
+      curve, {}, [time](const Sample& sample) { return std::abs(std::log(sample.time / time)); });
+  return static_cast<std::size_t>(nearest - curve.begin());
+}
+
+std::optional<double> whole_error_at(const TestResult& test, double time) {
+  return test.errors.empty() ? std::nullopt : test.errors.at(nearest_sample(test.modulus, time)).whole();
 }
 
 std::vector<ComplexSample> complex_moduli(const TestResult& test, const std::vector<double>& angular_frequencies) {

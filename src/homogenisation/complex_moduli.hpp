@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -11,6 +12,9 @@ namespace breccia {
 /// The angular frequencies [rad/s] at 10^(k/n) Hz for whole k, n a decade, and at the first and the last frequency 1/t
 /// of the times t of a curve; rising.
 std::vector<double> frequencies_in_hertz(const Curve& curve, int per_decade);
+
+/// The index of the sample of a curve that is nearest to a time [s], on a logarithmic axis.
+std::size_t nearest_sample(const Curve& curve, double time);
 
 /// The whole error of a test at its time nearest to the given one [s]; nothing where it is not known.
 std::optional<double> whole_error_at(const TestResult& test, double time);

@@ -32,7 +32,7 @@ Json table_for_page(const std::filesystem::path& file, const std::vector<std::st
 }
 
 std::vector<std::string> text_columns_of_tests() {
-  // The numbers of quality.csv and errors.csv may be missing, so they are read as text.
+  // Numbers that may not be known, as those of quality.csv and errors, are read as text.
   return {"measurement",
           "modulus",
           "stage",
@@ -49,7 +49,10 @@ std::vector<std::string> text_columns_of_tests() {
           "sample_error",
           "solver_error",
           "matrix_error",
-          "error_1_per_K"};
+          "error_1_per_K",
+          "bulk_modulus_error",
+          "youngs_modulus_error",
+          "poisson_ratio_error"};
 }
 
 }  // namespace breccia

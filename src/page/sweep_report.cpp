@@ -86,7 +86,7 @@ std::map<Measured, std::map<double, std::vector<double>>> measured_in(const fs::
                                                                       const std::vector<std::string>& values) {
   std::map<Measured, std::map<double, std::vector<double>>> measured;
   if (!is_there(file)) return measured;
-  const auto table = read_csv(file, {"measurement", "modulus", "stage", "boundary", "method", "cells"});
+  const auto table = read_csv(file, {"measurement", "modulus", "stage", "boundary", "method", "cells", "error"});
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (table.has("modulus") && table.text("modulus")[row] != name_of(ModulusKind::shear)) continue;
     auto& found = measured[{table.text("stage")[row], table.text("measurement")[row]}][table.numbers(abscissa)[row]];

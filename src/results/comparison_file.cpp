@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "results/test_columns.hpp"
 #include "tables/csv.hpp"
 
 namespace breccia {
@@ -33,6 +34,7 @@ class ComparisonColumns {
 void write_in_time(const std::filesystem::path& file, const StudyResult& result) {
   ComparisonColumns compared;
   std::vector<double> times, moduli, measured, ratios;
+  std::vector<std::string> errors;
   for (const auto& stage : result.stages) {
     for (const auto& comparison : stage.comparisons) {
       for (const auto& sample : comparison.samples) {
@@ -41,12 +43,15 @@ void write_in_time(const std::filesystem::path& file, const StudyResult& result)
         moduli.push_back(sample.modulus);
         measured.push_back(sample.measured);
         ratios.push_back(sample.ratio());
+        errors.push_back(text_if_known(sample.error));
       }
     }
   }
   if (times.empty()) return;
   auto table = compared.columns();
-  table.insert(table.end(), {{"time_s", times}, {"modulus_Pa", moduli}, {"measured_Pa", measured}, {"ratio", ratios}});
+  table.insert(
+      table.end(),
+      {{"time_s", times}, {"modulus_Pa", moduli}, {"measured_Pa", measured}, {"ratio", ratios}, {"error", errors}});
   write_csv(file, table);
 }
 
@@ -55,6 +60,7 @@ void write_in_frequency(const std::filesystem::path& file, const StudyResult& re
   ComparisonColumns compared;
   std::vector<double> hertz, omegas, storage, loss, measured_storage, measured_loss, ratios, storage_ratios,
       loss_ratios, phases;
+  std::vector<std::string> errors;
   for (const auto& stage : result.stages) {
     for (const auto& comparison : stage.comparisons) {
       for (const auto& sample : comparison.in_frequency) {
@@ -69,6 +75,7 @@ void write_in_frequency(const std::filesystem::path& file, const StudyResult& re
         storage_ratios.push_back(sample.storage / sample.measured_storage);
         loss_ratios.push_back(sample.loss / sample.measured_loss);
         phases.push_back(degrees * sample.phase_difference());
+        errors.push_back(text_if_known(sample.error));
       }
     }
   }
@@ -83,7 +90,8 @@ void write_in_frequency(const std::filesystem::path& file, const StudyResult& re
                              {"ratio", ratios},
                              {"storage_ratio", storage_ratios},
                              {"loss_ratio", loss_ratios},
-                             {"phase_difference_deg", phases}});
+                             {"phase_difference_deg", phases},
+                             {"error", errors}});
   write_csv(file, table);
 }
 

@@ -1,7 +1,9 @@
 #include "results/engineering_curves.hpp"
 
 #include <algorithm>
+#include <cstddef>
 
+#include "homogenisation/complex_moduli.hpp"
 #include "homogenisation/tests_of_solid.hpp"
 #include "results/best_tests.hpp"
 #include "virtual_test/bulk_test.hpp"
@@ -41,8 +43,14 @@ EngineeringCurves curves_of(const TestPair& pair, int dimensions, const Frequenc
   const auto& shear = pair.shear->series;
   const auto bulk = bulk_modulus_of(pair.bulk->series, shear, dimensions);
   EngineeringCurves curves{pair.shear->id, {}, {}, shear, bulk};
-  for (const auto& [time, modulus] : pair.shear->modulus) curves.in_time.push_back(curves.at_time(time));
-  for (const double frequency : rows.of(pair.shear->modulus)) curves.in_frequency.push_back(curves.at(frequency));
+  for (std::size_t i = 0; i < pair.shear->modulus.size(); ++i) {
+    auto& sample = curves.in_time.emplace_back(curves.at_time(pair.shear->modulus[i].time));
+    sample.errors = engineering_errors(*pair.shear, *pair.bulk, i, dimensions);
+  }
+  for (const double frequency : rows.of(pair.shear->modulus)) {
+    auto& sample = curves.in_frequency.emplace_back(curves.at(frequency));
+    sample.errors = curves.in_time[nearest_sample(pair.shear->modulus, 1.0 / frequency)].errors;
+  }
   return curves;
 }
 
@@ -55,13 +63,18 @@ EngineeringSample EngineeringCurves::at_time(double time) const {
           bulk.at(time),
           moduli.youngs_modulus(time),
           moduli.poisson_ratio(time),
-          moduli.tensile_compliance(time)};
+          moduli.tensile_compliance(time),
+          {}};
 }
 
 ComplexEngineeringSample EngineeringCurves::at(double angular_frequency) const {
   const EngineeringModuli moduli(shear, bulk);
-  return {angular_frequency, shear.complex_modulus(angular_frequency), bulk.complex_modulus(angular_frequency),
-          moduli.complex_youngs_modulus(angular_frequency), moduli.complex_poisson_ratio(angular_frequency)};
+  return {angular_frequency,
+          shear.complex_modulus(angular_frequency),
+          bulk.complex_modulus(angular_frequency),
+          moduli.complex_youngs_modulus(angular_frequency),
+          moduli.complex_poisson_ratio(angular_frequency),
+          {}};
 }
 
 std::vector<EngineeringCurves> engineering_curves(const StageFindings& stage, const FrequencyRows& rows) {

@@ -8,6 +8,8 @@
 #include "breccia/study/test_id.hpp"
 #include "breccia/viscoelasticity/prony_series.hpp"
 
+#include "homogenisation/engineering_errors.hpp"
+
 namespace breccia {
 
 /// The moduli of a stage at a time, with those of a uniaxial test (theory, Eqs. 23a and 23b).
@@ -18,6 +20,7 @@ struct EngineeringSample {
   double young = 0.0;               ///< E(t) [Pa]
   double poisson = 0.0;             ///< nu(t) [-]
   double tensile_compliance = 0.0;  ///< D(t), the creep compliance in tension [1/Pa]
+  EngineeringErrors errors = {};    ///< where the errors of the tests in shear and in bulk are known
 };
 
 /// The complex moduli of a stage at an angular frequency.
@@ -27,6 +30,7 @@ struct ComplexEngineeringSample {
   std::complex<double> bulk = {};     ///< K' + i K'' [Pa]
   std::complex<double> young = {};    ///< E' + i E'' [Pa]
   std::complex<double> poisson = {};  ///< nu' + i nu'' [-]
+  EngineeringErrors errors = {};      ///< those in time, at the time 1/omega
 };
 
 /// The moduli of a stage under one boundary condition.

@@ -77,14 +77,15 @@ inline constexpr auto fields<StageMaterial> = std::tuple(field("boundary", &Stag
 template <>
 inline constexpr auto fields<ComparedSample> = std::tuple(field("time", &ComparedSample::time),
                                                           field("modulus", &ComparedSample::modulus),
-                                                          field("measured", &ComparedSample::measured));
+                                                          field("measured", &ComparedSample::measured),
+                                                          field("error", &ComparedSample::error));
 
 template <>
-inline constexpr auto fields<ComparedComplexSample> =
-    std::tuple(field("angular_frequency", &ComparedComplexSample::angular_frequency),
-               field("storage", &ComparedComplexSample::storage), field("loss", &ComparedComplexSample::loss),
-               field("measured_storage", &ComparedComplexSample::measured_storage),
-               field("measured_loss", &ComparedComplexSample::measured_loss));
+inline constexpr auto fields<ComparedComplexSample> = std::tuple(
+    field("angular_frequency", &ComparedComplexSample::angular_frequency),
+    field("storage", &ComparedComplexSample::storage), field("loss", &ComparedComplexSample::loss),
+    field("measured_storage", &ComparedComplexSample::measured_storage),
+    field("measured_loss", &ComparedComplexSample::measured_loss), field("error", &ComparedComplexSample::error));
 
 template <>
 Comparison blank_value() {

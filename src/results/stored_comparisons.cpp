@@ -1,6 +1,7 @@
 #include "results/stored_comparisons.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -36,13 +37,16 @@ Comparison& comparison_of(Comparisons& comparisons, const CsvTable& table, std::
   return added;
 }
 
-/// Calls a function with each row of a table, if it exists, and the comparison of the row.
+/// Calls a function with the comparison of each row of a table, if it exists, with its numbers and its error.
 template <class Add>
 void for_each_row(const fs::path& file, Comparisons& comparisons, const Add& add) {
   if (!fs::exists(file)) return;
-  const auto table = read_csv(file, {"measurement", "modulus", "stage", "boundary", "method", "cells"});
+  const auto table = read_csv(file, {"measurement", "modulus", "stage", "boundary", "method", "cells", "error"});
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    add(comparison_of(comparisons, table, row), [&](const char* column) { return table.numbers(column)[row]; });
+    // Tables of earlier versions have no errors.
+    const auto error = table.has("error") ? number_if_known(table, "error", row) : std::nullopt;
+    add(
+        comparison_of(comparisons, table, row), [&](const char* column) { return table.numbers(column)[row]; }, error);
   }
 }
 
@@ -50,14 +54,16 @@ void for_each_row(const fs::path& file, Comparisons& comparisons, const Add& add
 
 std::map<std::string, std::vector<Comparison>> read_comparisons(const fs::path& directory) {
   Comparisons comparisons;
-  for_each_row(directory / "comparison.csv", comparisons, [](Comparison& comparison, const auto& number) {
-    comparison.samples.push_back({number("time_s"), number("modulus_Pa"), number("measured_Pa")});
-  });
-  for_each_row(directory / "comparison_dynamic.csv", comparisons, [](Comparison& comparison, const auto& number) {
-    comparison.in_frequency.push_back({number("angular_frequency_rad_per_s"), number("storage_modulus_Pa"),
-                                       number("loss_modulus_Pa"), number("measured_storage_modulus_Pa"),
-                                       number("measured_loss_modulus_Pa")});
-  });
+  for_each_row(directory / "comparison.csv", comparisons,
+               [](Comparison& comparison, const auto& number, const auto& error) {
+                 comparison.samples.push_back({number("time_s"), number("modulus_Pa"), number("measured_Pa"), error});
+               });
+  for_each_row(directory / "comparison_dynamic.csv", comparisons,
+               [](Comparison& comparison, const auto& number, const auto& error) {
+                 comparison.in_frequency.push_back({number("angular_frequency_rad_per_s"), number("storage_modulus_Pa"),
+                                                    number("loss_modulus_Pa"), number("measured_storage_modulus_Pa"),
+                                                    number("measured_loss_modulus_Pa"), error});
+               });
   return comparisons;
 }
 

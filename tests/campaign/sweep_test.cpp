@@ -68,7 +68,7 @@ class SweepRun : public testing::Test {
     std::vector<std::vector<std::string>> stages;
     for (const auto& task : sweep.tasks) {
       const auto table = read_csv(results / task.name / "comparison.csv",
-                                  {"measurement", "modulus", "stage", "boundary", "method", "cells"});
+                                  {"measurement", "modulus", "stage", "boundary", "method", "cells", "error"});
       stages.push_back(table.text("stage"));
     }
     return stages;

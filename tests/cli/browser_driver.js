@@ -135,7 +135,7 @@ function lookAtMeasurement() {
     .filter((text) => text.includes("Bennett")).join("; "));
   const file = savedBy("These curves as CSV");
   see("curve as CSV", file.split("\n").find((line) => line.includes("Bennett")).replace(/,[^,]*,[^,]*$/, ""));
-  see("table as CSV", savedBy("all of comparison.csv").split("\n")[1].replace(/,[\d.e+-]+(,[\d.e+-]+)*$/, ""));
+  see("table as CSV", savedBy("all of comparison.csv").split("\n")[1].replace(/,[\d.e+-]+(,[\d.e+-]*)*$/, ""));
   see("how good", document.querySelector("#quality-summary li").textContent.split(",")[0]);
 }
 

@@ -86,7 +86,7 @@ class MeasuredFrequencies : public ::testing::Test {
     return run_breccia(study.path(), more);
   }
   [[nodiscard]] CsvTable compared(const std::string& file) const {
-    return read_csv(study.path() / file, {"measurement", "modulus", "stage", "boundary", "method", "cells"});
+    return read_csv(study.path() / file, {"measurement", "modulus", "stage", "boundary", "method", "cells", "error"});
   }
 
   StudyDirectory study;

@@ -100,7 +100,8 @@ frequencies = ["0.1 Hz", "10 Hz"]
   const auto run = study.breccia("run", {"--verbose"});
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   EXPECT_THAT(run.output, HasSubstr("dynamic.csv, engineering.csv, engineering_dynamic.csv\n"));
-  const auto table = read_csv(study.result("engineering_dynamic.csv"), {"stage", "boundary", "method", "cells"});
+  const auto table = read_csv(study.result("engineering_dynamic.csv"),
+                              {"stage", "boundary", "method", "cells", "youngs_modulus_error"});
   const auto& omega = table.numbers("angular_frequency_rad_per_s");
   ASSERT_EQ(omega.size(), 41U);  // twenty frequencies a decade
   constexpr double per_cycle = 2.0 * std::numbers::pi;

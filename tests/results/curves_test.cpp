@@ -9,6 +9,7 @@
 #include "breccia/error.hpp"
 
 #include "results/hand_made_results.hpp"
+#include "results/test_columns.hpp"
 #include "tables/csv.hpp"
 #include "temporary_directory.hpp"
 
@@ -148,20 +149,28 @@ TEST_F(WriteCurves, LeavesTheEngineeringModuliWhereTheLoadsAllowIt) {
   const auto test = [](Load load, double modulus) {
     auto one = test_with({.load = load, .grid = TestGrid(12)}, {{1.0, modulus}, {10.0, modulus}});
     one.series = PronySeries(modulus);
+    one.errors = {{.grid = 0.02, .sample = 0.0, .solver = 0.0, .matrix = 0.0}, {}};
     return one;
   };
   for (const int dimensions : {2, 3}) {
     auto stage = stage_with("A", {test(Load::shear, 3.0), test(Load::bulk, dimensions == 2 ? 6.0 : 5.0)});
     stage.dimensions = dimensions;
     write_curves(directory.path(), {{stage}, {}});
-    const auto table = read("engineering.csv", {"stage", "boundary", "method", "cells"});
+    const auto table = read("engineering.csv", {"stage", "boundary", "method", "cells", "bulk_modulus_error",
+                                                "youngs_modulus_error", "poisson_ratio_error"});
     EXPECT_THAT(table.numbers("time_s"), ElementsAre(1.0, 10.0));
     EXPECT_THAT(table.numbers("shear_modulus_Pa"), Each(3.0));
     EXPECT_THAT(table.numbers("bulk_modulus_Pa"), Each(DoubleNear(5.0, 1e-12)));
     EXPECT_THAT(table.numbers("youngs_modulus_Pa"), Each(DoubleNear(7.5, 1e-9)));
     EXPECT_THAT(table.numbers("poisson_ratio"), Each(DoubleNear(0.25, 1e-9)));
     EXPECT_THAT(table.numbers("tensile_compliance_1_per_Pa"), Each(DoubleNear(1.0 / 7.5, 1e-9)));
-    const auto dynamic = read("engineering_dynamic.csv", {"stage", "boundary", "method", "cells"});
+    // In space both errors are 2 % of both moduli, and so that of E; in the plane K is the difference of 6 and 1.
+    EXPECT_NEAR(number_if_known(table, "bulk_modulus_error", 0).value(), dimensions == 2 ? 0.028 : 0.02, 1e-12);
+    EXPECT_NEAR(number_if_known(table, "youngs_modulus_error", 0).value(), 0.02, 1e-12);
+    EXPECT_GT(number_if_known(table, "poisson_ratio_error", 0).value(), 0.0);
+    EXPECT_EQ(table.text("youngs_modulus_error")[1], "") << "not known";
+    const auto dynamic =
+        read("engineering_dynamic.csv", {"stage", "boundary", "method", "cells", "youngs_modulus_error"});
     EXPECT_THAT(dynamic.numbers("angular_frequency_rad_per_s"), ElementsAre(0.1, 1.0));
     EXPECT_THAT(dynamic.numbers("youngs_storage_modulus_Pa"), Each(DoubleNear(7.5, 1e-12)));
     EXPECT_THAT(dynamic.numbers("youngs_loss_modulus_Pa"), Each(DoubleNear(0.0, 1e-12)));

@@ -113,6 +113,8 @@ struct ComparedSample {
   double time = 0.0;      ///< [s]
   double modulus = 0.0;   ///< computed [Pa]
   double measured = 0.0;  ///< [Pa]
+  /// Whole error of the computed modulus, over it [-]; nothing where it is not known.
+  std::optional<double> error = {};
 
   [[nodiscard]] double ratio() const { return modulus / measured; }
 };
@@ -122,6 +124,8 @@ struct ComparedComplexSample {
   double angular_frequency = 0.0;                      ///< [rad/s]
   double storage = 0.0, loss = 0.0;                    ///< computed [Pa]
   double measured_storage = 0.0, measured_loss = 0.0;  ///< [Pa]
+  /// Whole error of the computed relaxation modulus at the time 1/omega, over it [-]; nothing where it is not known.
+  std::optional<double> error = {};
 
   /// The ratio of the absolute values.
   [[nodiscard]] double ratio() const;

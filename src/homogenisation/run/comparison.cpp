@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <complex>
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <utility>
 
+#include "homogenisation/complex_moduli.hpp"
+#include "homogenisation/engineering_errors.hpp"
 #include "homogenisation/tests_of_solid.hpp"
 #include "virtual_test/bulk_test.hpp"
 #include "viscoelasticity/engineering_moduli.hpp"
@@ -16,8 +19,14 @@ namespace {
 /// A modulus of a stage under one boundary and by one method.
 struct ComputedModulus {
   Curve in_time;
+  std::vector<std::optional<double>> errors;  ///< whole errors at these times [-]; empty where none is known
   /// The complex modulus [Pa] at an angular frequency [rad/s]; empty where there is none.
   std::function<std::complex<double>(double)> at;
+
+  /// The error at the nearest time to a time [s].
+  [[nodiscard]] std::optional<double> error_at(double time) const {
+    return errors.size() == in_time.size() ? errors[nearest_sample(in_time, time)] : std::nullopt;
+  }
 };
 
 bool is_under(const TestResult& test, TestLoad load, Boundary boundary) {
@@ -38,7 +47,8 @@ TestLoad load_of(ModulusKind kind, int dimensions, TestLoad shear) {
 
 /// The modulus of a test itself.
 ComputedModulus tested_modulus(const TestResult& test) {
-  ComputedModulus modulus{test.modulus, {}};
+  ComputedModulus modulus{test.modulus, {}, {}};
+  for (const auto& error : test.errors) modulus.errors.push_back(error.whole());
   if (test.series.unrelaxed() > 0.0) {
     modulus.at = [&test](double omega) { return test.series.complex_modulus(omega); };
   }
@@ -51,6 +61,10 @@ std::optional<ComputedModulus> modulus_of_both(ModulusKind kind, const StageFind
   if (tested == nullptr || !are_of_one_solid(shear, *tested)) return std::nullopt;
   const auto bulk = bulk_modulus_of(tested->series, shear.series, stage.dimensions);
   ComputedModulus modulus;
+  for (std::size_t i = 0; i < shear.modulus.size(); ++i) {
+    const auto errors = engineering_errors(shear, *tested, i, stage.dimensions);
+    modulus.errors.push_back(kind == ModulusKind::bulk ? errors.bulk : errors.young);
+  }
   if (kind == ModulusKind::bulk) {
     for (const auto& [time, of_shear] : shear.modulus) modulus.in_time.push_back({time, bulk.at(time)});
     modulus.at = [bulk](double omega) { return bulk.complex_modulus(omega); };
@@ -68,13 +82,14 @@ std::optional<ComputedModulus> computed_modulus(ModulusKind kind, const StageFin
   return is_tested ? tested_modulus(test) : modulus_of_both(kind, stage, test);
 }
 
-std::vector<ComparedSample> compared_in_time(const Measurement& measurement, const Curve& curve) {
+std::vector<ComparedSample> compared_in_time(const Measurement& measurement, const ComputedModulus& computed) {
+  const auto& curve = computed.in_time;
   std::vector<ComparedSample> samples;
   const auto known = measurement.known_within({curve.front().time, curve.back().time});
   if (!known) return samples;
   for (const auto& [time, modulus] : curve) {
     if (time < known->begin || time > known->end) continue;
-    samples.push_back({time, modulus, measurement.at(time)});
+    samples.push_back({time, modulus, measurement.at(time), computed.error_at(time)});
   }
   return samples;
 }
@@ -89,7 +104,7 @@ std::vector<ComparedComplexSample> compared_in_frequency(const Measurement& meas
   const TimeWindow window = {modulus.in_time.front().time, modulus.in_time.back().time};
   for (const auto& [omega, storage, loss] : measurement.complex_within(window, frequencies)) {
     const auto there = modulus.at(omega);
-    samples.push_back({omega, there.real(), there.imag(), storage, loss});
+    samples.push_back({omega, there.real(), there.imag(), storage, loss, modulus.error_at(1.0 / omega)});
   }
   return samples;
 }
@@ -108,7 +123,7 @@ std::vector<Comparison> compare(const std::vector<Measurement>& measurements, co
       if (find_preferred_test(tests, load, test.id.boundary, test.id.method) != &test) continue;
       const auto modulus = computed_modulus(measurement.kind, stage, test);
       if (!modulus) continue;
-      Comparison comparison{measurement.label, test.id, compared_in_time(measurement, modulus->in_time)};
+      Comparison comparison{measurement.label, test.id, compared_in_time(measurement, *modulus)};
       comparison.kind = measurement.kind;
       if (is_best(test, tests)) {
         comparison.in_frequency = compared_in_frequency(measurement, *modulus, test.in_frequency);

@@ -21,9 +21,15 @@ export function complexModuli(curves, result) {
       at: storage.modulusAt === undefined
         ? (frequency) => complexOf(value(storage, frequency), value(loss, frequency))
         : (frequency) => storage.modulusAt(perCycle * frequency),
-      errorAt: (frequency) => (modulus.error === undefined ? NaN
-        : valueAt(modulus.x, modulus.error.whole, 1 / (perCycle * frequency)))}];
+      errorAt: errorOf(modulus)}];
   });
+}
+
+/// The error of a complex modulus at a frequency [Hz]: that of the relaxation modulus at the time 1/omega; NaN where it
+/// is not known.
+function errorOf(modulus) {
+  return (frequency) => (modulus?.error === undefined ? NaN
+    : valueAt(modulus.x, modulus.error.whole, 1 / (perCycle * frequency)));
 }
 
 /// A complex modulus {size, phase, storage, loss}, the phase in degrees.
@@ -46,9 +52,9 @@ function errorText(moduli, frequency) {
   return Number.isFinite(share) ? ` ± ${percent(share)}` : "";
 }
 
-/// The sentences on complex moduli; `result` are the relaxation moduli that belong to them, `error` is a text on their
-/// errors, `binder` {at} has the binder's complex modulus.
-export function complexSentences({stage, moduli, result, error, binder}) {
+/// The sentences on complex moduli of a letter, G or E; `result` are the relaxation moduli that belong to them, `error`
+/// is a text on their errors, `binder` {at} has the binder's complex modulus.
+export function complexSentences({stage, letter, moduli, result, error, binder}) {
   const frequencies = threeTimes(moduli);
   const isCrossed = areCrossed(result, frequencies.map((frequency) => 1 / (perCycle * frequency)));
   const parts = frequencies.map((frequency) => {
@@ -58,7 +64,7 @@ export function complexSentences({stage, moduli, result, error, binder}) {
   });
   const boundaries = isCrossed ? crossedText : textOnBoundaries(moduli);
   const remarks = [boundaries, error].filter(Boolean).join("; ");
-  const sentences = [`|G*| of ${stage} is ${listed(parts)} (${remarks}).`];
+  const sentences = [`|${letter}*| of ${stage} is ${listed(parts)} (${remarks}).`];
   if (binder !== undefined) {
     const ratios = [frequencies[0], frequencies.at(-1)].map((frequency) => {
       const [from, to] = rangeOf(moduli.map(({at}) => at(frequency).size / binder.at(frequency).size))
@@ -75,23 +81,26 @@ export function showsError(modulus) {
   return modulus.x.some((frequency) => Number.isFinite(modulus.errorAt(frequency)));
 }
 
-/// The columns [head, text at a frequency] of a table of one complex modulus; `name` is that of its boundary, or empty.
-export function complexColumns(modulus, name) {
+/// The columns [head, text at a frequency] of a table of one complex modulus of a letter, G or E; `name` is that of its
+/// boundary, or empty.
+export function complexColumns(letter, modulus, name) {
   const head = (symbol) => (name === "" ? symbol : `${symbol}, ${name}`);
-  const columns = [["|G*|", ({size}) => display(size, "Pa")], ["phase", ({phase}) => `${shortNumber(phase, 3)}°`],
-    ["G′", ({storage}) => display(storage, "Pa")], ["G″", ({loss}) => display(loss, "Pa")],
+  const columns = [[`|${letter}*|`, ({size}) => display(size, "Pa")], ["phase", ({phase}) => `${shortNumber(phase, 3)}°`],
+    [`${letter}′`, ({storage}) => display(storage, "Pa")], [`${letter}″`, ({loss}) => display(loss, "Pa")],
     ["tan δ", ({storage, loss}) => shortNumber(loss / storage, 3)]];
   return columns.map(([symbol, text], i) => [head(symbol), (frequency) =>
     text(modulus.at(frequency)) + (i === 0 ? errorText([modulus], frequency) : "")]);
 }
 
-/// The complex Young's moduli [{boundary, at}] over the frequency in hertz, of their storage and loss moduli.
-export function complexYoungsModuli(curves) {
+/// The complex Young's moduli [{boundary, x, at, errorAt}], as complexModuli(), of their storage and loss moduli;
+/// `relaxation` are the relaxation moduli in tension.
+export function complexYoungsModuli(curves, relaxation) {
   const storages = curves.filter(({part}) => part === "storage");
   return storages.map((storage) => {
     const loss = curves.find(({part, boundary}) => part === "loss" && boundary === storage.boundary);
-    return {boundary: storage.boundary, at: (frequency) =>
-      complexOf(...[storage, loss].map(({x, y}) => valueAt(x, y, perCycle * frequency)))};
+    return {boundary: storage.boundary, x: storage.x.map((frequency) => frequency / perCycle),
+      at: (frequency) => complexOf(...[storage, loss].map(({x, y}) => valueAt(x, y, perCycle * frequency))),
+      errorAt: errorOf(relaxation.find(({boundary}) => boundary === storage.boundary))};
   });
 }
 
@@ -126,16 +135,16 @@ export function sentenceOnMeasuredComplex(moduli, measured, letter) {
     `(${measured.name}), and the phases are within ${shortNumber(Math.max(largest, 0.01), 2)}°.`;
 }
 
-/// The columns [head, text at a frequency] of a measured complex modulus in the table of computed ones, where it is
-/// known. Between measured frequencies the ratio is interpolated.
-export function measuredColumns(moduli, measured) {
+/// The columns [head, text at a frequency] of a measured complex modulus of a letter, G or E, in the table of computed
+/// ones, where it is known. Between measured frequencies the ratio is interpolated.
+export function measuredColumns(letter, moduli, measured) {
   const at = (values, frequency) => valueAt(measured.x, values, frequency);
   const text = (value, shown) => (Number.isFinite(value) ? shown(value) : "–");
   const ratios = moduli.map((modulus) => deviationsFrom(measured, modulus).map(({ratio}) => ratio));
-  return [["measured |G*|", (frequency) => text(moduli[0].at(frequency).size / at(ratios[0], frequency), (size) =>
+  return [[`measured |${letter}*|`, (frequency) => text(moduli[0].at(frequency).size / at(ratios[0], frequency), (size) =>
     display(size, "Pa"))],
   ["measured phase", (frequency) => text(at(measured.moduli.map(({phase}) => phase), frequency), (phase) =>
     `${shortNumber(phase, 3)}°`)],
-  ["|G*| over measured", (frequency) => text(at(ratios[0], frequency), () =>
+  [`|${letter}*| over measured`, (frequency) => text(at(ratios[0], frequency), () =>
     [...new Set(ratios.map((values) => at(values, frequency).toFixed(3)))].join(" … "))]];
 }

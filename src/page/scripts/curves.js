@@ -8,7 +8,7 @@ import {complexOf} from "./complex_moduli.js";
 import {readTable, study} from "./data.js";
 import {mainLoad, shearOf} from "./loads.js";
 import {gridName, methodNames} from "./names.js";
-import {distinct, groupsOf, numberOf} from "./records.js";
+import {distinct, groupsOf, numberIfKnown, numberOf} from "./records.js";
 import {logarithmic} from "./sampling.js";
 import {lossModulus, relaxationModulus, storageModulus} from "./viscoelasticity.js";
 
@@ -76,12 +76,11 @@ function addErrorsOfGrids(curves) {
 
 function addErrors(curves) {
   if (readTable("errors.csv").length === 0) return addErrorsOfGrids(curves);
-  const share = (text) => (text === "" ? NaN : Number(text));
   for (const group of groupsOf(readTable("errors.csv"), testColumns)) {
     const curve = curves.find((one) => one.quantity !== "compliance" &&
       testColumns.every((column) => one[column] === group[0][column]));
     if (curve === undefined || curve.x.length !== group.length) continue;
-    const of = (column) => group.map((row) => share(row[column]));
+    const of = (column) => group.map((row) => numberIfKnown(row[column]));
     curve.error = {whole: of("error"), grid: of("grid_error"), sample: of("sample_error"), solver: of("solver_error"),
       matrix: of("matrix_error")};
     const shown = [curve.error.whole, curve.error.grid].find((shares) => shares.every(Number.isFinite));
@@ -149,21 +148,33 @@ function curvesOfProny() {
   });
 }
 
+/// A curve with its errors, in the unit of its values; without them where one is not known.
+function withErrors(curve, errors) {
+  if (!errors.every(Number.isFinite)) return curve;
+  const unknown = errors.map(() => NaN), whole = errors.map((error, i) => Math.abs(error / curve.y[i]));
+  return {...curve, band: errors, error: {whole, grid: unknown, sample: unknown, solver: unknown, matrix: unknown}};
+}
+
 /// Young's modulus and Poisson's ratio of the stages that were tested in shear and in bulk.
 function engineeringCurves() {
   const curvesIn = (table, x, columns) =>
     groupsOf(readTable(table), ["stage", "boundary", "method", "cells"]).flatMap((group) => {
       const {stage, boundary, method} = group[0];
-      return columns.map(([quantity, column, letter = "", part = undefined]) => ({role: "stage", quantity, part, stage,
-        load: shearOf(stageNamed(stage)), boundary, method, label: `${stage}, ${boundary}${letter}`,
-        x: group.map((row) => row[x]), y: group.map((row) => row[column])}));
+      return columns.map(([quantity, column, {letter = "", part = undefined, errorOf = () => NaN} = {}]) => {
+        const curve = {role: "stage", quantity, part, stage, load: shearOf(stageNamed(stage)), boundary, method,
+          label: `${stage}, ${boundary}${letter}`, x: group.map((row) => row[x]), y: group.map((row) => row[column])};
+        return withErrors(curve, group.map(errorOf));
+      });
     });
+  const shareOfYoung = (column) => (row) => numberIfKnown(row.youngs_modulus_error) * row[column];
   return [
-    ...curvesIn("engineering.csv", "time_s", [["young", "youngs_modulus_Pa"], ["poisson", "poisson_ratio"],
-      ["tensile-compliance", "tensile_compliance_1_per_Pa"]]),
+    ...curvesIn("engineering.csv", "time_s", [
+      ["young", "youngs_modulus_Pa", {errorOf: shareOfYoung("youngs_modulus_Pa")}],
+      ["poisson", "poisson_ratio", {errorOf: (row) => numberIfKnown(row.poisson_ratio_error)}],
+      ["tensile-compliance", "tensile_compliance_1_per_Pa", {errorOf: shareOfYoung("tensile_compliance_1_per_Pa")}]]),
     ...curvesIn("engineering_dynamic.csv", "angular_frequency_rad_per_s", [
-      ["young-dynamic", "youngs_storage_modulus_Pa", ", E′", "storage"],
-      ["young-dynamic", "youngs_loss_modulus_Pa", ", E″", "loss"], ["young-loss-factor", "youngs_loss_tangent"]]),
+      ["young-dynamic", "youngs_storage_modulus_Pa", {letter: ", E′", part: "storage"}],
+      ["young-dynamic", "youngs_loss_modulus_Pa", {letter: ", E″", part: "loss"}], ["young-loss-factor", "youngs_loss_tangent"]]),
   ];
 }
 
@@ -171,13 +182,10 @@ function engineeringCurves() {
 function expansionCurves() {
   return groupsOf(readTable("thermal_expansion.csv"), testColumns).map((group) => {
     const {stage, boundary, method} = group[0];
-    const errors = group.map((row) => (row.error_1_per_K === "" ? NaN : 1e6 * Number(row.error_1_per_K)));
-    const y = group.map((row) => 1e6 * row.thermal_expansion_1_per_K);
-    const isKnown = errors.every(Number.isFinite), unknown = errors.map(() => NaN);
-    return {role: "stage", quantity: "thermal-expansion", stage, load: shearOf(stageNamed(stage)), boundary, method,
-      label: `${stage}, ${boundary}`, x: group.map((row) => row.time_s), y,
-      ...(isKnown && {band: errors, error: {whole: errors.map((error, i) => Math.abs(error / y[i])), grid: unknown,
-        sample: unknown, solver: unknown, matrix: unknown}})};
+    const curve = {role: "stage", quantity: "thermal-expansion", stage, load: shearOf(stageNamed(stage)), boundary,
+      method, label: `${stage}, ${boundary}`, x: group.map((row) => row.time_s),
+      y: group.map((row) => 1e6 * row.thermal_expansion_1_per_K)};
+    return withErrors(curve, group.map((row) => 1e6 * numberIfKnown(row.error_1_per_K)));
   });
 }
 

@@ -60,23 +60,37 @@ function measuredBeside(curves, stage, quantity) {
   return found && {name: found.label.replace("measured, ", ""), x: found.x, y: found.y};
 }
 
-/// The sentences on complex moduli beside what was measured: in frequency or, where that is not known, in time.
-function sentencesBesideMeasured(curves, moduli, result, inTime) {
-  if (inTime === undefined) return [];
-  const measured = measuredComplex(curves, result[0].stage, "dynamic");
-  return measured === undefined ? sentenceOnMeasurement(result, inTime)
-    : [sentenceOnMeasuredComplex(moduli, measured, "G")];
+/// The complex moduli {letter, moduli, relaxation, measured} that answer a study whose deck gives frequencies, with the
+/// relaxation moduli that belong to them: those of E where E alone was measured, else those of G. No moduli for other
+/// studies.
+function complexAnswer(curves, result) {
+  const [{stage, load}] = result;
+  const ofShear = load === "bulk" ? undefined : measuredComplex(curves, stage, "dynamic");
+  const ofYoung = measuredComplex(curves, stage, "young-dynamic");
+  if (study.frequencies_Hz === undefined) return {moduli: []};
+  if (ofYoung === undefined || ofShear !== undefined) {
+    return {letter: "G", moduli: complexModuli(curves, result), relaxation: result, measured: ofShear};
+  }
+  const relaxation = othersOf("young", curves, result);
+  return {letter: "E", moduli: complexYoungsModuli(othersOf("young-dynamic", curves, result), relaxation), relaxation,
+    measured: ofYoung};
 }
 
-/// The sentences on Young's modulus beside what was measured of it.
-function sentencesOnYoungsModulus(curves, result) {
-  const inTime = measuredBeside(curves, result[0].stage, "young");
-  const measured = measuredComplex(curves, result[0].stage, "young-dynamic");
-  if (study.frequencies_Hz !== undefined && measured !== undefined) {
-    return [sentenceOnMeasuredComplex(complexYoungsModuli(othersOf("young-dynamic", curves, result)), measured, "E")];
-  }
-  return inTime === undefined ? []
-    : sentenceOnMeasurement(othersOf("young", curves, result), inTime, "Young's modulus");
+/// The sentences on the moduli of a study that was asked in frequency.
+function sentencesInFrequency(curves, result, {letter, moduli, relaxation, measured}) {
+  const [{stage, load}] = result;
+  const error = letter === "G" ? textOnError(result, stage) : textOnErrorOfYoung(relaxation);
+  const inTime = load === "bulk" ? undefined : measuredBeside(curves, stage, "shear");
+  return [...complexSentences({stage: nameOfResult(stage), letter, moduli, result: relaxation, error,
+    binder: letter === "G" ? complexBinder(stage) : undefined}),
+  ...(measured !== undefined ? [sentenceOnMeasuredComplex(moduli, measured, letter)]
+    : inTime === undefined ? [] : sentenceOnMeasurement(result, inTime))];
+}
+
+/// The sentences on a relaxation modulus that was measured beside that of the result: "young" or "bulk".
+function sentencesOnOther(quantity, name, curves, result) {
+  const inTime = measuredBeside(curves, result[0].stage, quantity);
+  return inTime === undefined ? [] : sentenceOnMeasurement(othersOf(quantity, curves, result), inTime, name);
 }
 
 function binderBeside(stage) {
@@ -105,6 +119,12 @@ function textOnError(result, stage) {
   const expected = expectedErrorOf(stage), ofFilms = hasFilms(stageOf(stage));
   if (expected === undefined) return `the ${ofFilms ? "error of the mesh" : "discretisation error"} is not known`;
   return `the ${ofFilms ? "model of films" : "grid"} may err by ${percent(expected)}`;
+}
+
+/// A text on the error of Young's moduli, which follows from those of G and K.
+function textOnErrorOfYoung(relaxation) {
+  if (!relaxation.every(hasWholeError)) return "the error of E is not known";
+  return `± ${percent(Math.max(...relaxation.flatMap(({error}) => error.whole)))} by the errors of G and K`;
 }
 
 /// Whether the whole error of a curve is known at all of its times.
@@ -171,15 +191,14 @@ export function showResult(curves) {
   if (result.length === 0) return place.append(element("p", {}, textWithoutResult()));
   const [{stage, load}] = result;
   const isShear = load !== "bulk";
-  const moduli = study.frequencies_Hz === undefined ? [] : complexModuli(curves, result);
-  const error = textOnError(result, stage);
-  const name = nameOfResult(stage), measured = isShear ? measuredBeside(curves, stage, "shear") : undefined;
-  const sentences = moduli.length > 0
-    ? [...complexSentences({stage: name, moduli, result, error, binder: complexBinder(stage)}),
-      ...sentencesBesideMeasured(curves, moduli, result, measured)]
-    : resultSentences({stage: name, symbol: symbolOf(load, loadsOf(stage)), curves: result, error,
-      binder: isShear ? binderBeside(stage) : undefined, measured});
-  sentences.push(...sentencesOnYoungsModulus(curves, result), onSpace(study, qualityOf(stage)));
+  const inFrequency = complexAnswer(curves, result);
+  const sentences = inFrequency.moduli.length > 0 ? sentencesInFrequency(curves, result, inFrequency)
+    : resultSentences({stage: nameOfResult(stage), symbol: symbolOf(load, loadsOf(stage)), curves: result,
+      error: textOnError(result, stage), binder: isShear ? binderBeside(stage) : undefined,
+      measured: isShear ? measuredBeside(curves, stage, "shear") : undefined});
+  if (inFrequency.letter !== "E") sentences.push(...sentencesOnOther("young", "Young's modulus", curves, result));
+  if (isShear) sentences.push(...sentencesOnOther("bulk", "the bulk modulus", curves, result));
+  sentences.push(onSpace(study, qualityOf(stage)));
   const [first, ...others] = sentences.filter((sentence) => sentence !== "");
   place.append(element("p", {id: "answer"}, element("strong", {}, unbroken(first)), ` ${unbroken(others.join(" "))}`));
   const next = nextStep(stageOf(stage));
@@ -232,11 +251,12 @@ export function showModuli(curves) {
   const result = curvesOfResult(curves);
   if (result.length === 0) return;
   const [{stage, load}] = result;
-  const moduli = study.frequencies_Hz === undefined ? [] : complexModuli(curves, result);
-  if (moduli.length > 0) {
-    const note = moduli.some(showsError) ? noteOnErrors(result, stage) : onAnisotropy(study, qualityOf(stage));
-    const beside = load === "bulk" ? undefined : measuredComplex(curves, stage, "dynamic");
-    return showTable(stage, complexTable(moduli, beside), note);
+  const inFrequency = complexAnswer(curves, result);
+  if (inFrequency.moduli.length > 0) {
+    const isShown = inFrequency.moduli.some(showsError);
+    const note = isShown ? noteOnErrors(result, stage) : onAnisotropy(study, qualityOf(stage));
+    const ofYoung = isShown && inFrequency.letter === "E" ? " That of E follows from those of G and K." : "";
+    return showTable(stage, complexTable(inFrequency), note + ofYoung);
   }
   const isShear = load !== "bulk";
   const binder = isShear ? binderBeside(stage) : undefined;
@@ -254,33 +274,37 @@ export function showModuli(curves) {
   }
   const bulks = isShear ? othersOf("bulk", curves, result).filter(({cells}) => cells === result[0].cells) : [];
   for (const bulk of bulks) {
-    columns.push([`${bulkSymbolOf(stageOf(stage))}, ${bulk.boundary}`, (time) => modulusText(bulk, time)]);
+    columns.push([`${bulkSymbolOf(stageOf(stage))}, ${bulk.boundary}`, (time) => modulusText(bulk, time)],
+      ...columnOfRatios(bulk, measuredBeside(curves, stage, "bulk"), "K"));
   }
   if (measured !== undefined) {
     columns.push(["measured", (time) => display(at(measured, time), "Pa")], ["over measured", (time) =>
       Number.isFinite(at(measured, time)) ? ratios(at(measured, time), time) : "–"]);
   }
-  const measuredYoung = measuredBeside(curves, stage, "young");
   for (const young of othersOf("young", curves, result)) {
-    columns.push([`Young's modulus, ${young.boundary}`, (time) => display(at(young, time), "Pa")]);
-    if (measuredYoung !== undefined) {
-      columns.push(["over measured E", (time) => {
-        const ratio = at(young, time) / at(measuredYoung, time);
-        return Number.isFinite(ratio) ? shortNumber(ratio, 2) : "–";
-      }]);
-    }
+    columns.push([`Young's modulus, ${young.boundary}`, (time) => modulusText(young, time)],
+      ...columnOfRatios(young, measuredBeside(curves, stage, "young"), "E"));
   }
   showTable(stage, [columns, times], noteOnErrors(result, stage));
 }
 
+/// The column of the ratios of a modulus to what was measured of it, where that is known.
+function columnOfRatios(curve, measured, letter) {
+  if (measured === undefined) return [];
+  return [[`over measured ${letter}`, (time) => {
+    const ratio = valueAt(curve.x, curve.y, time) / valueAt(measured.x, measured.y, time);
+    return Number.isFinite(ratio) ? shortNumber(ratio, 2) : "–";
+  }]];
+}
+
 /// The columns and the frequencies [Hz] of the table of complex moduli.
-function complexTable(moduli, measured) {
+function complexTable({letter, moduli, measured}) {
   const whole = timesOfTable(study.frequencies_Hz, 12);
   const frequencies = whole.length > 1 ? whole : study.frequencies_Hz;
   const named = (boundary) => (moduli.length > 1 ? boundary : "");
   return [[["frequency", (frequency) => display(frequency, "Hz")],
-    ...moduli.flatMap((modulus) => complexColumns(modulus, named(modulus.boundary))),
-    ...(measured === undefined ? [] : measuredColumns(moduli, measured))], frequencies];
+    ...moduli.flatMap((modulus) => complexColumns(letter, modulus, named(modulus.boundary))),
+    ...(measured === undefined ? [] : measuredColumns(letter, moduli, measured))], frequencies];
 }
 
 /// Shows a table of columns [head, text of a row] with a note below.

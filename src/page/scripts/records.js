@@ -26,3 +26,8 @@ export function groupsOf(rows, columns) {
 export function distinct(list, name) {
   return [...new Set(list.map((item) => item[name]))];
 }
+
+/// A number in a column of texts; NaN where it is not known, and in tables of earlier versions without the column.
+export function numberIfKnown(text) {
+  return text === undefined || text === "" ? NaN : Number(text);
+}

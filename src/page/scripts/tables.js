@@ -5,7 +5,7 @@ import {readTable, study} from "./data.js";
 import {element} from "./elements.js";
 import {hasFilms, listed, methodNames, nameOfTest, textOnStage} from "./names.js";
 import {display, duration, minus, percent, percentOfWhole, shortNumber, withMicroSign} from "./numbers.js";
-import {distinct, groupsOf} from "./records.js";
+import {distinct, groupsOf, numberIfKnown} from "./records.js";
 import {decades, valueAt} from "./sampling.js";
 import {matrixStageOf, stagesOfInterest} from "./stages.js";
 import {table} from "./table.js";
@@ -75,18 +75,25 @@ function ratioText({ratio, time_s: time, frequency_Hz: frequency}) {
   return `${ratio.toFixed(3)} at ${time === undefined ? display(frequency, "Hz", 2) : display(time, "s", 2)}`;
 }
 
+/// A ratio to what was measured, with the error of the computed modulus where that is known.
+function ratioWithError(ratio, error) {
+  return ratio.toFixed(3) + (Number.isFinite(error) ? ` ± ${percent(error)}` : "");
+}
+
 function showComparisonInTime(rows) {
   const place = document.getElementById("comparison-tables");
   for (const group of groupsOf(rows, ["measurement", "stage"])) {
     const tests = groupsOf(group, ["boundary", "method"]);
     const names = tests.map(([row]) => `${row.boundary}, ${methodNames[row.method]}`);
-    const at = (test, column, time) => valueAt(test.map((row) => row.time_s), test.map((row) => row[column]), time);
+    const at = (test, column, time) =>
+      valueAt(test.map((row) => row.time_s), test.map((row) => numberIfKnown(row[column])), time);
     const every = tests.flat().map((row) => row.time_s);
     const body = decades(Math.min(...every), Math.max(...every)).map((time) => {
       const measured = tests.map((test) => at(test, "measured_Pa", time)).find(Number.isFinite);
       return [display(time, "s"), display(measured, "Pa"), ...tests.flatMap((test) => {
         const modulus = at(test, "modulus_Pa", time);
-        return Number.isFinite(modulus) ? [display(modulus, "Pa"), (modulus / measured).toFixed(3)] : ["–", "–"];
+        return Number.isFinite(modulus)
+          ? [display(modulus, "Pa"), ratioWithError(modulus / measured, at(test, "error", time))] : ["–", "–"];
       })];
     });
     place.append(element("h3", {}, titleOfComparison(group[0])),
@@ -109,8 +116,8 @@ function showComparisonInFrequency(rows) {
         ...tests.flatMap((test) => {
           const here = test.find(({frequency_Hz: frequency}) => frequency === row.frequency_Hz);
           if (here === undefined) return ["–", "–", "–", "–", "–"];
-          return [here.ratio, here.storage_ratio, here.loss_ratio, here.loss_ratio / here.storage_ratio]
-            .map((ratio) => ratio.toFixed(3)).toSpliced(1, 0, `${minus(here.phase_difference_deg.toFixed(2))}°`);
+          return [ratioWithError(here.ratio, numberIfKnown(here.error)), `${minus(here.phase_difference_deg.toFixed(2))}°`,
+            ...[here.storage_ratio, here.loss_ratio, here.loss_ratio / here.storage_ratio].map((ratio) => ratio.toFixed(3))];
         })];
     });
     place.append(element("h3", {}, `${titleOfComparison(group[0])}, over frequency`),

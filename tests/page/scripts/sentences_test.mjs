@@ -69,12 +69,12 @@ test("complex moduli, their phase and error at frequencies in hertz", () => {
   const [modulus] = complexModuli(maxwell, [{...relaxed, error: {whole: [0.03, 0.05]}}]);
   const {size, phase} = modulus.at(10 / (2 * Math.PI));
   assert.ok(Math.abs(size / (2e6 / Math.SQRT2) - 1) < 1e-3 && Math.abs(phase - 45) < 0.05);
-  const [sentence, binder] = complexSentences({stage: "mix", moduli: [modulus], result: [relaxed], error: "± 5 % by the packing",
+  const [sentence, binder] = complexSentences({stage: "mix", letter: "G", moduli: [modulus], result: [relaxed], error: "± 5 % by the packing",
     binder: {at: () => complexOf(1e3, 0)}});
   assert.equal(sentence, "|G*| of mix is 20 kPa ± 5 % with a phase of 89° at 15.9 mHz, 1.06 MPa ± 4 % with a phase of " +
     "58° at 1 Hz and 2 MPa ± 3 % with a phase of 0.57° at 159 Hz (periodic boundary; ± 5 % by the packing).");
   assert.equal(binder, "That is 20 times its binder at 15.9 mHz and 2000 times its binder at 159 Hz.");
-  const columns = complexColumns(modulus, "");
+  const columns = complexColumns("G", modulus, "");
   assert.deepEqual(columns.map(([head]) => head), ["|G*|", "phase", "G′", "G″", "tan δ"]);
   assert.equal(columns[4][1](10 / (2 * Math.PI)), "1");
   assert.deepEqual(complexModuli([], [relaxed]), [], "a stage without a series");
@@ -82,8 +82,8 @@ test("complex moduli, their phase and error at frequencies in hertz", () => {
   assert.deepEqual(elastic.at(1), {size: 2e6, phase: 0, storage: 2e6, loss: 0});
   const crossed = ["traction", "displacement"].map((boundary, i) => ({...relaxed, boundary, y: [3e6 - i * 1e6, 1]}));
   const both = crossed.map((curve) => ({...modulus, boundary: curve.boundary}));
-  assert.ok(complexSentences({stage: "mix", moduli: both, result: crossed})[0].endsWith("(the modulus under displacement is below that under traction: use neither)."));
-  assert.ok(complexSentences({stage: "mix", moduli: both, result: [...crossed].reverse().map((curve, i) => ({...curve,
+  assert.ok(complexSentences({stage: "mix", letter: "G", moduli: both, result: crossed})[0].endsWith("(the modulus under displacement is below that under traction: use neither)."));
+  assert.ok(complexSentences({stage: "mix", letter: "G", moduli: both, result: [...crossed].reverse().map((curve, i) => ({...curve,
     boundary: crossed[i].boundary}))})[0].endsWith("(traction to displacement boundary)."));
 });
 
@@ -99,7 +99,7 @@ test("a complex modulus beside a measured one", () => {
   assert.equal(modulus.at(10 / (2 * Math.PI)).phase, 45, "the series itself, not between samples");
   assert.equal(sentenceOnMeasuredComplex([modulus], beside, "G"),
     "From 1 Hz to 10 Hz |G*| is 1 times what was measured (DMA), and the phases are within 0.01°.");
-  const columns = measuredColumns([modulus], beside);
+  const columns = measuredColumns("G", [modulus], beside);
   assert.deepEqual(columns.map(([head]) => head), ["measured |G*|", "measured phase", "|G*| over measured"]);
   assert.deepEqual(columns.map(([, text]) => text(10 / (2 * Math.PI))), ["1.41 MPa", "45°", "1.000"]);
   assert.deepEqual(columns.map(([, text]) => text(100)), ["–", "–", "–"]);
@@ -118,8 +118,15 @@ test("a complex Young's modulus beside a measured one", () => {
   const computed = [curve("stage", "storage", 3e6), curve("stage", "loss", 4e6)];
   const measured = measuredComplex([...computed, curve("measured", "storage", 6e6), curve("measured", "loss", 8e6)], "mix",
     "young-dynamic");
-  assert.equal(sentenceOnMeasuredComplex(complexYoungsModuli(computed), measured, "E"),
+  const relaxation = [{boundary: "periodic", x: [1e-4, 10], y: [5e6, 4e6], error: {whole: [0.02, 0.02]}}];
+  const moduli = complexYoungsModuli(computed, relaxation);
+  assert.equal(sentenceOnMeasuredComplex(moduli, measured, "E"),
     "From 1 Hz to 100 Hz |E*| is 0.5 times what was measured (DMA), and the phases are within 0.01°.");
+  assert.ok(Math.abs(moduli[0].errorAt(1) - 0.02) < 1e-9);
+  assert.ok(Number.isNaN(complexYoungsModuli(computed, [])[0].errorAt(1)), "not known");
+  assert.ok(complexSentences({stage: "mix", letter: "E", moduli, result: relaxation, error: "± 2 %"})[0].startsWith(
+    "|E*| of mix is 5 MPa ± 2 % with a phase of 53° at 1 Hz"));
+  assert.deepEqual(complexColumns("E", moduli[0], "").map(([head]) => head), ["|E*|", "phase", "E′", "E″", "tan δ"]);
 });
 
 test("bounds that cross, and the error of the grid", () => {
