@@ -17,7 +17,7 @@ _says_nothing = not {"OMP_WAIT_POLICY", "GOMP_SPINCOUNT"} & set(_os.environ)
 if _says_nothing:
     _os.environ["GOMP_SPINCOUNT"] = "1000"
 
-from . import _errors, _html, _native
+from . import _drawings, _errors, _figures, _html, _native, _plot, _tables
 
 if _says_nothing:
     del _os.environ["GOMP_SPINCOUNT"]
@@ -28,7 +28,7 @@ from ._calibration import Calibration, Estimate, calibrate
 from ._design import FoundInput, find
 from ._errors import Error, FileError, InputError, Interrupted, NumericalError
 from ._exports import Isochrone, export, isochrone
-from ._fits import master_curve, read_measured, read_sweeps
+from ._fits import fit, fit_creep, fit_dynamic, master_curve, read_measured, read_sweeps
 from ._materials import Material
 from ._native import (
     ComplexEngineeringModuli,
@@ -49,9 +49,6 @@ from ._native import (
     TestResult,
     WilliamsLandelFerry,
     __version__,
-    fit,
-    fit_creep,
-    fit_dynamic,
     quantity,
 )
 from ._stages import Coating, Filler, Image, Packing, Stage
@@ -75,6 +72,15 @@ for _name in __all__:
     if getattr(_object, "__module__", "").startswith("breccia."):
         _object.__module__ = "breccia"
 
+for _class, _drawing in _drawings.DRAWINGS.items():
+    setattr(_class, "plot", _figures.plot_by(_drawing))
+    setattr(_class, "svg", _plot.svg_by(_drawing))
+setattr(Result, "_repr_svg_", Result.svg)
+setattr(StageResult, "_repr_svg_", StageResult.svg)
+setattr(Result, "table", _tables.result_table)
+setattr(StageResult, "table", _tables.stage_table)
+setattr(Result, "_ipython_key_completions_", _tables.names_of_stages)
+setattr(Plan, "_ipython_key_completions_", _tables.names_of_stages)
 setattr(Result, "_repr_html_", _html.result_html)
 setattr(StageResult, "_repr_html_", _html.stage_html)
 setattr(TestResult, "_repr_html_", _html.test_html)

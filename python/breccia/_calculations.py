@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import operator
 import os
-from typing import Any, Mapping, Sequence, Union
+import time
+from typing import Any, Callable, Mapping, Optional, Protocol, Sequence, Union
 
 from . import _native
 from ._errors import InputError
@@ -15,17 +17,45 @@ from ._study import Study
 AnyMaterial = Union[Material, _native.Solid, _native.PronySeries, PathLike]
 
 
-def solve(study: Study, *, threads: int = 0, ignore_memory: bool = False,
-          progress: Progress = None) -> _native.Result:
+class Stop(Protocol):
+    """What can tell a calculation to end, such as a threading.Event."""
+
+    def is_set(self) -> bool: ...
+
+
+def _asked_to_end(stop: Stop | None, time_limit: Quantity | None) -> Optional[Callable[[], bool]]:
+    """A function that is asked a few times a second whether a calculation shall end; None where nothing ends it."""
+    if stop is not None and not callable(getattr(stop, "is_set", None)):
+        raise InputError(f"stop: expected what has is_set(), such as a threading.Event, got {stop!r}")
+    limit = None if time_limit is None else si("time_limit", time_limit, "time")
+    if limit is not None and not limit > 0.0:
+        raise InputError(f"time_limit: expected a positive number in s, got {limit:g}")
+    if stop is None and limit is None:
+        return None
+    begin = time.monotonic()
+    return lambda: bool((stop is not None and stop.is_set()) or (limit is not None and time.monotonic() - begin >= limit))
+
+
+def _number_of_threads(threads: Any) -> int:
+    try:
+        return operator.index(threads)
+    except TypeError:
+        raise InputError(f"threads: expected a whole number from 0, got {threads!r}") from None
+
+
+def solve(study: Study, *, threads: int = 0, ignore_memory: bool = False, time_limit: Quantity | None = None,
+          stop: Stop | None = None, progress: Progress = None) -> _native.Result:
     """Packs the stages of a study and runs their tests. No file is written.
 
     threads: number of threads, 0 for as many as shorten the calculation, at most one for each core; ignore_memory: start
-    even if the study may not fit into the memory; progress: True or False, or a function (what, share, details) that is
-    called a few times a second; by default it is shown in terminals and notebooks. Ctrl-C ends it. Raises InputError and
-    NumericalError.
+    even if the study may not fit into the memory; time_limit: [s], after which Interrupted is raised, as it is once
+    stop.is_set(), of a threading.Event that another thread sets; progress: True or False, or a function (what, share,
+    details) that is called a few times a second; by default it is shown in terminals and notebooks. Ctrl-C ends it.
+    Raises InputError and NumericalError.
     """
+    end = _asked_to_end(stop, time_limit)
     with shown(progress) as show:
-        return _native.solve(checked(study), threads, ignore_memory, show)
+        return _native.solve(checked(study), _number_of_threads(threads), ignore_memory, show, end)
 
 
 def plan(study: Study) -> _native.Plan:
@@ -50,19 +80,17 @@ def pack(study: Study, directory: PathLike | None = None, *, overwrite: bool = F
 
 
 def run(study: Study, directory: PathLike, *, resume: bool = False, overwrite: bool = False,
-        time_limit: Quantity | None = None, threads: int = 0, ignore_memory: bool = False,
+        time_limit: Quantity | None = None, stop: Stop | None = None, threads: int = 0, ignore_memory: bool = False,
         progress: Progress = None) -> _native.Result:
     """Solves a study and writes its results to a directory, as `breccia run` does.
 
-    resume: continue a run that was interrupted; overwrite: replace results of another study; time_limit: [s], after
-    which a checkpoint is written and Interrupted raised. Ctrl-C writes a checkpoint, too. Raises as solve(), and
-    FileError.
+    resume: continue a run that was interrupted; overwrite: replace results of another study; time_limit, stop: as of
+    solve(), but a checkpoint is written first. Ctrl-C writes one, too. Raises as solve(), and FileError.
     """
-    limit = None if time_limit is None else si("time_limit", time_limit, "time")
-    if limit is not None and not limit > 0.0:
-        raise InputError(f"time_limit: expected a positive number in s, got {limit:g}")
+    end = _asked_to_end(stop, time_limit)
     with shown(progress) as show:
-        return _native.run(checked(study), os.fspath(directory), resume, overwrite, limit, threads, ignore_memory, show)
+        return _native.run(checked(study), os.fspath(directory), resume, overwrite, _number_of_threads(threads),
+                           ignore_memory, show, end)
 
 
 def respond(result: _native.Result, binder: AnyMaterial | None = None, *,

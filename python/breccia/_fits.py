@@ -10,9 +10,39 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _native
 from ._errors import InputError
-from ._quantities import PathLike, Quantity, si
+from ._quantities import PathLike, Quantity, is_number, si
 
 Sweep = Tuple[Union[str, float], ArrayLike, ArrayLike, ArrayLike]
+
+
+def fit(time: ArrayLike, modulus: ArrayLike, *, ramp: Quantity = 0.0,
+        times_per_decade: float = 10.0) -> _native.RelaxationFit:
+    """A Prony series of a measured relaxation modulus: times [s], moduli [Pa].
+
+    ramp: for how long the strain rose before it was held [s]; times_per_decade: relaxation times that are offered to the
+    fit. Raises InputError and NumericalError.
+    """
+    return _native.fit(time, modulus, ramp=si("ramp", ramp, "time"), times_per_decade=_count(times_per_decade))
+
+
+def fit_creep(time: ArrayLike, compliance: ArrayLike, *, ramp: Quantity = 0.0,
+              times_per_decade: float = 10.0) -> _native.CreepFit:
+    """A retardation spectrum of a measured creep compliance: times [s], compliances [1/Pa]. Otherwise as fit(); ramp: for
+    how long the stress rose [s]."""
+    return _native.fit_creep(time, compliance, ramp=si("ramp", ramp, "time"), times_per_decade=_count(times_per_decade))
+
+
+def fit_dynamic(angular_frequency: ArrayLike, storage: ArrayLike, loss: ArrayLike, *,
+                times_per_decade: float = 10.0) -> _native.RelaxationFit:
+    """A Prony series of measured dynamic moduli: angular frequencies [rad/s], storage and loss moduli [Pa]. Otherwise as
+    fit()."""
+    return _native.fit_dynamic(angular_frequency, storage, loss, times_per_decade=_count(times_per_decade))
+
+
+def _count(times_per_decade: Any) -> float:
+    if not is_number(times_per_decade):
+        raise InputError(f"times_per_decade: expected a number, got {times_per_decade!r}")
+    return float(times_per_decade)
 
 
 def read_measured(file: PathLike, kind: str | None = None, *,

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import html
 import math
-from dataclasses import dataclass
-from typing import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Callable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
-_COLOURS = ("#1f5f8b", "#c2572b", "#3a7d44", "#7d4f91", "#8a6d1d", "#52606d")
-_LEFT, _RIGHT, _TOP, _BOTTOM, _WIDTH, _HEIGHT = 70, 18, 16, 46, 560, 340
+COLOURS = ("#1f5f8b", "#c2572b", "#3a7d44", "#7d4f91", "#8a6d1d", "#52606d")
+_LEFT, _RIGHT, _TOP, _BOTTOM, _WIDTH, _HEIGHT = 88, 18, 16, 46, 578, 340
 _PREFIXES = {9: "G", 6: "M", 3: "k", 0: "", -3: "m"}
 
 
@@ -37,6 +37,22 @@ class Band:
     low: Floats
     high: Floats
     colour: int = 0
+
+
+@dataclass
+class Drawing:
+    """Curves and bands on logarithmic axes, and what these are called; values have the unit of `ordinate`."""
+
+    curves: list[Curve]
+    bands: list[Band] = field(default_factory=list)
+    abscissa: str = "Time / s"
+    ordinate: str = "M(t)"
+    unit: str = "Pa"
+
+    @property
+    def quotable_unit(self) -> str:
+        """The unit as a divisor: Pa, (1/Pa)."""
+        return f"({self.unit})" if "/" in self.unit else self.unit
 
 
 @dataclass
@@ -158,7 +174,7 @@ def _legend(curves: Sequence[Curve]) -> list[str]:
     parts = []
     for number, curve in enumerate(curves):
         up = _HEIGHT - _BOTTOM - 14 - 17 * (len(curves) - 1 - number)
-        colour = _COLOURS[curve.colour % len(_COLOURS)]
+        colour = COLOURS[curve.colour % len(COLOURS)]
         if curve.marks:
             parts.append(f'<circle cx="{_LEFT + 24}" cy="{up - 4}" r="3" fill="none" stroke="{colour}"/>')
         else:
@@ -169,18 +185,30 @@ def _legend(curves: Sequence[Curve]) -> list[str]:
     return parts
 
 
-def plot(curves: Sequence[Curve], bands: Sequence[Band] = (), abscissa: str = "Time / s",
-         ordinate: Callable[[float], str] = _pascals) -> str:
-    """An SVG of curves of moduli on logarithmic axes; ordinate: the words for round values."""
+def svg_of(drawing: Drawing) -> str:
+    """A drawing as SVG; empty where there is nothing to draw."""
     positive = [Curve(curve.label, curve.x[curve.x > 0], curve.y[curve.x > 0], curve.colour, curve.dashes, curve.marks)
-                for curve in curves]
-    return _drawn(positive, bands, lambda values: _axis(values, _LEFT, _WIDTH - _RIGHT, 0.0), abscissa, ordinate)
+                for curve in drawing.curves]
+    words = _pascals if drawing.unit == "Pa" else plain
+    ordinate = drawing.ordinate if drawing.unit == "Pa" else f"{drawing.ordinate} / {drawing.quotable_unit}"
+    return _drawn(positive, drawing.bands, lambda values: _axis(values, _LEFT, _WIDTH - _RIGHT, 0.0), drawing.abscissa,
+                  ordinate, words)
 
 
-def plot_over_temperature(curves: Sequence[Curve], ordinate: Callable[[float], str] = _pascals) -> str:
-    """An SVG of curves over the temperature [degC], on a linear axis; ordinate: the words for round values."""
+def svg_by(drawing_of: Callable[[Any], Drawing]) -> Callable[[Any], str]:
+    """The method svg() of a class of which drawing_of() has the curves."""
+
+    def svg(self: Any) -> str:
+        """Its picture as SVG; empty where there is nothing to draw."""
+        return svg_of(drawing_of(self))
+
+    return svg
+
+
+def svg_over_temperature(curves: Sequence[Curve], ordinate: str, words: Callable[[float], str] | None = None) -> str:
+    """An SVG of curves over the temperature [degC], on a linear axis; words: for round values, of moduli by default."""
     return _drawn(curves, (), lambda values: _linear_axis(values, _LEFT, _WIDTH - _RIGHT), "Temperature / \u00b0C",
-                  ordinate)
+                  ordinate, words or _pascals)
 
 
 def plain(value: float) -> str:
@@ -189,20 +217,22 @@ def plain(value: float) -> str:
 
 
 def _drawn(curves: Sequence[Curve], bands: Sequence[Band], axis: Callable[[Sequence[Floats]], _Axis | _LinearAxis],
-           abscissa: str, words: Callable[[float], str]) -> str:
+           abscissa: str, ordinate: str, words: Callable[[float], str]) -> str:
     curves = [shown for shown in map(_shown, curves) if len(shown.x) > 0]
     if not curves:
         return ""
     x = axis([curve.x for curve in curves])
     y = _axis([curve.y for curve in curves], _HEIGHT - _BOTTOM, _TOP, 0.06)
     parts = _grid(x, y, abscissa, words)
+    middle = (_TOP + _HEIGHT - _BOTTOM) / 2
+    parts.append(f'<text transform="rotate(-90)" x="{-middle}" y="15" text-anchor="middle">{html.escape(ordinate)}</text>')
     for band in bands:
         step = max(1, len(band.x) // 400)
         across, low, high = x.place(band.x[::step]), y.place(band.low[::step]), y.place(band.high[::step])
         outline = _points(np.concatenate([across, across[::-1]]), np.concatenate([high, low[::-1]]))
-        parts.append(f'<polygon points="{outline}" fill="{_COLOURS[band.colour % len(_COLOURS)]}" opacity="0.14"/>')
+        parts.append(f'<polygon points="{outline}" fill="{COLOURS[band.colour % len(COLOURS)]}" opacity="0.14"/>')
     for curve in curves:
-        colour = _COLOURS[curve.colour % len(_COLOURS)]
+        colour = COLOURS[curve.colour % len(COLOURS)]
         across, up = x.place(curve.x), y.place(curve.y)
         if curve.marks:
             parts += [f'<circle cx="{a:.1f}" cy="{b:.1f}" r="3" fill="none" stroke="{colour}"/>'

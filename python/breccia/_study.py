@@ -129,7 +129,7 @@ class Study:
                 "measurements": [one._table(self._files)
                                  for one in several_of("measurements", Measurement, measurements)]}
         try:
-            self._checked = _native.study_from_text(_deck.deck_text(in_deck("", deck)), self._directory)
+            self._checked = _native.study_from_text(_deck.deck_text(in_deck("", deck)), self._directory, [])
         except InputError as error:
             raise InputError(self._files.in_words("\n".join([*mistakes, str(error)]))) from None
         if mistakes:
@@ -148,7 +148,24 @@ class Study:
         """A study is pickled as its deck: of one that was read the path, of one that was built the text and arrays."""
         if self._deck_path is not None:
             return _read_again, (self._deck_path, self._checked.overrides, self._checked.hash)
-        return _built_again, (self._checked.deck, self._directory, self._files.contents(), self._files.place)
+        return _built_again, (self._checked.deck, self._directory, self._files.contents(), self._files.place,
+                              self._checked.overrides)
+
+    def replace(self, overrides: Mapping[str, Any] | Iterable[str] | str) -> Study:
+        """The same study with other values, by the paths of their keys: study.replace({"stages.0.filler.fraction": 0.4}).
+
+        overrides: as of read_study(). What was replaced before, or overridden when the deck was read, stays as it is
+        unless it is given again. The study itself is unchanged; a deck is not read again, the files that it names are.
+        Raises InputError with a line for every mistake.
+        """
+        lines = [*self._checked.overrides, *_override_lines(overrides)]
+        study = Study.__new__(Study)
+        study._files, study._directory, study._deck_path = self._files, self._directory, None
+        try:
+            study._checked = _native.study_from_text(self._checked.deck, self._directory, lines)
+        except InputError as error:
+            raise InputError(self._files.in_words(str(error))) from None
+        return study
 
     @property
     def title(self) -> str:
@@ -164,6 +181,12 @@ class Study:
     def materials(self) -> list[_native.Solid]:
         """The materials in SI units."""
         return self._checked.materials
+
+    @property
+    def overrides(self) -> list[str]:
+        """What stands in place of values of the deck, as lines "key.path=value": overrides, and the values of a task of a
+        sweep."""
+        return self._checked.overrides
 
     @property
     def times(self) -> tuple[float, float]:
@@ -232,12 +255,14 @@ def _read_again(deck: str, overrides: list[str], hash_: str) -> Study:
     return study
 
 
-def _built_again(deck: str, directory: str, files: dict[str, bytes], place: str) -> Study:
+def _built_again(deck: str, directory: str, files: dict[str, bytes], place: str, overrides: list[str]) -> Study:
     """A pickled study that was built in Python, with the files of its arrays in a place of their own."""
     study = Study.__new__(Study)
     study._files = _deck.Files.of(files)
     study._directory = directory
     study._deck_path = None
-    text = deck.replace(place, study._files.place) if files else deck
-    study._checked = _native.study_from_text(text, directory)
+    text, lines = deck, overrides
+    if files:
+        text, *lines = (one.replace(place, study._files.place) for one in (deck, *overrides))
+    study._checked = _native.study_from_text(text, directory, lines)
     return study

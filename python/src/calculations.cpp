@@ -37,9 +37,9 @@ SolveOptions options_of(int threads, bool ignore_memory) {
 }
 
 std::shared_ptr<Solution> solve_study(const std::shared_ptr<const Study>& study, int threads, bool ignore_memory,
-                                      py::object show) {
+                                      py::object show, py::object stop) {
   const auto options = options_of(threads, ignore_memory);
-  Following following(std::move(show));
+  Following following(std::move(show), std::move(stop));
   FollowingSink sink(following);
   return calculate([&] { return solution_of(*study, solve(*study, options, sink)); });
 }
@@ -65,24 +65,18 @@ struct Directory {
   std::filesystem::path path;
   bool resume = false;
   bool overwrite = false;
-  std::optional<double> time_limit = {};  ///< largest wall time [s]
 };
 
-/// Runs a study in a directory by a function of the library. A signal or the time limit ends the run after a
-/// checkpoint.
+/// Runs a study in a directory by a function of the library. A signal, or the caller's function `stop`, ends the
+/// run after a checkpoint.
 template <class Work>
 std::shared_ptr<Solution> in_directory(const Study& study, const Directory& directory, const SolveOptions& solving,
-                                       py::object show, const Work& work) {
+                                       Following following, const Work& work) {
   if (directory.resume && directory.overwrite) {
     throw InputError("overwrite starts a new run, resume continues the earlier one: expected only one of them");
   }
-  Following following(std::move(show));
   RunOptions options = {.solve = solving, .resume = directory.resume, .overwrite = directory.overwrite};
-  const auto begin = std::chrono::steady_clock::now();
-  options.checkpoints.stop = [&] {
-    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
-    return following.stop() || (directory.time_limit && passed.count() >= *directory.time_limit);
-  };
+  options.checkpoints.stop = [&] { return following.stop(); };
   const auto observer = following.run_observer();
   try {
     return calculate([&] { return solution_of(study, work(study, directory.path, options, observer)); });
@@ -93,15 +87,16 @@ std::shared_ptr<Solution> in_directory(const Study& study, const Directory& dire
 }
 
 std::shared_ptr<Solution> run_in_directory(const std::shared_ptr<const Study>& study, const std::filesystem::path& path,
-                                           bool resume, bool overwrite, std::optional<double> time_limit, int threads,
-                                           bool ignore_memory, py::object show) {
-  return in_directory(*study, {path, resume, overwrite, time_limit}, options_of(threads, ignore_memory),
-                      std::move(show), [](const auto&... arguments) { return run_study(arguments...); });
+                                           bool resume, bool overwrite, int threads, bool ignore_memory,
+                                           py::object show, py::object stop) {
+  return in_directory(*study, {path, resume, overwrite}, options_of(threads, ignore_memory),
+                      Following(std::move(show), std::move(stop)),
+                      [](const auto&... arguments) { return run_study(arguments...); });
 }
 
 std::shared_ptr<Solution> pack_in_directory(const std::shared_ptr<const Study>& study,
                                             const std::filesystem::path& path, bool overwrite, py::object show) {
-  return in_directory(*study, {.path = path, .overwrite = overwrite}, {}, std::move(show),
+  return in_directory(*study, {.path = path, .overwrite = overwrite}, {}, Following(std::move(show)),
                       [](const auto&... arguments) { return pack_study(arguments...); });
 }
 
@@ -162,12 +157,13 @@ std::shared_ptr<Solution> respond_with(const Solution& solution,
 }  // namespace
 
 void bind_calculations(py::module_& module) {
-  module.def("solve", &solve_study, py::arg("study"), py::arg("threads"), py::arg("ignore_memory"), py::arg("show"));
+  module.def("solve", &solve_study, py::arg("study"), py::arg("threads"), py::arg("ignore_memory"), py::arg("show"),
+             py::arg("stop"));
   module.def("pack", &pack_in_memory, py::arg("study"), py::arg("show"));
   module.def("pack_in_directory", &pack_in_directory, py::arg("study"), py::arg("directory"), py::arg("overwrite"),
              py::arg("show"));
   module.def("run", &run_in_directory, py::arg("study"), py::arg("directory"), py::arg("resume"), py::arg("overwrite"),
-             py::arg("time_limit"), py::arg("threads"), py::arg("ignore_memory"), py::arg("show"));
+             py::arg("threads"), py::arg("ignore_memory"), py::arg("show"), py::arg("stop"));
   module.def("respond", &respond_with, py::arg("result"), py::arg("materials"), py::arg("temperature"),
              py::arg("times"), py::arg("frequencies"));
   module.def("stop_parallel", &parallel::stop);

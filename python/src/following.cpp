@@ -66,6 +66,7 @@ void Following::look_for_signals() {
   if (!is_due(looked_, pause)) return;
   const py::gil_scoped_acquire lock;
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+  if (!stop_.is_none() && stop_().cast<bool>()) shall_end_ = true;
 }
 
 void Following::report(const Progress& now) {
@@ -77,6 +78,7 @@ void Following::report(const Progress& now) {
 
 void Following::follow(const Progress& now) {
   look_for_signals();
+  if (shall_end_) throw Interrupted("the calculation was stopped and is lost; run() leaves what it has computed");
   report(now);
 }
 
@@ -92,14 +94,14 @@ RunObserver Following::run_observer() {
 }
 
 bool Following::stop() {
-  if (interruption_) return true;
+  if (interruption_ || shall_end_) return true;
   try {
     look_for_signals();
   } catch (py::error_already_set& raised) {
     const py::gil_scoped_acquire lock;
     interruption_.emplace(raised);
   }
-  return interruption_.has_value();
+  return interruption_ || shall_end_;
 }
 
 void Following::throw_interruption() {

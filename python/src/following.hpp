@@ -13,15 +13,18 @@
 namespace breccia::python {
 
 /// Follows a calculation for Python: passes its progress to a function `(what, share, details)`, a few times a second,
-/// and looks for signals, so that Ctrl-C ends it. It must be made and destroyed with the interpreter's lock held.
+/// looks for signals, so that Ctrl-C ends it, and asks a function whether it shall end. It must be made and destroyed
+/// with the interpreter's lock held.
 class Following {
  public:
-  /// `show`: the function, or None.
-  explicit Following(pybind11::object show) : show_(std::move(show)) {}
+  /// `show`, `stop`: the functions, or None.
+  explicit Following(pybind11::object show, pybind11::object stop = pybind11::none())
+      : show_(std::move(show)), stop_(std::move(stop)) {}
 
-  /// Follows a calculation in memory, which a signal ends at once: it throws KeyboardInterrupt.
+  /// Follows a calculation in memory, which ends at once: by the exception of a signal, or by Interrupted where `stop`
+  /// says so.
   void follow(const Progress& now);
-  /// Functions for a run in a directory, which a signal ends after a checkpoint (stop).
+  /// Functions for a run in a directory, which a signal or `stop` ends after a checkpoint (stop()).
   [[nodiscard]] RunObserver run_observer();
   /// Whether the run shall end: the stop of a CheckpointSchedule.
   [[nodiscard]] bool stop();
@@ -32,13 +35,14 @@ class Following {
   using Clock = std::chrono::steady_clock;
 
   [[nodiscard]] bool is_due(Clock::time_point& last, std::chrono::milliseconds pause) const;
-  /// Looks for signals, and throws the exceptions that they raise.
+  /// Looks for signals and calls `stop`; throws the exceptions that they raise.
   void look_for_signals();
   void report(const Progress& now);
 
-  pybind11::object show_;
+  pybind11::object show_, stop_;
   Clock::time_point looked_ = Clock::now(), shown_ = Clock::now() - std::chrono::hours(1);
   std::optional<pybind11::error_already_set> interruption_ = {};
+  bool shall_end_ = false;  ///< as `stop` has said
 };
 
 /// Follows a solution in memory.

@@ -75,10 +75,10 @@ void bind_studies(py::module_& module) {
   module.def("read_sweep", &tasks_of, py::arg("deck"), py::arg("overrides"), py::arg("keys"));
   module.def(
       "study_from_text",
-      [](const std::string& deck, const std::filesystem::path& directory) {
-        return std::make_shared<Study>(study_from_text(deck, directory));
+      [](const std::string& deck, const std::filesystem::path& directory, const std::vector<std::string>& overrides) {
+        return std::make_shared<Study>(study_from_text(deck, directory, overrides, origins_in_python()));
       },
-      py::arg("deck"), py::arg("directory"));
+      py::arg("deck"), py::arg("directory"), py::arg("overrides"));
 }
 
 }  // namespace breccia::python
