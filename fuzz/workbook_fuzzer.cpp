@@ -16,7 +16,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   constexpr std::string_view between = "\n=====\n";
   std::map<std::string, std::string> parts = {
       {"xl/workbook.xml", R"(<workbook xmlns:r="r"><sheets><sheet name="A" r:id="a"/></sheets></workbook>)"},
-      {"xl/_rels/workbook.xml.rels", R"(<Relationships><Relationship Id="a" Target="sheet.xml"/></Relationships>)"}};
+      {"_rels/.rels",
+       R"(<Relationships><Relationship Id="b" Type="/officeDocument" Target="/xl/workbook.xml"/></Relationships>)"},
+      {"xl/_rels/workbook.xml.rels", R"(<Relationships><Relationship Id="a" Type="/worksheet" Target="sheet.xml"/>)"
+                                     R"(<Relationship Id="t" Type="/sharedStrings" Target="sharedStrings.xml"/>)"
+                                     R"(<Relationship Id="s" Type="/styles" Target="styles.xml"/></Relationships>)"}};
   auto rest = fuzz::text_of(data, size);
   for (const auto* part : {"xl/sheet.xml", "xl/sharedStrings.xml", "xl/styles.xml"}) {
     const auto end = rest.find(between);

@@ -154,8 +154,13 @@ def engineering_html(moduli: _native.EngineeringModuli) -> str:
     """The moduli of a uniaxial test for a notebook: E, G and K over time, and Poisson's ratio in words."""
     first, last = _three_digits(moduli.time[0], "s"), _three_digits(moduli.time[-1], "s")
     ratio = f"Poisson's ratio {moduli.poisson[0]:.4g} at {first}, {moduli.poisson[-1]:.4g} at {last}"
-    young, poisson = moduli.young_error.max(), moduli.poisson_error.max()
-    ratio += "; errors unknown" if np.isnan(young) else f"; error of E up to {100 * young:.2g} %, of the ratio {poisson:.2g}"
+    known = np.isfinite(moduli.young_error)
+    if not known.any():
+        ratio += "; errors unknown"
+    else:
+        young, poisson = moduli.young_error[known].max(), moduli.poisson_error[known].max()
+        ratio += f"; error of E up to {100 * young:.2g} %, of the ratio {poisson:.2g}"
+        ratio += "" if known.all() else ", not known at all times"
     drawn = svg_of(engineering_drawing(moduli))
     return f"<div>{html.escape(repr(moduli))}</div>{drawn}<div>{html.escape(ratio)}</div>"
 

@@ -39,11 +39,12 @@ auto column(std::vector<Sample> EngineeringCurves::*samples, Number Sample::*mem
   };
 }
 
-/// An error of each sample in time as an array; NaN where it is not known.
-auto errors_of(std::optional<double> EngineeringErrors::*member) {
-  return [member](const EngineeringCurves& self) {
+/// An error of each sample as an array; NaN where it is not known.
+template <class Sample>
+auto errors_of(std::vector<Sample> EngineeringCurves::*samples, std::optional<double> EngineeringErrors::*member) {
+  return [samples, member](const EngineeringCurves& self) {
     std::vector<double> errors;
-    for (const auto& sample : self.in_time) errors.push_back(number_or_nan(sample.errors.*member));
+    for (const auto& sample : self.*samples) errors.push_back(number_or_nan(sample.errors.*member));
     return array_of(errors);
   };
 }
@@ -93,9 +94,7 @@ EngineeringCurves curves_from(const py::tuple& state) {
     curves.in_time.push_back(curves.at_time(times[i]));
     curves.in_time.back().errors = {.bulk = errors.at(i).at(0), .young = errors[i].at(1), .poisson = errors[i].at(2)};
   }
-  for (const double frequency : state[5].cast<std::vector<double>>()) {
-    curves.in_frequency.push_back(curves.at(frequency));
-  }
+  for (const double frequency : state[5].cast<std::vector<double>>()) curves.add_frequency(frequency);
   return curves;
 }
 
@@ -116,7 +115,7 @@ EngineeringCurves engineering_of(const StageFindings& stage, const std::optional
   // A study whose deck gives frequencies is answered at these.
   const auto test = std::ranges::find(stage.tests, curves.test, &TestResult::id);
   if (!test->in_frequency.empty()) curves.in_frequency.clear();
-  for (const auto& sample : test->in_frequency) curves.in_frequency.push_back(curves.at(sample.angular_frequency));
+  for (const auto& sample : test->in_frequency) curves.add_frequency(sample.angular_frequency);
   return curves;
 }
 
@@ -152,11 +151,11 @@ void bind_engineering(py::module_& module) {
       .def_property_readonly("poisson", column(in_time, &Timed::poisson), "Poisson's ratio nu(t) [-].")
       .def_property_readonly("tensile_compliance", column(in_time, &Timed::tensile_compliance),
                              "Creep compliance in tension D(t) [1/Pa].")
-      .def_property_readonly("bulk_error", errors_of(&EngineeringErrors::bulk),
+      .def_property_readonly("bulk_error", errors_of(in_time, &EngineeringErrors::bulk),
                              "Error of K(t), a share of it; NaN where those of the tests are not known.")
-      .def_property_readonly("young_error", errors_of(&EngineeringErrors::young),
+      .def_property_readonly("young_error", errors_of(in_time, &EngineeringErrors::young),
                              "Error of E(t) and of D(t), a share of them; NaN as above.")
-      .def_property_readonly("poisson_error", errors_of(&EngineeringErrors::poisson),
+      .def_property_readonly("poisson_error", errors_of(in_time, &EngineeringErrors::poisson),
                              "Error of nu(t) itself; NaN as above.")
       .def_property_readonly(
           "angular_frequency", column(in_frequency, &Complex::angular_frequency),
@@ -185,6 +184,8 @@ void bind_engineering(py::module_& module) {
       .def_property_readonly("complex_shear", column(in_frequency, &Complex::shear), "G' + i G'' [Pa].")
       .def_property_readonly("complex_bulk", column(in_frequency, &Complex::bulk), "K' + i K'' [Pa].")
       .def_property_readonly("complex_young", column(in_frequency, &Complex::young), "E' + i E'' [Pa].")
+      .def_property_readonly("complex_young_error", errors_of(in_frequency, &EngineeringErrors::young),
+                             "Error of E(t) at the time 1/omega, a share of it; NaN as above.")
       .def_property_readonly("complex_poisson", column(in_frequency, &Complex::poisson),
                              "nu' + i nu'' [-]; the imaginary part is negative where the contraction lags behind.")
       .def("__repr__",

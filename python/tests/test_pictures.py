@@ -56,7 +56,9 @@ def test_tables_are_those_of_the_files(study, in_directory):
             assert values == written
         else:
             assert np.array_equal(values, [float(text or "nan") for text in written], equal_nan=True)
+    assert np.isfinite(engineering["youngs_modulus_error"]).all() and (engineering["youngs_modulus_error"] < 0.5).all()
     comparison = result["box"].table("comparison")
+    assert np.isfinite(comparison["error"]).all()
     assert comparison["ratio"].tolist() == [float(row["ratio"]) for row in rows_of(place, "comparison.csv")]
     dynamic = result.table("dynamic")
     assert set(dynamic["load"]) >= {"isotropic", "bulk"} and len(dynamic["load"]) == len(dynamic["frequency_Hz"])
@@ -72,7 +74,11 @@ def test_pictures_name_their_axes_and_have_matrix_and_errors(in_directory):
     for text in ("G(t)</text>", "Time / s</text>", "binder</text>", "rheometer</text>", "<polygon", "<circle"):
         assert text in svg, text
     assert "binder</text>" not in result["box"].svg() and "<polygon" in result["box"].svg()
-    assert "E, G, K</text>" in result["box"].engineering().svg()
+    engineering = result["box"].engineering()
+    assert "E, G, K</text>" in engineering.svg()
+    again = pickle.loads(pickle.dumps(engineering))
+    assert np.isfinite(engineering.complex_young_error).all()
+    assert np.array_equal(again.complex_young_error, engineering.complex_young_error)
     assert "G\u2032, G\u2033</text>" in result["box"].test("isotropic").in_frequency.svg()
     assert breccia.PronySeries(equilibrium=1e6).svg() == ""
     creep = breccia.fit_creep([1, 2, 4, 8, 16], [1e-6, 1.2e-6, 1.4e-6, 1.6e-6, 1.8e-6])

@@ -142,9 +142,10 @@ void add_calibrate(CLI::App& application) {
       ->required()
       ->type_name("");
   command
-      ->add_option("--measured", arguments->measured,
-                   "measured values, a CSV file with a relaxation modulus, a creep compliance or dynamic moduli; with "
-                   "several DIR the name of one of them and the file; may be repeated")
+      ->add_option(
+          "--measured", arguments->measured,
+          "measured values, a table (CSV, .xlsx) with a relaxation modulus, a creep compliance or dynamic moduli; with "
+          "several DIR the name of one of them and the file; may be repeated")
       ->required()
       ->expected(1)
       ->take_all()

@@ -28,11 +28,15 @@ std::string words_on_modulus(const StageResult& stage, const Comparison& compare
 template <class Sample>
 std::string words_on_errors(const std::vector<Sample>& samples) {
   double largest = 0.0;
+  std::size_t known = 0;
   for (const auto& sample : samples) {
-    if (!sample.error) return "error of the computed modulus unknown";
+    if (!sample.error) continue;
+    ++known;
     largest = std::max(largest, *sample.error);
   }
-  return fmt::format("error of the computed modulus up to {:.2g} %", 100.0 * largest);
+  if (known == 0) return "error of the computed modulus unknown";
+  return fmt::format("error of the computed modulus up to {:.2g} %{}", 100.0 * largest,
+                     known < samples.size() ? ", not known everywhere" : "");
 }
 
 /// A table of the ratios of all computed moduli to one measurement, at whole decades; empty without samples in time.

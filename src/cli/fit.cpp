@@ -319,7 +319,7 @@ void add_fit(CLI::App& application) {
   auto* command = application.add_subcommand(
       "fit", "fit a Prony series to measured data; convert between relaxation, creep and dynamic moduli");
   auto arguments = std::make_shared<FitArguments>();
-  command->add_option("FILE", arguments->file, "measured data or a Prony series, a CSV file")
+  command->add_option("FILE", arguments->file, "measured data or a Prony series, a table as CSV or .xlsx")
       ->required()
       ->type_name("");
   command

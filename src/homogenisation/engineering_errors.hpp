@@ -16,8 +16,7 @@ struct EngineeringErrors {
 };
 
 /// The errors that follow from the whole errors of a test in shear and of the one in bulk beside it at one of their
-/// times, which have samples at the same times (theory, Eq. 23i). Nothing as well where the bulk modulus is not
-/// positive.
+/// times (theory, Eq. 23i). Nothing as well where the two have other times, and where the bulk modulus is not positive.
 EngineeringErrors engineering_errors(const TestResult& shear, const TestResult& bulk, std::size_t sample,
                                      int dimensions);
 

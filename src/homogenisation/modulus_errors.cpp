@@ -40,16 +40,6 @@ bool has_fillers_with_rule(const Study& study, const Stage& stage) {
   return has_soft_fillers(study, stage) && !stage.has_grains();
 }
 
-/// Composites for which the rule was measured: of the plane, and spheres.
-SampleKind sample_of(const Study& study, const Stage& stage, const StageMicrostructure& packed) {
-  if (stage.fillers.empty() || stage.packing_name() == PackingName::regular) return SampleKind::whole;
-  if (!stage.has_seed() || !has_fillers_with_rule(study, stage)) return SampleKind::unknown;
-  if (stage.dimensions() == 3 && packed.content<Microstructure<3>>() == nullptr) return SampleKind::unknown;
-  // The rule was measured with grains that are all bonded.
-  if (stage.bonds) return SampleKind::unknown;
-  return stage.has_grains() ? SampleKind::grains : SampleKind::particles;
-}
-
 /// The largest distance |ln (G_xy / G_xx-yy)| of the two shears of a box of the plane up to each time [-]; empty for a
 /// test that is not their mean.
 std::vector<double> distances_of_shears(const StageFindings& stage, const TestId& mean) {
@@ -124,6 +114,15 @@ class MatrixError {
 };
 
 }  // namespace
+
+SampleKind sample_of(const Study& study, const Stage& stage, const StageMicrostructure& packed) {
+  if (stage.fillers.empty() || stage.packing_name() == PackingName::regular) return SampleKind::whole;
+  if (!stage.has_seed() || !has_fillers_with_rule(study, stage)) return SampleKind::unknown;
+  if (stage.dimensions() == 3 && packed.content<Microstructure<3>>() == nullptr) return SampleKind::unknown;
+  // The rule was measured with grains that are all bonded.
+  if (stage.bonds) return SampleKind::unknown;
+  return stage.has_grains() ? SampleKind::grains : SampleKind::particles;
+}
 
 ErrorRules error_rules_of(const Study& study, const Stage& stage, const StageMicrostructure& packed) {
   ErrorRules rules;

@@ -14,6 +14,10 @@ constexpr bool reaches(double error, double asked) noexcept {
   return error <= hardly_more * asked;
 }
 
+/// What sample of its material the box of a stage is. Particles and grains are those for which the rule of the scatter
+/// was measured: of the plane, and spheres.
+SampleKind sample_of(const Study& study, const Stage& stage, const StageMicrostructure& packed);
+
 /// The rules for a stage as it is packed.
 ErrorRules error_rules_of(const Study& study, const Stage& stage, const StageMicrostructure& packed);
 

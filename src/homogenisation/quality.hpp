@@ -82,7 +82,8 @@ StageAccuracy accuracy_of_answer(const StageResult& answer, const ErrorRules& ru
 /// under traction beyond the error of the grids, with the likely causes.
 std::vector<std::string> warnings_on_bounds(const StageQuality& quality);
 
-/// Warnings about too few particles, and about a fraction that differs from the one in the deck.
-std::vector<std::string> warnings_on_packing(const Stage& stage, const StageMicrostructure& packed);
+/// Warnings about too few particles, unless an error is asked for that a rule judges, and about a fraction that differs
+/// from the one in the deck.
+std::vector<std::string> warnings_on_packing(const Study& study, const Stage& stage, const StageMicrostructure& packed);
 
 }  // namespace breccia

@@ -372,7 +372,7 @@ std::vector<std::string> warnings_on(const Study& study, const Stage& stage,
     const auto warning = warning_of_other_times(measurement, study.tests);
     if (warning) of_stage.push_back(*warning);
   }
-  std::ranges::move(warnings_on_packing(stage, microstructure), std::back_inserter(of_stage));
+  std::ranges::move(warnings_on_packing(study, stage, microstructure), std::back_inserter(of_stage));
   auto warnings = warnings_on_materials(study, stage);
   for (const auto& warning : of_stage) warnings.push_back(fmt::format("{}: {}", stage.name, warning));
   return warnings;

@@ -1,9 +1,9 @@
 #include "results/engineering_curves.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
-#include "homogenisation/complex_moduli.hpp"
 #include "homogenisation/tests_of_solid.hpp"
 #include "results/best_tests.hpp"
 #include "virtual_test/bulk_test.hpp"
@@ -47,14 +47,21 @@ EngineeringCurves curves_of(const TestPair& pair, int dimensions, const Frequenc
     auto& sample = curves.in_time.emplace_back(curves.at_time(pair.shear->modulus[i].time));
     sample.errors = engineering_errors(*pair.shear, *pair.bulk, i, dimensions);
   }
-  for (const double frequency : rows.of(pair.shear->modulus)) {
-    auto& sample = curves.in_frequency.emplace_back(curves.at(frequency));
-    sample.errors = curves.in_time[nearest_sample(pair.shear->modulus, 1.0 / frequency)].errors;
-  }
+  for (const double frequency : rows.of(pair.shear->modulus)) curves.add_frequency(frequency);
   return curves;
 }
 
 }  // namespace
+
+void EngineeringCurves::add_frequency(double angular_frequency) {
+  auto sample = at(angular_frequency);
+  const auto distance = [angular_frequency](const EngineeringSample& one) {
+    return std::abs(std::log(one.time * angular_frequency));
+  };
+  const auto nearest = std::ranges::min_element(in_time, {}, distance);
+  if (nearest != in_time.end()) sample.errors = nearest->errors;
+  in_frequency.push_back(sample);
+}
 
 EngineeringSample EngineeringCurves::at_time(double time) const {
   const EngineeringModuli moduli(shear, bulk);

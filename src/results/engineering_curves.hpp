@@ -40,6 +40,8 @@ struct EngineeringCurves {
   std::vector<ComplexEngineeringSample> in_frequency;  ///< samples at the requested frequencies, rising
   PronySeries shear = {}, bulk = {};                   ///< G(t) and K(t) [Pa]
 
+  /// Adds the complex moduli at an angular frequency [rad/s], with the errors of the nearest time to its inverse.
+  void add_frequency(double angular_frequency);
   /// The moduli at a time [s].
   [[nodiscard]] EngineeringSample at_time(double time) const;
   /// The complex moduli at an angular frequency [rad/s].

@@ -74,4 +74,11 @@ std::string CsvRecords::read_bare() {
   return std::string(trimmed(text_.substr(begin, at_ - begin)));
 }
 
+std::vector<CsvRecord> csv_records(std::string_view text, char separator) {
+  std::vector<CsvRecord> all;
+  CsvRecords records(text, separator);
+  while (auto record = records.next()) all.push_back(*std::move(record));
+  return all;
+}
+
 }  // namespace breccia::detail

@@ -39,6 +39,9 @@ class CsvRecords {
   std::size_t line_ = 1;
 };
 
+/// All rows of a CSV text.
+std::vector<CsvRecord> csv_records(std::string_view text, char separator);
+
 /// Reads a number, which may be infinite but not NaN; nothing for any other text.
 std::optional<double> parse_number(std::string_view text);
 

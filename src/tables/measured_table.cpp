@@ -8,6 +8,7 @@
 #include "breccia/error.hpp"
 
 #include "io/file_mistakes.hpp"
+#include "io/printable.hpp"
 
 namespace breccia {
 
@@ -85,8 +86,13 @@ std::string with_article(ModulusKind kind) {
 
 }  // namespace
 
+std::string MeasuredTable::place_of_line(std::size_t line) const {
+  return reading_.sheet.empty() ? fmt::format("{}:{}", path_.string(), line)
+                                : fmt::format("{}:{}:{}", path_.string(), printable(reading_.sheet), line);
+}
+
 std::string MeasuredTable::location(std::size_t row) const {
-  return fmt::format("{}:{}", path_.string(), lines_.at(row));
+  return place_of_line(lines_.at(row));
 }
 
 bool MeasuredTable::has(std::initializer_list<Quantity> quantities) const {

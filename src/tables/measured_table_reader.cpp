@@ -34,29 +34,26 @@ class MeasuredTableReader {
 
   MeasuredTable read() {
     auto source = detail::read_table_source(table_.path_, choices_);
-    auto text = std::move(source.text);
-    layout_ = std::move(source.layout);
+    layout_ = std::move(source.table.layout);
+    table_.reading_ = {source.encoding, source.sheet, layout_.separator, layout_.has_decimal_commas,
+                       layout_.header.line};
     table_.names_ = layout_.header.fields;
-    if (layout_.is_aligned_by_blanks) text = detail::with_tabs(text);
     if (table_.names_.empty()) throw InputError(fmt::format("{}: expected a header line", table_.path_.string()));
     refuse_header();
-    detail::CsvRecords records(text, layout_.separator);
-    auto record = records.next();
-    while (record && record->line <= layout_.header.line) record = records.next();
+    auto& rows = source.table.rows;
+    std::erase_if(rows, [&](const auto& row) { return row.line <= layout_.header.line; });
     read_meanings();
     find_labels();
-    table_.reading_ = {source.encoding, source.sheet, layout_.is_aligned_by_blanks ? ' ' : layout_.separator,
-                       layout_.has_decimal_commas, layout_.header.line};
     std::vector<std::string> units;
-    if (record && is_row_of_units(record->fields)) {
+    if (!rows.empty() && is_row_of_units(rows.front().fields)) {
       table_.reading_.has_row_of_units = true;
-      units = record->fields;
+      units = rows.front().fields;
       add_units(units);
-      record = records.next();
+      rows.erase(rows.begin());
     }
     make_columns();
     mistakes_.refuse();
-    auto tables = read_tables(records, std::move(record), units);
+    auto tables = read_tables(std::move(rows), units);
     table_.reading_.tables = tables.count;
     for (auto& row : tables.rows) read_row(std::move(row));
     mistakes_.refuse();
@@ -66,9 +63,7 @@ class MeasuredTableReader {
   }
 
  private:
-  [[nodiscard]] std::string location(std::size_t line) const {
-    return fmt::format("{}:{}", table_.path_.string(), line);
-  }
+  [[nodiscard]] std::string location(std::size_t line) const { return table_.place_of_line(line); }
 
   /// Reports a file without names of columns, without separators or without a chosen column.
   void refuse_header() {
@@ -155,10 +150,7 @@ class MeasuredTableReader {
   }
 
   /// The rows of all tables; reports tables with other columns or units.
-  detail::RepeatedTables read_tables(detail::CsvRecords& records, std::optional<detail::CsvRecord> record,
-                                     const std::vector<std::string>& units) {
-    std::vector<detail::CsvRecord> below;
-    for (; record; record = records.next()) below.push_back(std::move(*record));
+  detail::RepeatedTables read_tables(std::vector<detail::CsvRecord> below, const std::vector<std::string>& units) {
     const std::function<bool(const detail::CsvRecord&)> is_row = [&](const auto& one) {
       return may_be_row(one.fields);
     };
@@ -186,7 +178,7 @@ class MeasuredTableReader {
 
   void add_units(std::vector<std::string> fields) {
     // The first of several columns that are aligned by blanks may have no unit.
-    if (layout_.is_aligned_by_blanks && fields.size() < table_.names_.size()) {
+    if (layout_.separator == ' ' && fields.size() < table_.names_.size()) {
       fields.insert(fields.begin(), table_.names_.size() - fields.size(), "");
     }
     for (std::size_t i = 0; i < std::min(fields.size(), meanings_.size()); ++i) {

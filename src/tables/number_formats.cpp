@@ -45,6 +45,10 @@ NumberFormat format_of(std::string_view code) {
   if (code == "General") return NumberFormat::number;
   const auto letters = letters_of(code);
   if (letters.find('%') != std::string::npos) return NumberFormat::percentage;
+  // A comma behind the last digit divides by a thousand.
+  const auto section = std::string_view(letters).substr(0, letters.find(';'));
+  const auto digit = section.find_last_of("0#?");
+  if (digit != std::string_view::npos && section.substr(digit + 1).starts_with(',')) return NumberFormat::scaled;
   return letters.find_first_of("ymdhsYMDHS") == std::string::npos ? NumberFormat::number : NumberFormat::date;
 }
 

@@ -11,6 +11,7 @@ namespace breccia::detail {
 enum class NumberFormat : std::uint8_t {
   number,     ///< the number itself
   date,       ///< a date or a time of day, of which days are stored
+  scaled,     ///< the number in thousands or millions
   percentage  ///< a hundred times the number
 };
 

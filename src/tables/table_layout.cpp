@@ -21,6 +21,9 @@ namespace {
 
 using Choices = std::span<const ColumnChoice>;
 
+constexpr std::size_t fewest_known_columns = 2;
+constexpr std::size_t longest_preamble = 200;
+
 std::size_t known_columns_of(const CsvRecord& record, Choices choices) {
   return static_cast<std::size_t>(std::ranges::count_if(
       record.fields, [choices](const auto& field) { return meaning_of(field, choices).has_value(); }));
@@ -28,8 +31,6 @@ std::size_t known_columns_of(const CsvRecord& record, Choices choices) {
 
 /// The first of the comments at the top of a text that names two known columns, as in `##Temp./°C;E'/MPa`.
 std::optional<TableLayout> layout_in_comment(std::string_view text, char separator, Choices choices) {
-  constexpr std::size_t fewest = 2;
-  constexpr std::size_t longest_preamble = 200;
   for (std::size_t line = 1; line <= longest_preamble && !text.empty(); ++line) {
     const auto end = text.find('\n');
     auto comment = trimmed(text.substr(0, end));
@@ -40,7 +41,7 @@ std::optional<TableLayout> layout_in_comment(std::string_view text, char separat
     if (!record) continue;
     record->line = line;
     const auto known = known_columns_of(*record, choices);
-    if (known >= fewest) return TableLayout{separator, *std::move(record), known};
+    if (known >= fewest_known_columns) return TableLayout{separator, *std::move(record), known};
   }
   return std::nullopt;
 }
@@ -55,7 +56,7 @@ bool is_row_of_numbers(const CsvRecord& record) {
 
 /// The likely names among records without known names: the uppermost of the lines of texts directly above a row of
 /// numbers, with as many values as the row; or else the first record.
-CsvRecord likely_names(const std::vector<CsvRecord>& records) {
+CsvRecord likely_names(std::span<const CsvRecord> records) {
   if (records.empty()) return {};
   for (auto numbers = records.begin(); numbers != records.end(); ++numbers) {
     if (!is_row_of_numbers(*numbers)) continue;
@@ -69,22 +70,33 @@ CsvRecord likely_names(const std::vector<CsvRecord>& records) {
   return records.front();
 }
 
+/// The layout with the first of some records that names two known columns.
+std::optional<TableLayout> named_layout(std::span<const CsvRecord> records, char separator, Choices choices) {
+  for (const auto& record : records) {
+    const auto known = known_columns_of(record, choices);
+    if (known >= fewest_known_columns) return TableLayout{separator, record, known};
+  }
+  return std::nullopt;
+}
+
+/// The layout with the likely names.
+TableLayout likely_layout(std::span<const CsvRecord> records, char separator, Choices choices) {
+  auto names = likely_names(records);
+  const auto known = known_columns_of(names, choices);
+  return {separator, std::move(names), known};
+}
+
 TableLayout layout_with(std::string_view text, char separator, Choices choices) {
-  constexpr std::size_t fewest = 2;
-  constexpr std::size_t longest_preamble = 200;
   std::vector<CsvRecord> preamble;
   CsvRecords records(text, separator);
   while (preamble.size() < longest_preamble) {
     auto record = records.next();
     if (!record) break;
-    const auto known = known_columns_of(*record, choices);
-    if (known >= fewest) return {separator, *std::move(record), known};
     preamble.push_back(*std::move(record));
   }
+  if (auto layout = named_layout(preamble, separator, choices)) return *std::move(layout);
   if (auto layout = layout_in_comment(text, separator, choices)) return *std::move(layout);
-  auto names = likely_names(preamble);
-  const auto known = known_columns_of(names, choices);
-  return {separator, std::move(names), known};
+  return likely_layout(preamble, separator, choices);
 }
 
 /// The digits and commas of a number, without its sign and exponent; nothing if the value is not a number with commas.
@@ -127,16 +139,15 @@ std::vector<bool> columns_read(const TableLayout& layout, Choices choices) {
 
 /// Whether the numbers in the columns that are read have commas and no points. Throws InputError if the commas could
 /// also separate thousands.
-bool has_decimal_commas(std::string_view text, const TableLayout& layout, Choices choices) {
+bool has_decimal_commas(std::span<const CsvRecord> records, const TableLayout& layout, Choices choices) {
   const auto are_read = columns_read(layout, choices);
-  CsvRecords records(text, layout.separator);
   bool has_comma = false, has_thousands = true;
   std::string example;
-  while (const auto record = records.next()) {
-    if (record->line <= layout.header.line) continue;
-    for (std::size_t i = 0; i < std::min(record->fields.size(), are_read.size()); ++i) {
+  for (const auto& record : records) {
+    if (record.line <= layout.header.line) continue;
+    for (std::size_t i = 0; i < std::min(record.fields.size(), are_read.size()); ++i) {
       if (!are_read[i]) continue;
-      const auto& field = record->fields[i];
+      const auto& field = record.fields[i];
       if (field.find('.') != std::string::npos && parse_number(field)) return false;
       const auto digits = digits_with_commas(field);
       if (!digits) continue;
@@ -153,8 +164,7 @@ bool has_decimal_commas(std::string_view text, const TableLayout& layout, Choice
   return has_comma;
 }
 
-}  // namespace
-
+/// The text with a tab instead of every two or more blanks within a line.
 std::string with_tabs(std::string_view text) {
   std::string result;
   std::size_t blanks = 0;
@@ -171,7 +181,9 @@ std::string with_tabs(std::string_view text) {
   return result;
 }
 
-TableLayout layout_of(std::string_view text, std::span<const ColumnChoice> choices) {
+}  // namespace
+
+LaidOutTable table_in_text(std::string_view text, Choices choices) {
   auto best = layout_with(text, ',', choices);
   for (const char separator : {';', '\t'}) {
     auto other = layout_with(text, separator, choices);
@@ -180,17 +192,31 @@ TableLayout layout_of(std::string_view text, std::span<const ColumnChoice> choic
     };
     if (merit(other) > merit(best)) best = std::move(other);
   }
-  if (best.known_columns < 2) {
+  if (best.known_columns < fewest_known_columns) {
     const auto tabbed = with_tabs(text);
     auto by_blanks = layout_with(tabbed, '\t', choices);
-    if (by_blanks.known_columns >= 2) {
-      by_blanks.is_aligned_by_blanks = true;
-      by_blanks.has_decimal_commas = has_decimal_commas(tabbed, by_blanks, choices);
-      return by_blanks;
+    if (by_blanks.known_columns >= fewest_known_columns) {
+      auto records = csv_records(tabbed, '\t');
+      by_blanks.separator = ' ';
+      by_blanks.has_decimal_commas = has_decimal_commas(records, by_blanks, choices);
+      return {std::move(by_blanks), std::move(records)};
     }
   }
-  if (best.separator != ',') best.has_decimal_commas = has_decimal_commas(text, best, choices);
-  return best;
+  auto records = csv_records(text, best.separator);
+  if (best.separator != ',') best.has_decimal_commas = has_decimal_commas(records, best, choices);
+  return {std::move(best), std::move(records)};
+}
+
+bool names_columns(std::span<const CsvRecord> rows, Choices choices) {
+  return named_layout(rows.first(std::min(rows.size(), longest_preamble)), '\t', choices).has_value();
+}
+
+LaidOutTable table_in_sheet(std::vector<CsvRecord> rows, Choices choices) {
+  const auto first = std::span<const CsvRecord>(rows).first(std::min(rows.size(), longest_preamble));
+  auto named = named_layout(first, '\t', choices);
+  auto layout = named ? *std::move(named) : likely_layout(first, '\t', choices);
+  layout.has_decimal_commas = has_decimal_commas(rows, layout, choices);
+  return {std::move(layout), std::move(rows)};
 }
 
 }  // namespace breccia::detail

@@ -10,17 +10,16 @@
 
 namespace breccia::detail {
 
-/// The text of a table, from a text file or a sheet of a workbook, and its layout.
+/// A table as it stands in a text file or in a sheet of a workbook.
 struct TableSource {
-  std::string text;      ///< UTF-8; a line for each line of the file or row of the sheet
+  LaidOutTable table;
   std::string encoding;  ///< of a text: "UTF-8", "Latin-1" or "UTF-16"; empty for a workbook
   std::string sheet;     ///< of a workbook: the name of the sheet; empty for a text
-  TableLayout layout;
 };
 
 /// Reads a file that has a table. Of a workbook, the one visible sheet that names two known columns is taken, or else
 /// its only sheet with values. Throws FileError, and InputError for files that are neither text nor a workbook, for
-/// workbooks with several tables or none, and where the layout is ambiguous (layout_of()).
+/// workbooks with several tables or none, and where the layout is ambiguous (table_in_text()).
 TableSource read_table_source(const std::filesystem::path& path, std::span<const ColumnChoice> choices);
 
 }  // namespace breccia::detail

@@ -1,37 +1,45 @@
 #include "tables/workbook.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cstddef>
-#include <cstdint>
 #include <map>
-#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
-#include <pugixml.hpp>
 
 #include "breccia/error.hpp"
 
 #include "io/file_mistakes.hpp"
+#include "io/trimmed.hpp"
 #include "tables/number_formats.hpp"
+#include "tables/workbook_parts.hpp"
 #include "tables/xml_elements.hpp"
-#include "tables/zip_archive.hpp"
 
 namespace breccia::detail {
 namespace {
 
-/// A part of the workbook as XML.
-pugi::xml_document parsed(const ZipArchive& archive, const std::string& part) {
-  pugi::xml_document document;
-  const auto bytes = archive.entry(part);
-  const auto result = document.load_buffer(bytes.data(), bytes.size());
-  if (!result && !bytes.empty()) {
-    throw InputError(fmt::format("{} in the workbook is damaged XML: {}", part, result.description()));
+constexpr std::size_t most_rows = 1048576, most_columns = 16384;
+
+/// A text without the escapes of its characters as _xHHHH_ (ECMA-376, Part 1, 22.9.2.19), of which those of ASCII
+/// occur, on one line and without blanks around it.
+std::string plain(std::string_view stored) {
+  constexpr std::size_t length = 7, digits = 4;
+  std::string text;
+  while (!stored.empty()) {
+    unsigned code = 0x80;
+    const bool has_form = stored.size() >= length && stored.starts_with("_x") && stored[length - 1] == '_';
+    if (has_form) std::from_chars(stored.data() + 2, stored.data() + 2 + digits, code, 16);
+    const bool is_escape = has_form && code < 0x80;
+    text += is_escape ? static_cast<char>(code) : stored.front();
+    stored.remove_prefix(is_escape ? length : 1);
   }
-  return document;
+  std::ranges::replace_if(
+      text, [](char letter) { return letter >= '\0' && letter < ' '; }, ' ');
+  return std::string(trimmed(text));
 }
 
-/// The texts of an element `si` or `is`: of its own or of its parts in several fonts, without phonetic readings.
+/// The text of an element `si` or `is`: its own or that of its parts in several fonts, without phonetic readings.
 std::string text_of(const pugi::xml_node& rich) {
   std::string text;
   for (const auto& part : rich.children()) {
@@ -39,94 +47,94 @@ std::string text_of(const pugi::xml_node& rich) {
     if (name == "t") text += part.text().get();
     if (name == "r") text += child(part, "t").text().get();
   }
-  return text;
+  return plain(text);
 }
 
-/// The column of a reference such as "AB12", from 0; nothing without letters.
-std::optional<std::size_t> column_of(std::string_view reference) {
-  constexpr std::size_t letters = 26, most = 16384;
-  std::size_t column = 0;
-  while (!reference.empty() && reference.front() >= 'A' && reference.front() <= 'Z' && column <= most) {
-    column = column * letters + static_cast<std::size_t>(reference.front() - 'A') + 1;
-    reference.remove_prefix(1);
+/// The column, from 0, of a cell of a row by its reference, such as "AB12". Throws InputError for a reference to
+/// another row or beyond the last column.
+std::size_t column_of(const std::string& reference, std::size_t row) {
+  constexpr std::size_t letters = 26;
+  std::size_t column = 0, length = 0;
+  for (; length < reference.size() && reference[length] >= 'A' && reference[length] <= 'Z'; ++length) {
+    column = column * letters + static_cast<std::size_t>(reference[length] - 'A') + 1;
+    if (column > most_columns) break;
   }
-  if (column == 0) return std::nullopt;
-  if (column > most) throw InputError("a cell of the workbook lies beyond column 16384");
+  if (column == 0 || column > most_columns || reference.substr(length) != fmt::to_string(row)) {
+    throw InputError(fmt::format("row {} of the workbook has a cell {}", row, shown_value(reference)));
+  }
   return column - 1;
-}
-
-/// A value between tabs, in double quotes where it would otherwise be read as something else.
-std::string as_field(std::string value) {
-  std::ranges::replace_if(
-      value, [](char letter) { return letter == '\n' || letter == '\r' || letter == '\t'; }, ' ');
-  if (!value.starts_with('"')) return value;
-  std::string quoted = "\"";
-  for (const char letter : value) quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
-  return quoted + '"';
 }
 
 /// Reads the cells of sheets.
 class SheetReader {
  public:
-  explicit SheetReader(const ZipArchive& archive, const std::string& folder)
-      : formats_(number_formats(parsed(archive, folder + "styles.xml").document_element())) {
-    const auto shared = parsed(archive, folder + "sharedStrings.xml");
+  explicit SheetReader(const WorkbookParts& parts)
+      : formats_(number_formats(parts.related_as("styles").document_element())) {
+    const auto shared = parts.related_as("sharedStrings");
     for (const auto& one : children(shared.document_element(), "si")) strings_.push_back(text_of(one));
   }
 
-  /// The rows of a sheet, all of the same number of cells.
-  [[nodiscard]] std::string text(const pugi::xml_node& worksheet) const {
-    std::map<std::size_t, std::vector<std::string>> rows;
+  /// The rows of a sheet that have values, all of the same number of cells.
+  [[nodiscard]] std::vector<CsvRecord> rows_of(const pugi::xml_node& worksheet) const {
+    std::map<std::size_t, std::map<std::size_t, std::string>> rows;
     std::size_t row = 0, width = 0;
     for (const auto& stored : children(child(worksheet, "sheetData"), "row")) {
       row = stored.attribute("r").as_ullong(row + 1);
-      auto cells = cells_of(stored);
-      width = std::max(width, cells.size());
-      if (!cells.empty()) rows[row] = std::move(cells);
+      if (row == 0 || row > most_rows) throw InputError("a row of the workbook has a number out of range");
+      auto cells = cells_of(stored, row);
+      if (cells.empty()) continue;
+      width = std::max(width, cells.rbegin()->first + 1);
+      if (!rows.emplace(row, std::move(cells)).second) {
+        throw InputError(fmt::format("row {} is in the workbook twice", row));
+      }
     }
-    return joined(std::move(rows), width);
+    return filled(rows, width);
   }
 
  private:
-  [[nodiscard]] static std::string joined(std::map<std::size_t, std::vector<std::string>> rows, std::size_t width) {
-    constexpr std::size_t most_rows = 1048576, most_cells = std::size_t{1} << 26U;
-    const auto last = rows.empty() ? 0 : rows.rbegin()->first;
-    if (last > most_rows || rows.size() * width > most_cells) {
-      throw InputError(fmt::format("a sheet of {} rows and {} columns is too large", last, width));
+  [[nodiscard]] static std::vector<CsvRecord> filled(std::map<std::size_t, std::map<std::size_t, std::string>>& rows,
+                                                     std::size_t width) {
+    constexpr std::size_t most_cells = std::size_t{1} << 24U;
+    if (rows.size() * width > most_cells) {
+      throw InputError(fmt::format("a sheet of {} rows and {} columns is too large", rows.size(), width));
     }
-    std::string text;
-    std::size_t line = 1;
+    std::vector<CsvRecord> records;
+    records.reserve(rows.size());
     for (auto& [row, cells] : rows) {
-      for (; line < row; ++line) text += '\n';
-      cells.resize(width);
-      for (std::size_t i = 0; i < width; ++i) text += (i > 0 ? "\t" : "") + cells[i];
+      CsvRecord record{row, std::vector<std::string>(width)};
+      for (auto& [column, text] : cells) record.fields[column] = std::move(text);
+      records.push_back(std::move(record));
     }
-    return text + '\n';
+    return records;
   }
 
-  [[nodiscard]] std::vector<std::string> cells_of(const pugi::xml_node& row) const {
-    std::vector<std::string> cells;
+  /// The cells of a row that have values, by their columns.
+  [[nodiscard]] std::map<std::size_t, std::string> cells_of(const pugi::xml_node& row, std::size_t number) const {
+    std::map<std::size_t, std::string> cells;
+    std::size_t next = 0;
     for (const auto& cell : children(row, "c")) {
-      const auto column = column_of(cell.attribute("r").value()).value_or(cells.size());
-      if (cells.size() <= column) cells.resize(column + 1);
-      cells[column] = field_of(cell);
+      const std::string reference = cell.attribute("r").value();
+      const auto column = reference.empty() ? next : column_of(reference, number);
+      next = column + 1;
+      auto text = text_of_cell(cell);
+      if (!text.empty() && !cells.emplace(column, std::move(text)).second) {
+        throw InputError(fmt::format("row {} of the workbook has the cell {} twice", number, shown_value(reference)));
+      }
     }
-    while (!cells.empty() && cells.back().empty()) cells.pop_back();
     return cells;
   }
 
-  [[nodiscard]] std::string field_of(const pugi::xml_node& cell) const {
+  [[nodiscard]] std::string text_of_cell(const pugi::xml_node& cell) const {
     const std::string_view type = cell.attribute("t").as_string("n");
     const auto value = child(cell, "v");
-    if (type == "inlineStr") return as_field(text_of(child(cell, "is")));
+    if (type == "inlineStr") return text_of(child(cell, "is"));
     if (!value && child(cell, "f")) return "a formula without its value; save it in a spreadsheet";
-    if (type == "s") return as_field(shared_string(value));
-    // In quotes, since a line that begins with # is a comment.
-    if (type == "e") return fmt::format("\"{}\"", value.text().get());
+    if (type == "s") return shared_string(value);
+    if (type == "str" || type == "e") return plain(value.text().get());
     if (type == "b") return value.text().as_bool() ? "TRUE" : "FALSE";
     if (type == "d") return fmt::format("{} stored as a date", value.text().get());
-    if (type != "n") return as_field(value.text().get());
-    return number_of(value.text().get(), cell.attribute("s").as_ullong());
+    if (type != "n") throw InputError(fmt::format("the workbook has a cell of the type {}", shown_value(type)));
+    return number_of(plain(value.text().get()), cell.attribute("s").as_ullong());
   }
 
   [[nodiscard]] const std::string& shared_string(const pugi::xml_node& value) const {
@@ -137,12 +145,15 @@ class SheetReader {
 
   /// A stored number; with a remark where the format of the cell shows another one.
   [[nodiscard]] std::string number_of(std::string number, std::size_t style) const {
-    if (number.empty() || style >= formats_.size()) return number;
+    if (number.empty() || (formats_.empty() && style == 0)) return number;
+    if (style >= formats_.size()) throw InputError("a cell of the workbook has a style that is not stored in it");
     switch (formats_[style]) {
       case NumberFormat::date:
         return number + " shown as a date; format it as a number";
       case NumberFormat::percentage:
         return number + " shown in %; format it as a number";
+      case NumberFormat::scaled:
+        return number + " shown in thousands; format it as a number";
       default:
         return number;
     }
@@ -152,19 +163,7 @@ class SheetReader {
   std::vector<std::string> strings_;   ///< the texts that cells share
 };
 
-/// The targets of the relations of a part, by their identities; paths within the archive.
-std::map<std::string, std::string> relations_of(const ZipArchive& archive, const std::string& folder,
-                                                const std::string& part) {
-  std::map<std::string, std::string> targets;
-  const auto relations = parsed(archive, fmt::format("{}_rels/{}.rels", folder, part));
-  for (const auto& one : children(relations.document_element(), "Relationship")) {
-    const std::string target = one.attribute("Target").value();
-    targets[one.attribute("Id").value()] = target.starts_with('/') ? target.substr(1) : folder + target;
-  }
-  return targets;
-}
-
-/// The identity of the relation of a sheet, whose attribute has the prefix of another namespace.
+/// The identity of the relation to a sheet, whose attribute has the prefix of another namespace.
 std::string relation_of(const pugi::xml_node& sheet) {
   for (const auto& attribute : sheet.attributes()) {
     if (std::string_view(attribute.name()).ends_with(":id")) return attribute.value();
@@ -179,23 +178,14 @@ bool is_archive(std::string_view bytes) {
 }
 
 std::vector<WorkbookSheet> sheets_of(std::string_view bytes) {
-  const std::string folder = "xl/", book = "workbook.xml";
-  const ZipArchive archive(bytes);
-  const auto workbook = parsed(archive, folder + book);
-  if (!workbook.document_element()) {
-    throw InputError("expected text or a workbook in the format .xlsx, got another archive; save the table as CSV");
-  }
-  const SheetReader reader(archive, folder);
-  const auto targets = relations_of(archive, folder, book);
+  const WorkbookParts parts(bytes);
+  const SheetReader reader(parts);
+  const auto workbook = parts.workbook();
   std::vector<WorkbookSheet> sheets;
   for (const auto& sheet : children(child(workbook.document_element(), "sheets"), "sheet")) {
     if (std::string_view(sheet.attribute("state").as_string("visible")) != "visible") continue;
-    const std::string name = sheet.attribute("name").value();
-    const auto target = targets.find(relation_of(sheet));
-    if (target == targets.end()) {
-      throw InputError(fmt::format("the sheet {} is not in the workbook", shown_value(name)));
-    }
-    sheets.push_back({name, reader.text(parsed(archive, target->second).document_element())});
+    const auto worksheet = parts.related(relation_of(sheet));
+    sheets.push_back({sheet.attribute("name").value(), reader.rows_of(worksheet.document_element())});
   }
   return sheets;
 }

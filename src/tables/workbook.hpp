@@ -4,13 +4,14 @@
 #include <string_view>
 #include <vector>
 
+#include "tables/csv_records.hpp"
+
 namespace breccia::detail {
 
-/// A sheet of a workbook as the text of a table: a line for each row from the first row on, so that a line has the
-/// number of its row, and tabs between the cells.
+/// A sheet of a workbook.
 struct WorkbookSheet {
   std::string name;
-  std::string text;
+  std::vector<CsvRecord> rows;  ///< those with values, by their numbers as lines; all of the same number of cells
 };
 
 /// Whether bytes begin as a ZIP archive does, which a workbook is.
@@ -18,9 +19,9 @@ bool is_archive(std::string_view bytes);
 
 /// The visible sheets of a workbook in the format .xlsx (Office Open XML, ECMA-376, Part 1, chapter 18). A cell has the
 /// value that is stored, whatever digits its format shows; of a formula, the value when the workbook was saved. What a
-/// format shows as another number than the stored one (dates, times of day, percentages), and formulas without a value,
-/// become texts that say so, which no reader takes for numbers. Throws InputError with the reason for other archives,
-/// and for damaged and encrypted ones.
+/// format shows as another number than the stored one (dates, times of day, percentages, thousands), and formulas
+/// without a value, become texts that say so, which no reader takes for numbers. Throws InputError with the reason for
+/// other archives, and for damaged and encrypted ones.
 std::vector<WorkbookSheet> sheets_of(std::string_view bytes);
 
 }  // namespace breccia::detail

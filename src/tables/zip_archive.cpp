@@ -21,7 +21,10 @@ class ZipError {
   ~ZipError() { zip_error_fini(&error_); }
 
   [[nodiscard]] zip_error_t* get() noexcept { return &error_; }
-  [[noreturn]] void raise() { throw InputError(fmt::format("a damaged archive: {}", zip_error_strerror(&error_))); }
+  [[noreturn]] void raise() {
+    throw InputError(fmt::format("a damaged archive ({}); save it anew in a spreadsheet, or its table as CSV",
+                                 zip_error_strerror(&error_)));
+  }
 
  private:
   zip_error_t error_ = {};
@@ -41,23 +44,23 @@ ZipArchive::ZipArchive(std::string_view bytes) {
   ZipError error;
   auto* const source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, error.get());
   if (source == nullptr) error.raise();
-  archive_.reset(zip_open_from_source(source, ZIP_RDONLY | ZIP_CHECKCONS, error.get()));
+  archive_.reset(zip_open_from_source(source, ZIP_RDONLY, error.get()));
   if (archive_) return;  // it owns the source
   zip_source_free(source);
   error.raise();
 }
 
-std::string ZipArchive::entry(const std::string& name) const {
-  constexpr std::size_t longest = std::size_t{256} << 20U;
+std::optional<std::string> ZipArchive::entry(const std::string& name) const {
+  constexpr std::size_t longest = std::size_t{128} << 20U;
   zip_stat_t status;
-  if (zip_stat(archive_.get(), name.c_str(), 0, &status) != 0) return {};
+  if (zip_stat(archive_.get(), name.c_str(), ZIP_FL_NOCASE, &status) != 0) return std::nullopt;
   if (status.size > longest) {
-    throw InputError(fmt::format("{} in the archive has {} MiB, more than 256", name, status.size >> 20U));
+    throw InputError(fmt::format("{} in the archive has {} MiB, more than 128", name, status.size >> 20U));
   }
   const auto refuse = [&](const char* reason) {
     throw InputError(fmt::format("{} in the archive cannot be read: {}", name, reason));
   };
-  const std::unique_ptr<zip_file_t, CloseEntry> file(zip_fopen(archive_.get(), name.c_str(), 0));
+  const std::unique_ptr<zip_file_t, CloseEntry> file(zip_fopen_index(archive_.get(), status.index, 0));
   if (!file) refuse(zip_strerror(archive_.get()));
   std::string content(status.size, '\0');
   std::size_t read = 0;

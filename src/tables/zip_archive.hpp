@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -14,9 +15,9 @@ class ZipArchive {
   /// The bytes must outlive this object. Throws InputError with the reason if they are no sound archive.
   explicit ZipArchive(std::string_view bytes);
 
-  /// The content of an entry, by its path in the archive; empty if there is none of this name. Throws InputError with
-  /// the reason if it is damaged, encrypted or longer than 256 MiB.
-  [[nodiscard]] std::string entry(const std::string& name) const;
+  /// The content of an entry, by its path in the archive in any case; nothing if there is none of this name. Throws
+  /// InputError with the reason if it is damaged, encrypted or longer than 128 MiB.
+  [[nodiscard]] std::optional<std::string> entry(const std::string& name) const;
 
  private:
   struct Discard {

@@ -256,7 +256,7 @@ TEST_F(Instruments, FilesThatAreNotSoundAreRefusedWithWhatIsWrong) {
       {"broken-signs.csv",
        {":2: Loss modulus [MPa]: expected a positive number, got -0.1",
         ":4: Storage modulus [MPa]: expected a positive number, got 0"}},
-      {"broken-workbook.csv", {"broken-workbook.csv: a damaged archive: "}},
+      {"broken-workbook.csv", {"broken-workbook.csv: a damaged archive ("}},
   };
   for (const auto& [file, messages] : files) {
     const auto outcome = fit(file);

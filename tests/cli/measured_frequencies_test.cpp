@@ -219,8 +219,9 @@ TEST_F(MeasuredFrequencies, InTensionAreThoseOfYoungsModulus) {
   study.write("tension.csv", measured_in_tension());
   const auto outcome = run({"--set", "measurements.0.shear=", "--set", R"(measurements.0.young.measured="tension.csv")",
                             "--set", R"(tests.loads=["shear"])"});
-  EXPECT_THAT(outcome.output, AllOf(HasSubstr("over what was measured, rheometer\n   frequency     |E*|       phase"),
-                                    HasSubstr("  |E*|: nearest 1.000 at ")));
+  EXPECT_THAT(outcome.output,
+              AllOf(HasSubstr("over what was measured, rheometer\n   frequency     |E*|       phase"),
+                    HasSubstr("  |E*|: nearest 1.000 at "), HasSubstr("; error of the computed modulus ")));
   const auto table = compared("out/comparison_dynamic.csv");
   EXPECT_THAT(table.text("modulus"), AllOf(SizeIs(10), Each("young")));
   EXPECT_THAT(table.numbers("ratio"), Each(DoubleNear(1.0, 1e-6)));

@@ -54,6 +54,36 @@ TEST_F(Compare, TellsTheModulusBesideAMeasuredCurve) {
   EXPECT_EQ(found[0].worst()->time, 10.0);
 }
 
+// G = 3 Pa within 2 %, K = 5 Pa within 6 %: E = 9 K G / (3 K + G) = 7.5 Pa, five sixths of whose error are that of G.
+TEST_F(Compare, HasTheErrorsOfTheComputedModuli) {
+  const auto known = [](Load load, double modulus, double error) {
+    auto test =
+        test_with({load, Boundary::periodic, Method::quasistatic, TestGrid(12)}, {{1.0, modulus}, {10.0, modulus}});
+    test.series = PronySeries(modulus);
+    const ModulusError whole{.grid = error, .sample = 0.0, .solver = 0.0, .matrix = 0.0};
+    test.errors = {whole, whole};
+    return test;
+  };
+  StageFindings found;
+  found.name = stage.name;
+  found.dimensions = 3;
+  found.tests = {known(Load::shear, 3.0, 0.02), known(Load::bulk, 5.0, 0.06)};
+  const auto error_of = [&](ModulusKind kind) {
+    Measurement measurement{"rheometer", "A", PronySeries(1.0)};
+    measurement.kind = kind;
+    return compare({measurement}, found, Load::shear).at(0).samples.at(1).error.value();
+  };
+  EXPECT_THAT(error_of(ModulusKind::shear), DoubleNear(0.02, 1e-12));
+  EXPECT_THAT(error_of(ModulusKind::bulk), DoubleNear(0.06, 1e-12));
+  EXPECT_THAT(error_of(ModulusKind::young), DoubleNear((5.0 * 0.02 + 0.06) / 6.0, 1e-12));
+  found.tests[1].errors[1].grid = std::nullopt;
+  Measurement young{"rheometer", "A", PronySeries(1.0)};
+  young.kind = ModulusKind::young;
+  const auto samples = compare({young}, found, Load::shear).at(0).samples;
+  EXPECT_TRUE(samples.at(0).error);
+  EXPECT_FALSE(samples.at(1).error) << "that of the test in bulk is not known";
+}
+
 TEST_F(Compare, TakesASeriesWithinTheTimesInWhichItHolds) {
   study.measurements = {{"published", "A", PronySeries(2.0, {{10.0, 4.0}}), TimeWindow{1.0, 10.0}}};
   const auto found = compared({test_with(upper, {{0.1, 20.0}, {1.0, 16.0}, {10.0, 12.0}, {100.0, 1.0}})});

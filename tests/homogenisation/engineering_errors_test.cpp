@@ -67,6 +67,9 @@ TEST(EngineeringErrors, AreUnknownWithThoseOfTheTestsAndWithoutABulkModulus) {
   EXPECT_TRUE(is_unknown(unknown, known, 3));
   EXPECT_TRUE(is_unknown(known, unknown, 3));
   EXPECT_TRUE(is_unknown(known, test_with(1.0 / 3.0, 0.02), 2)) << "K + G/3 = G/3";
+  auto later = known;
+  later.modulus = {{2.0, 1.0}};
+  EXPECT_TRUE(is_unknown(known, later, 3));
   auto without = known;
   without.errors.clear();
   EXPECT_TRUE(is_unknown(known, without, 3));

@@ -186,44 +186,54 @@ TEST(Quality, BoundsAreComparedAtTheTimesOfBoth) {
 }
 
 TEST(Quality, WarnsOfFewParticlesAndOfAnotherFraction) {
+  Study study;
   auto stage = random_stage();
   auto packed = result_of({}, 30).microstructure;
-  EXPECT_THAT(warnings_on_packing(stage, packed), IsEmpty());
+  EXPECT_THAT(warnings_on_packing(study, stage, packed), IsEmpty());
   packed.box = discs(29);
-  EXPECT_THAT(warnings_on_packing(stage, packed), ElementsAre(HasSubstr("only 29 particles in the box")));
+  EXPECT_THAT(warnings_on_packing(study, stage, packed), ElementsAre(HasSubstr("only 29 particles in the box")));
+  study.tests.accuracy = 0.05;
+  EXPECT_THAT(warnings_on_packing(study, stage, packed), IsEmpty()) << "a rule judges them";
+  auto bonded = stage;
+  bonded.bonds.emplace();
+  EXPECT_THAT(warnings_on_packing(study, bonded, packed), ElementsAre(HasSubstr("only 29 particles"))) << "no rule";
+  study.tests.accuracy.reset();
   packed = result_of({}, 30).microstructure;
   packed.fraction = 0.377;
-  EXPECT_THAT(warnings_on_packing(stage, packed),
+  EXPECT_THAT(warnings_on_packing(study, stage, packed),
               ElementsAre(HasSubstr("fill 37.7 % of the box where 35 % were asked for")));
   packed.fraction = 0.3599;
-  EXPECT_THAT(warnings_on_packing(stage, packed), IsEmpty()) << "within 1 % of the box";
+  EXPECT_THAT(warnings_on_packing(study, stage, packed), IsEmpty()) << "within 1 % of the box";
   packed.fraction = 0.3401;
-  EXPECT_THAT(warnings_on_packing(stage, packed), IsEmpty());
+  EXPECT_THAT(warnings_on_packing(study, stage, packed), IsEmpty());
   for (const double fraction : {0.3601, 0.3399}) {
     packed.fraction = fraction;
-    EXPECT_THAT(warnings_on_packing(stage, packed), ElementsAre(HasSubstr("where 35 % were asked for"))) << fraction;
+    EXPECT_THAT(warnings_on_packing(study, stage, packed), ElementsAre(HasSubstr("where 35 % were asked for")))
+        << fraction;
   }
   stage.fillers[0].fraction = 0.1;
   for (const double fraction : {0.1051, 0.0949}) {
     packed.fraction = fraction;
-    EXPECT_THAT(warnings_on_packing(stage, packed), ElementsAre(HasSubstr("where 10 % were asked for"))) << fraction;
+    EXPECT_THAT(warnings_on_packing(study, stage, packed), ElementsAre(HasSubstr("where 10 % were asked for")))
+        << fraction;
   }
   packed.fraction = 0.1049;
-  EXPECT_THAT(warnings_on_packing(stage, packed), IsEmpty()) << "within a twentieth";
+  EXPECT_THAT(warnings_on_packing(study, stage, packed), IsEmpty()) << "within a twentieth";
   stage.fillers[0].fraction = 0.35;
   packed.box = discs(1);
   packed.fraction = 0.35;
-  EXPECT_THAT(warnings_on_packing(stage, packed), ElementsAre(HasSubstr("only 1 particle in the box")));
+  EXPECT_THAT(warnings_on_packing(study, stage, packed), ElementsAre(HasSubstr("only 1 particle in the box")));
   auto without_fraction = stage;
   without_fraction.fillers[0].fraction.reset();
   packed = result_of({}, 30).microstructure;
   packed.fraction = 0.9;
-  EXPECT_THAT(warnings_on_packing(without_fraction, packed), IsEmpty());
-  EXPECT_THAT(warnings_on_packing({.name = "plain", .matrix = Material{}, .side = 1e-3, .cells = 10}, {}), IsEmpty());
+  EXPECT_THAT(warnings_on_packing(study, without_fraction, packed), IsEmpty());
+  EXPECT_THAT(warnings_on_packing(study, {.name = "plain", .matrix = Material{}, .side = 1e-3, .cells = 10}, {}),
+              IsEmpty());
   auto regular = stage;
   regular.packing = RegularPacking{};
   packed = result_of({}, 4).microstructure;
-  EXPECT_THAT(warnings_on_packing(regular, packed), IsEmpty());
+  EXPECT_THAT(warnings_on_packing(study, regular, packed), IsEmpty());
 }
 
 TEST(Quality, PeriodicTestsHaveAGridErrorAndNoBounds) {

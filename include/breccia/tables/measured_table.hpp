@@ -44,7 +44,7 @@ class MeasuredTable {
   [[nodiscard]] const std::vector<std::string>& names() const noexcept { return names_; }
   /// The names of all columns in the order of the file, in quotes, for a message.
   [[nodiscard]] std::string list_of_names() const;
-  /// Location of a row, `file:line`, for messages about it.
+  /// Location of a row, `file:line` or `file:sheet:row`, for messages about it.
   [[nodiscard]] std::string location(std::size_t row) const;
 
   /// Whether there is a column for each of these quantities.
@@ -70,6 +70,8 @@ class MeasuredTable {
     Quantity quantity;
     std::string message;
   };
+  /// Location of a line, from 1.
+  [[nodiscard]] std::string place_of_line(std::size_t line) const;
   /// A message for each ignored column that is the only column of one of these quantities.
   [[nodiscard]] std::vector<std::string> unknown_units(std::initializer_list<Quantity> quantities) const;
 

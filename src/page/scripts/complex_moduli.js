@@ -21,15 +21,9 @@ export function complexModuli(curves, result) {
       at: storage.modulusAt === undefined
         ? (frequency) => complexOf(value(storage, frequency), value(loss, frequency))
         : (frequency) => storage.modulusAt(perCycle * frequency),
-      errorAt: errorOf(modulus)}];
+      errorAt: (frequency) => (modulus.error === undefined ? NaN
+        : valueAt(modulus.x, modulus.error.whole, 1 / (perCycle * frequency)))}];
   });
-}
-
-/// The error of a complex modulus at a frequency [Hz]: that of the relaxation modulus at the time 1/omega; NaN where it
-/// is not known.
-function errorOf(modulus) {
-  return (frequency) => (modulus?.error === undefined ? NaN
-    : valueAt(modulus.x, modulus.error.whole, 1 / (perCycle * frequency)));
 }
 
 /// A complex modulus {size, phase, storage, loss}, the phase in degrees.
@@ -92,15 +86,16 @@ export function complexColumns(letter, modulus, name) {
     text(modulus.at(frequency)) + (i === 0 ? errorText([modulus], frequency) : "")]);
 }
 
-/// The complex Young's moduli [{boundary, x, at, errorAt}], as complexModuli(), of their storage and loss moduli;
-/// `relaxation` are the relaxation moduli in tension.
-export function complexYoungsModuli(curves, relaxation) {
+/// The complex Young's moduli [{boundary, x, at, errorAt}], as complexModuli(), of their storage and loss moduli; the
+/// former have the `shares` of the errors at their frequencies.
+export function complexYoungsModuli(curves) {
   const storages = curves.filter(({part}) => part === "storage");
   return storages.map((storage) => {
     const loss = curves.find(({part, boundary}) => part === "loss" && boundary === storage.boundary);
     return {boundary: storage.boundary, x: storage.x.map((frequency) => frequency / perCycle),
       at: (frequency) => complexOf(...[storage, loss].map(({x, y}) => valueAt(x, y, perCycle * frequency))),
-      errorAt: errorOf(relaxation.find(({boundary}) => boundary === storage.boundary))};
+      errorAt: (frequency) => (storage.shares === undefined ? NaN
+        : valueAt(storage.x, storage.shares, perCycle * frequency))};
   });
 }
 

@@ -148,11 +148,12 @@ function curvesOfProny() {
   });
 }
 
-/// A curve with its errors, in the unit of its values; without them where one is not known.
+/// A curve with its errors, in the unit of its values, NaN where one is not known; with a band where all are.
 function withErrors(curve, errors) {
-  if (!errors.every(Number.isFinite)) return curve;
+  if (!errors.some(Number.isFinite)) return curve;
   const unknown = errors.map(() => NaN), whole = errors.map((error, i) => Math.abs(error / curve.y[i]));
-  return {...curve, band: errors, error: {whole, grid: unknown, sample: unknown, solver: unknown, matrix: unknown}};
+  return {...curve, ...(errors.every(Number.isFinite) && {band: errors}),
+    error: {whole, grid: unknown, sample: unknown, solver: unknown, matrix: unknown}};
 }
 
 /// Young's modulus and Poisson's ratio of the stages that were tested in shear and in bulk.
@@ -160,9 +161,10 @@ function engineeringCurves() {
   const curvesIn = (table, x, columns) =>
     groupsOf(readTable(table), ["stage", "boundary", "method", "cells"]).flatMap((group) => {
       const {stage, boundary, method} = group[0];
-      return columns.map(([quantity, column, {letter = "", part = undefined, errorOf = () => NaN} = {}]) => {
+      return columns.map(([quantity, column, {letter = "", part = undefined, errorOf = () => NaN, shares = undefined} = {}]) => {
         const curve = {role: "stage", quantity, part, stage, load: shearOf(stageNamed(stage)), boundary, method,
-          label: `${stage}, ${boundary}${letter}`, x: group.map((row) => row[x]), y: group.map((row) => row[column])};
+          label: `${stage}, ${boundary}${letter}`, x: group.map((row) => row[x]), y: group.map((row) => row[column]),
+          ...(shares && {shares: group.map((row) => numberIfKnown(row[shares]))})};
         return withErrors(curve, group.map(errorOf));
       });
     });
@@ -173,7 +175,7 @@ function engineeringCurves() {
       ["poisson", "poisson_ratio", {errorOf: (row) => numberIfKnown(row.poisson_ratio_error)}],
       ["tensile-compliance", "tensile_compliance_1_per_Pa", {errorOf: shareOfYoung("tensile_compliance_1_per_Pa")}]]),
     ...curvesIn("engineering_dynamic.csv", "angular_frequency_rad_per_s", [
-      ["young-dynamic", "youngs_storage_modulus_Pa", {letter: ", E′", part: "storage"}],
+      ["young-dynamic", "youngs_storage_modulus_Pa", {letter: ", E′", part: "storage", shares: "youngs_modulus_error"}],
       ["young-dynamic", "youngs_loss_modulus_Pa", {letter: ", E″", part: "loss"}], ["young-loss-factor", "youngs_loss_tangent"]]),
   ];
 }

@@ -60,20 +60,26 @@ function measuredBeside(curves, stage, quantity) {
   return found && {name: found.label.replace("measured, ", ""), x: found.x, y: found.y};
 }
 
+/// The complex Young's moduli under the boundaries of a result.
+function youngsModuliOf(curves, result) {
+  const boundaries = result.map(({boundary}) => boundary);
+  return complexYoungsModuli(othersOf("young-dynamic", curves, result)).filter(({boundary}) => boundaries.includes(boundary));
+}
+
 /// The complex moduli {letter, moduli, relaxation, measured} that answer a study whose deck gives frequencies, with the
 /// relaxation moduli that belong to them: those of E where E alone was measured, else those of G. No moduli for other
 /// studies.
 function complexAnswer(curves, result) {
+  if (study.frequencies_Hz === undefined) return {moduli: []};
   const [{stage, load}] = result;
   const ofShear = load === "bulk" ? undefined : measuredComplex(curves, stage, "dynamic");
   const ofYoung = measuredComplex(curves, stage, "young-dynamic");
-  if (study.frequencies_Hz === undefined) return {moduli: []};
-  if (ofYoung === undefined || ofShear !== undefined) {
-    return {letter: "G", moduli: complexModuli(curves, result), relaxation: result, measured: ofShear};
-  }
-  const relaxation = othersOf("young", curves, result);
-  return {letter: "E", moduli: complexYoungsModuli(othersOf("young-dynamic", curves, result), relaxation), relaxation,
-    measured: ofYoung};
+  const isShearMeasured = ofShear !== undefined || measuredBeside(curves, stage, "shear") !== undefined;
+  const youngs = ofYoung === undefined || isShearMeasured ? [] : youngsModuliOf(curves, result);
+  if (youngs.length === 0) return {letter: "G", moduli: complexModuli(curves, result), relaxation: result, measured: ofShear};
+  const relaxation = othersOf("young", curves, result).filter(({boundary}) =>
+    youngs.some((young) => young.boundary === boundary));
+  return {letter: "E", moduli: youngs, relaxation, measured: ofYoung};
 }
 
 /// The sentences on the moduli of a study that was asked in frequency.
@@ -85,6 +91,15 @@ function sentencesInFrequency(curves, result, {letter, moduli, relaxation, measu
     binder: letter === "G" ? complexBinder(stage) : undefined}),
   ...(measured !== undefined ? [sentenceOnMeasuredComplex(moduli, measured, letter)]
     : inTime === undefined ? [] : sentenceOnMeasurement(result, inTime))];
+}
+
+/// The sentences on Young's modulus beside what was measured of it, where the answer is another modulus.
+function sentencesOnYoungsModulus(curves, result) {
+  const measured = measuredComplex(curves, result[0].stage, "young-dynamic");
+  if (study.frequencies_Hz !== undefined && measured !== undefined) {
+    return [sentenceOnMeasuredComplex(youngsModuliOf(curves, result), measured, "E")];
+  }
+  return sentencesOnOther("young", "Young's modulus", curves, result);
 }
 
 /// The sentences on a relaxation modulus that was measured beside that of the result: "young" or "bulk".
@@ -196,7 +211,7 @@ export function showResult(curves) {
     : resultSentences({stage: nameOfResult(stage), symbol: symbolOf(load, loadsOf(stage)), curves: result,
       error: textOnError(result, stage), binder: isShear ? binderBeside(stage) : undefined,
       measured: isShear ? measuredBeside(curves, stage, "shear") : undefined});
-  if (inFrequency.letter !== "E") sentences.push(...sentencesOnOther("young", "Young's modulus", curves, result));
+  if (inFrequency.letter !== "E") sentences.push(...sentencesOnYoungsModulus(curves, result));
   if (isShear) sentences.push(...sentencesOnOther("bulk", "the bulk modulus", curves, result));
   sentences.push(onSpace(study, qualityOf(stage)));
   const [first, ...others] = sentences.filter((sentence) => sentence !== "");
