@@ -6,6 +6,7 @@ import math
 from typing import Any, Callable
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _native
 from ._errors import InputError
@@ -31,7 +32,7 @@ def label_of(test: _native.TestResult, tests: list[_native.TestResult]) -> str:
 
 
 def symbol_of(test: _native.TestResult) -> str:
-    """The symbol of the modulus of a test: M for one in bulk, which in the plane is K + G/3."""
+    """The symbol of the modulus of a test: M for one in bulk, which is K or, in the plane, K + G/3."""
     return "M" if test.load == "bulk" else "G"
 
 
@@ -48,30 +49,62 @@ def error_band(x: Floats, y: Floats, shares: Floats, colour: int) -> list[Band]:
     return [Band(x, np.asarray(y * (1 - shares)), np.asarray(y * (1 + shares)), colour)]
 
 
-def _measurements(stage: _native.StageResult) -> list[dict[str, Any]]:
-    """A comparison with each measured shear modulus, that of one of its tests."""
+def _measurements(stage: _native.StageResult, kind: str) -> list[dict[str, Any]]:
+    """A comparison with each measured modulus of a kind, that of one of its tests."""
     return list({comparison["measurement"]: comparison for comparison in stage.comparisons
-                 if comparison["kind"] == "shear"}.values())
+                 if comparison["kind"] == kind}.values())
 
 
 def stage_drawing(stage: _native.StageResult) -> Drawing:
-    """The moduli of a stage under its main load, with their errors or bounds and what was measured."""
+    """The moduli of a stage with their errors or bounds and what was measured: those of its main load, or E where E alone
+    was measured."""
     tests = preferred_tests(stage)
+    if _measurements(stage, "young") and not _measurements(stage, "shear"):
+        return _youngs_modulus(stage, tests)
     return _in_frequency(stage, tests) if is_in_frequency(tests) else _in_time(stage, tests)
 
 
+def _youngs_modulus(stage: _native.StageResult, tests: list[_native.TestResult]) -> Drawing:
+    in_frequency = is_in_frequency(tests)
+    curves, bands = [], []
+    for number, boundary in enumerate(dict.fromkeys(test.boundary for test in tests)):
+        moduli = stage.engineering(boundary)
+        if in_frequency:
+            curves += _complex_curves("E", boundary, moduli.frequency, moduli.complex_young, 2 * number)
+        else:
+            curves.append(Curve(boundary, moduli.time, moduli.young, number))
+            bands += error_band(moduli.time, moduli.young, moduli.young_error, number)
+    for number, comparison in enumerate(_measurements(stage, "young"), 5):
+        curves += _measured_curves("E", comparison, in_frequency, number)
+    if in_frequency:
+        return Drawing(curves, abscissa=HERTZ, ordinate="E\u2032, E\u2033")
+    return Drawing(curves, bands, ordinate="E(t)")
+
+
+def _complex_curves(symbol: str, label: str, hertz: Floats, modulus: NDArray[np.complex128], colour: int) -> list[Curve]:
+    return [Curve(f"{symbol}\u2032, {label}", hertz, modulus.real, colour),
+            Curve(f"{symbol}\u2033, {label}", hertz, modulus.imag, colour + 1)]
+
+
+def _measured_curves(symbol: str, comparison: dict[str, Any], in_frequency: bool, colour: int) -> list[Curve]:
+    """What was measured, as marks."""
+    label = comparison["measurement"]
+    if not in_frequency:
+        known = len(comparison["time"]) > 0
+        return [Curve(label, comparison["time"], comparison["measured"], colour, marks=True)] if known else []
+    hertz, measured = comparison["angular_frequency"] / (2 * math.pi), comparison["complex_measured"]
+    return [Curve(f"{symbol}\u2032, {label}", hertz, measured.real, 0, marks=True),
+            Curve(f"{symbol}\u2033, {label}", hertz, measured.imag, 1, marks=True)] if len(hertz) > 0 else []
+
+
 def _in_frequency(stage: _native.StageResult, tests: list[_native.TestResult]) -> Drawing:
-    curves = []
+    curves, symbol = [], symbol_of(tests[0])
     for number, test in enumerate(tests):
-        moduli, label = test.in_frequency, label_of(test, tests)
-        curves += [Curve(f"G\u2032, {label}", moduli.frequency, moduli.storage, 2 * number),
-                   Curve(f"G\u2033, {label}", moduli.frequency, moduli.loss, 2 * number + 1)]
-    for comparison in _measurements(stage):
-        hertz, measured = comparison["angular_frequency"] / (2 * math.pi), comparison["complex_measured"]
-        if len(hertz) > 0:
-            curves += [Curve(f"G\u2032, {comparison['measurement']}", hertz, measured.real, 0, marks=True),
-                       Curve(f"G\u2033, {comparison['measurement']}", hertz, measured.imag, 1, marks=True)]
-    return Drawing(curves, abscissa=HERTZ, ordinate="G\u2032, G\u2033")
+        moduli = test.in_frequency
+        curves += _complex_curves(symbol, label_of(test, tests), moduli.frequency, moduli.storage + 1j * moduli.loss, 2 * number)
+    for comparison in _measurements(stage, "shear") if symbol == "G" else []:
+        curves += _measured_curves("G", comparison, True, 0)
+    return Drawing(curves, abscissa=HERTZ, ordinate=f"{symbol}\u2032, {symbol}\u2033")
 
 
 def _in_time(stage: _native.StageResult, tests: list[_native.TestResult]) -> Drawing:
@@ -84,9 +117,8 @@ def _in_time(stage: _native.StageResult, tests: list[_native.TestResult]) -> Dra
             bands.append(Band(upper.time, lower.modulus, upper.modulus))
     elif len(tests) == 1:
         bands = error_band(tests[0].time, tests[0].modulus, tests[0].error, 0)
-    for number, comparison in enumerate(_measurements(stage), 5):
-        if len(comparison["time"]) > 0:
-            curves.append(Curve(comparison["measurement"], comparison["time"], comparison["measured"], number, marks=True))
+    for number, comparison in enumerate(_measurements(stage, "shear") if symbol_of(tests[0]) == "G" else [], 5):
+        curves += _measured_curves("G", comparison, False, number)
     return Drawing(curves, bands, ordinate=f"{symbol_of(tests[0])}(t)")
 
 
@@ -94,7 +126,7 @@ def result_drawing(result: _native.Result) -> Drawing:
     """The moduli of the last stage, with that of the binder in shear dashed."""
     drawing = stage_drawing(result.stages[-1])
     binder = next((material for material in result.materials if material.name == result.binder), None)
-    if binder is None or not drawing.curves or drawing.ordinate.startswith("M"):
+    if binder is None or not drawing.curves or not drawing.ordinate.startswith("G"):
         return drawing
     x = drawing.curves[0].x
     if drawing.abscissa == SECONDS:

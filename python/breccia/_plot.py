@@ -228,7 +228,8 @@ def _drawn(curves: Sequence[Curve], bands: Sequence[Band], axis: Callable[[Seque
     parts.append(f'<text transform="rotate(-90)" x="{-middle}" y="15" text-anchor="middle">{html.escape(ordinate)}</text>')
     for band in bands:
         step = max(1, len(band.x) // 400)
-        across, low, high = x.place(band.x[::step]), y.place(band.low[::step]), y.place(band.high[::step])
+        across = x.place(band.x[::step])
+        low, high = (np.clip(y.place(edge[::step]), _TOP, _HEIGHT - _BOTTOM) for edge in (band.low, band.high))
         outline = _points(np.concatenate([across, across[::-1]]), np.concatenate([high, low[::-1]]))
         parts.append(f'<polygon points="{outline}" fill="{COLOURS[band.colour % len(COLOURS)]}" opacity="0.14"/>')
     for curve in curves:

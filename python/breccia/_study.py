@@ -155,10 +155,14 @@ class Study:
         """The same study with other values, by the paths of their keys: study.replace({"stages.0.filler.fraction": 0.4}).
 
         overrides: as of read_study(). What was replaced before, or overridden when the deck was read, stays as it is
-        unless it is given again. The study itself is unchanged; a deck is not read again, the files that it names are.
+        unless it is given again. The study itself is unchanged; a deck is not read again, the files that it names are,
+        also when the study is pickled. A study whose deck has no title is called "study".
         Raises InputError with a line for every mistake.
         """
-        lines = [*self._checked.overrides, *_override_lines(overrides)]
+        given = _override_lines(overrides)
+        paths = {line.partition("=")[0].strip() for line in given}
+        kept = [line for line in self._checked.overrides if line.partition("=")[0].strip() not in paths]
+        lines = [*kept, *given]
         study = Study.__new__(Study)
         study._files, study._directory, study._deck_path = self._files, self._directory, None
         try:

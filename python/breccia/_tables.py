@@ -39,7 +39,8 @@ def _curves(stage: _native.StageResult) -> list[_Part]:
 
 def _dynamic(stage: _native.StageResult) -> list[_Part]:
     return [({**_test_columns(stage, test), "cells": _grid_of(test)},
-             {"frequency_Hz": test.in_frequency.frequency, "storage_modulus_Pa": test.in_frequency.storage,
+             {"angular_frequency_rad_per_s": test.in_frequency.angular_frequency,
+              "frequency_Hz": test.in_frequency.frequency, "storage_modulus_Pa": test.in_frequency.storage,
               "loss_modulus_Pa": test.in_frequency.loss, "loss_tangent": test.in_frequency.loss_tangent,
               "error": test.in_frequency.error})
             for test in stage.tests if len(test.in_frequency)]
@@ -82,7 +83,7 @@ def stage_table(self: _native.StageResult, kind: str = "curves") -> Table:
 
     kind: "curves", the relaxation moduli with their errors; "dynamic", the complex moduli over the frequency;
     "engineering", Young's modulus, Poisson's ratio, K and the compliance in tension; "comparison", what was measured.
-    Columns are those of the files of these names; errors that are not known are NaN. Without such data the table has no
+    Columns are named as in the files of these names, with the errors of all moduli; those that are not known are NaN. Without such data the table has no
     columns. Raises InputError for another kind.
     """
     return _joined([self], kind)

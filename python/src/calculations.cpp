@@ -41,7 +41,7 @@ std::shared_ptr<Solution> solve_study(const std::shared_ptr<const Study>& study,
   const auto options = options_of(threads, ignore_memory);
   Following following(std::move(show), std::move(stop));
   FollowingSink sink(following);
-  return calculate([&] { return solution_of(*study, solve(*study, options, sink)); });
+  return calculate([&] { return solution_of(*study, solve(*study, options, sink)); }, &following);
 }
 
 std::shared_ptr<Solution> pack_in_memory(const std::shared_ptr<const Study>& study, py::object show) {
@@ -79,7 +79,7 @@ std::shared_ptr<Solution> in_directory(const Study& study, const Directory& dire
   options.checkpoints.stop = [&] { return following.stop(); };
   const auto observer = following.run_observer();
   try {
-    return calculate([&] { return solution_of(study, work(study, directory.path, options, observer)); });
+    return calculate([&] { return solution_of(study, work(study, directory.path, options, observer)); }, &following);
   } catch (const Interrupted&) {
     following.throw_interruption();
     throw;

@@ -37,12 +37,14 @@ bool takes_turn() {
 
 }  // namespace
 
-Turn::Turn() {
+Turn::Turn(Following* following) {
   if (calculating() == std::this_thread::get_id()) {
-    throw InputError("a calculation cannot be started by the progress function of another one");
+    throw InputError("a calculation cannot be started by a function that another one calls");
   }
+  if (following != nullptr) following->ask();
   while (!takes_turn()) {
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    if (following != nullptr) following->ask();
   }
   calculating() = std::this_thread::get_id();
   threads_of_host_ = parallel::set_blas_threads(1);
@@ -74,6 +76,12 @@ void Following::report(const Progress& now) {
   if (!is_due(shown_, pause)) return;
   const py::gil_scoped_acquire lock;
   if (!show_.is_none()) show_(now.what, now.share, now.details);
+}
+
+void Following::ask() {
+  if (!stop_.is_none() && stop_().cast<bool>()) {
+    throw Interrupted("the calculation was stopped before it began; run() leaves what it has computed");
+  }
 }
 
 void Following::follow(const Progress& now) {

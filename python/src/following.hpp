@@ -24,6 +24,8 @@ class Following {
   /// Follows a calculation in memory, which ends at once: by the exception of a signal, or by Interrupted where `stop`
   /// says so.
   void follow(const Progress& now);
+  /// Throws Interrupted where `stop` says so. The interpreter's lock must be held.
+  void ask();
   /// Functions for a run in a directory, which a signal or `stop` ends after a checkpoint (stop()).
   [[nodiscard]] RunObserver run_observer();
   /// Whether the run shall end: the stop of a CheckpointSchedule.
@@ -58,11 +60,11 @@ class FollowingSink final : public StudySink {
 
 /// The turn of a calculation. Solvers keep state of their own in the process, so one thread calculates at a time;
 /// meanwhile the BLAS, which NumPy may share, has one thread. It must be made and destroyed with the interpreter's lock
-/// held. Throws the exception that a signal raises while it waits, and InputError where this thread calculates already:
-/// in the progress function of another calculation.
+/// held. Throws the exception that a signal raises while it waits, Interrupted where `following` shall end meanwhile,
+/// and InputError where this thread calculates already: in a function that another calculation calls.
 class Turn {
  public:
-  Turn();
+  explicit Turn(Following* following = nullptr);
   Turn(const Turn&) = delete;
   Turn& operator=(const Turn&) = delete;
   Turn(Turn&&) = delete;
@@ -75,8 +77,8 @@ class Turn {
 
 /// Does a calculation in its turn, without the interpreter's lock.
 template <class Work>
-auto calculate(const Work& work) {
-  const Turn turn;
+auto calculate(const Work& work, Following* following = nullptr) {
+  const Turn turn(following);
   const pybind11::gil_scoped_release release;
   return work();
 }

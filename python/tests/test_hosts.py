@@ -89,7 +89,7 @@ def test_threads_of_different_calculations_wait_for_each_other(tmp_path):
 
 def test_a_calculation_cannot_start_another_from_its_progress():
     study = breccia.read_study(MODEL, LONG)
-    with pytest.raises(breccia.InputError, match="progress function of another"):
+    with pytest.raises(breccia.InputError, match="by a function that another one calls"):
         breccia.solve(study, progress=lambda *of: breccia.solve(study, progress=False))
 
 

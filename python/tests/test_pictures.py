@@ -42,8 +42,8 @@ def test_tables_are_those_of_the_files(study, in_directory):
     errors = rows_of(place, "errors.csv")
     table = result.table()
     known = {(row["stage"], row["load"], row["boundary"], float(row["time_s"])): row for row in errors}
-    for key in zip(table["stage"], table["load"], table["boundary"], table["time_s"].tolist()):
-        assert key in known
+    for *key, error in zip(table["stage"], table["load"], table["boundary"], table["time_s"].tolist(), table["error"]):
+        assert error == pytest.approx(float(known[tuple(key)]["error"] or "nan"), nan_ok=True)
     rows = rows_of(place, "curves.csv")
     assert len(table["stage"]) == len(rows)
     for column in ("stage", "load", "boundary", "method", "cells"):
@@ -60,7 +60,12 @@ def test_tables_are_those_of_the_files(study, in_directory):
     comparison = result["box"].table("comparison")
     assert np.isfinite(comparison["error"]).all()
     assert comparison["ratio"].tolist() == [float(row["ratio"]) for row in rows_of(place, "comparison.csv")]
+    assert set(table) == {*rows[0], "error"}
+    assert set(engineering) == {*rows_of(place, "engineering.csv")[0], "load"} - {"cells"}
     dynamic = result.table("dynamic")
+    assert set(dynamic) == {*rows_of(place, "dynamic.csv")[0], "frequency_Hz", "error"}
+    written = [float(row["storage_modulus_Pa"]) for row in rows_of(place, "dynamic.csv")]
+    assert np.allclose(np.sort(dynamic["storage_modulus_Pa"])[[0, -1]], [min(written), max(written)], rtol=1e-9)
     assert set(dynamic["load"]) >= {"isotropic", "bulk"} and len(dynamic["load"]) == len(dynamic["frequency_Hz"])
     assert breccia.pack(study).table() == {}
     with pytest.raises(breccia.InputError, match="kind: expected 'curves', 'dynamic', 'engineering', 'comparison', got"):
@@ -93,6 +98,11 @@ def test_plots_are_drawn_on_axes_of_a_caller(in_directory):
     assert [text.get_text() for text in axes.get_legend().get_texts()] == ["periodic", "rheometer", "binder"]
     line = axes.get_lines()[0]
     assert line.get_ydata().tolist() == result["box"].test("isotropic").modulus.tolist()
+    result.plot(axes, label="again")
+    assert [text.get_text() for text in axes.get_legend().get_texts()] == ["periodic", "rheometer", "binder", "again, periodic"]
+    assert axes.get_lines()[-1].get_color() != line.get_color()
+    with pytest.raises(breccia.InputError, match="ax: expected axes of Matplotlib, got 'plot.png'"):
+        result.plot("plot.png")
     own = matplotlib.pyplot.subplots()[1]
     assert result["box"].engineering().plot(ax=own) is own and len(own.get_lines()) == 3
     with pytest.raises(breccia.InputError, match="there is no curve"):
@@ -118,6 +128,8 @@ def test_a_study_is_varied(study, tmp_path):
     again = pickle.loads(pickle.dumps(other.replace({"stages.0.cells": 16})))
     assert again.overrides[-1] == "stages.0.cells=16"
     assert breccia.solve(again)["box"].cells == 16
+    without = study.replace({"tests.loads": None})
+    assert without.replace({"tests.loads": None}).overrides == without.overrides == ["tests.loads="]
     with pytest.raises(breccia.InputError, match='unknown key "cels"'):
         study.replace({"stages.0.cels": 12})
     deck = tmp_path / "deck.toml"
@@ -145,7 +157,20 @@ def test_calculations_are_stopped(study, tmp_path):
     stop.set()
     with pytest.raises(breccia.Interrupted, match="resume=True"):
         breccia.run(slow, tmp_path / "run", stop=stop)
-    assert (tmp_path / "run" / "unfinished").exists() or (tmp_path / "run").exists()
+    quick = study.replace({"stages.0.cells": 30})
+    with pytest.raises(breccia.Interrupted):
+        breccia.run(quick, tmp_path / "quick", stop=stop)
+    resumed = breccia.run(quick, tmp_path / "quick", resume=True)["box"].test("isotropic").modulus
+    assert np.array_equal(resumed, breccia.solve(quick)["box"].test("isotropic").modulus)
+    # While another thread calculates, too.
+    other = threading.Thread(target=lambda: pytest.raises(breccia.Interrupted, breccia.solve, slow, time_limit="3 s"))
+    other.start()
+    time.sleep(0.3)
+    waited = time.monotonic()
+    with pytest.raises(breccia.Interrupted, match="before it began"):
+        breccia.solve(quick, stop=stop)
+    assert time.monotonic() - waited < 2
+    other.join()
     assert time.monotonic() - begun < 60
     for wrong in ("now", True):
         with pytest.raises(breccia.InputError, match="stop: expected what has is_set"):
@@ -160,3 +185,22 @@ def test_functions_have_signatures_and_refuse_what_is_no_number():
         breccia.fit(*data, ramp="1 m")
     with pytest.raises(breccia.InputError, match="times_per_decade: expected a number, got '10'"):
         breccia.fit(*data, times_per_decade="10")
+
+
+def test_tests_in_bulk_are_drawn_as_such(study):
+    in_bulk = breccia.solve(study.replace({"tests.times": None, "tests.frequencies": ["1 Hz", "100 Hz"],
+                                           "tests.loads": ["bulk"], "measurements": None}))
+    assert "M\u2032, M\u2033</text>" in in_bulk.svg() and "binder" not in in_bulk.svg()
+
+
+def test_youngs_modulus_is_drawn_where_it_was_measured(study, tmp_path):
+    table = "time_s,youngs_modulus_Pa\n0.001,1e7\n0.1,5e6\n"
+    (tmp_path / "tension.csv").write_text(table)
+    deck = study.deck
+    begin = deck.index("[[measurements]]")
+    (tmp_path / "deck.toml").write_text(deck[:begin] + '[[measurements]]\nname = "tension"\nyoung = { curve = "tension.csv" }\n')
+    result = breccia.solve(breccia.read_study(tmp_path / "deck.toml"))
+    svg = result.svg()
+    assert "E(t)</text>" in svg and "tension</text>" in svg and "<polygon" in svg and "binder</text>" not in svg
+    in_frequency = breccia.read_study(tmp_path / "deck.toml", {"tests.times": None, "tests.frequencies": ["1 Hz", "100 Hz"]})
+    assert "E\u2032, E\u2033</text>" in breccia.solve(in_frequency).svg()

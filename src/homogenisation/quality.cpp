@@ -15,6 +15,7 @@
 #include "homogenisation/modulus_errors.hpp"
 #include "homogenisation/narrow_gaps.hpp"
 #include "homogenisation/plan/grid_error.hpp"
+#include "homogenisation/sample_error.hpp"
 #include "io/display.hpp"
 #include "study/abscissa_words.hpp"
 #include "study/coatings.hpp"
@@ -314,8 +315,13 @@ std::vector<std::string> warnings_on_packing(const Study& study, const Stage& st
   if (stage.fillers.empty()) return warnings;
   constexpr std::size_t enough_particles = 30;
   const auto particles = packed.particles();
-  // A box that was chosen for an error has as many particles as a rule wants for it.
-  const bool is_judged = study.tests.accuracy && sample_of(study, stage, packed) != SampleKind::unknown;
+  // Where an error is asked for and a rule tells that of the packing, the result says it.
+  const ErrorRules rules{.sample = sample_of(study, stage, packed), .effective_particles = packed.effective_particles};
+  const auto has_rule = [&](Boundary boundary) {
+    constexpr double stiffening = 2.0;  // of no effect on whether there is a rule
+    return sample_error(rules, stage.dimensions(), boundary, Load::shear, stiffening).has_value();
+  };
+  const bool is_judged = study.tests.accuracy && std::ranges::all_of(study.tests.boundaries, has_rule);
   if (stage.has_seed() && particles < enough_particles && !is_judged) {
     warnings.push_back(fmt::format(
         "only {} particle{} in the box; with fewer than {} another packing may change the modulus by 10 % and more "

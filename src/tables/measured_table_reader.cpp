@@ -101,12 +101,17 @@ class MeasuredTableReader {
   }
 
   /// Leaves out redundant columns: two columns determine a complex modulus, so further columns of it, such as a loss
-  /// tangent beside storage and loss moduli, may have any content.
+  /// tangent beside storage and loss moduli, may have any content, and so may the time at which it was measured.
   void leave_out_what_follows(const detail::IsOfQuantity& has) {
     const auto is_chosen = [&](Quantity quantity) {
       return std::ranges::find(choices_, quantity, &ColumnChoice::quantity) != choices_.end();
     };
     const auto columns = detail::preferred_columns(has, is_chosen);
+    const bool is_over_time = has(Quantity::modulus) || has(Quantity::compliance) || is_chosen(Quantity::time);
+    if (columns && has(Quantity::angular_frequency) && !is_over_time) {
+      std::ranges::replace_if(
+          meanings_, [](const auto& meaning) { return meaning && meaning->quantity == Quantity::time; }, std::nullopt);
+    }
     const auto is_needed = [&](Quantity quantity) {
       if (columns) return quantity == columns->modulus || quantity == columns->other;
       return quantity == Quantity::storage_modulus || quantity == Quantity::loss_modulus || is_chosen(quantity);
@@ -276,6 +281,12 @@ class MeasuredTableReader {
 
   /// A hint on the meaning of a text that is not a number.
   [[nodiscard]] std::string hint_on_number(std::string text) const {
+    if (text.ends_with(" days, shown as a date or time")) {
+      return " (write it in the unit of the column, as a number; a day has 86400 s)";
+    }
+    if (!table_.reading_.sheet.empty() && text.find(" stored, shown ") != std::string::npos) {
+      return " (write the number that is meant, in a format that shows it as it is)";
+    }
     const auto size = text.size();
     for (const std::string_view blank : {" ", "\u00a0", "\u202f", "'", "’"}) {
       for (auto at = text.find(blank); at != std::string::npos; at = text.find(blank)) text.erase(at, blank.size());

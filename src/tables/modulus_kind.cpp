@@ -57,7 +57,8 @@ std::string conversion_hint(ModulusKind held, ModulusKind wanted) {
   const auto rename = fmt::format("begin the name of the column with {}", column_prefix(wanted));
   if (held == ModulusKind::young) {
     const auto* formula = wanted == ModulusKind::bulk ? "K = E / (3 (1 - 2 nu))" : "G = E / (2 (1 + nu))";
-    return fmt::format("convert it by {}, nu being Poisson's ratio, and {}", formula, rename);
+    return fmt::format("the key young takes it as it is, or convert it by {}, nu being Poisson's ratio, and {}",
+                       formula, rename);
   }
   return fmt::format("it cannot be converted without another modulus; if it is the {} all the same, {}", name(wanted),
                      rename);

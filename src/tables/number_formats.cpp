@@ -1,5 +1,6 @@
 #include "tables/number_formats.hpp"
 
+#include <cstddef>
 #include <map>
 #include <string>
 #include <string_view>
@@ -42,13 +43,15 @@ std::string letters_of(std::string_view code) {
 
 /// A format by its code, such as "0.00E+00" or "hh:mm:ss".
 NumberFormat format_of(std::string_view code) {
-  if (code == "General") return NumberFormat::number;
+  if (code == "General" || code == "Standard") return NumberFormat::number;  // the second one in German
   const auto letters = letters_of(code);
   if (letters.find('%') != std::string::npos) return NumberFormat::percentage;
-  // A comma behind the last digit divides by a thousand.
-  const auto section = std::string_view(letters).substr(0, letters.find(';'));
-  const auto digit = section.find_last_of("0#?");
-  if (digit != std::string_view::npos && section.substr(digit + 1).starts_with(',')) return NumberFormat::scaled;
+  // A comma that no digit follows divides by a thousand.
+  for (std::size_t at = 0; at < letters.size(); ++at) {
+    const bool is_before_digit =
+        at + 1 < letters.size() && std::string_view("0#?").find(letters[at + 1]) != std::string_view::npos;
+    if (letters[at] == ',' && !is_before_digit) return NumberFormat::scaled;
+  }
   return letters.find_first_of("ymdhsYMDHS") == std::string::npos ? NumberFormat::number : NumberFormat::date;
 }
 

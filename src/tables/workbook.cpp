@@ -127,8 +127,11 @@ class SheetReader {
   [[nodiscard]] std::string text_of_cell(const pugi::xml_node& cell) const {
     const std::string_view type = cell.attribute("t").as_string("n");
     const auto value = child(cell, "v");
+    const bool is_formula = static_cast<bool>(child(cell, "f"));
     if (type == "inlineStr") return text_of(child(cell, "is"));
-    if (!value && child(cell, "f")) return "a formula without its value; save it in a spreadsheet";
+    if (is_formula && type != "str" && std::string_view(value.text().get()).empty()) {
+      return "a formula without its value; save it in a spreadsheet";
+    }
     if (type == "s") return shared_string(value);
     if (type == "str" || type == "e") return plain(value.text().get());
     if (type == "b") return value.text().as_bool() ? "TRUE" : "FALSE";
@@ -149,11 +152,11 @@ class SheetReader {
     if (style >= formats_.size()) throw InputError("a cell of the workbook has a style that is not stored in it");
     switch (formats_[style]) {
       case NumberFormat::date:
-        return number + " shown as a date; format it as a number";
+        return number + " days, shown as a date or time";
       case NumberFormat::percentage:
-        return number + " shown in %; format it as a number";
+        return number + " stored, shown as a percentage";
       case NumberFormat::scaled:
-        return number + " shown in thousands; format it as a number";
+        return number + " stored, shown in thousands";
       default:
         return number;
     }

@@ -32,6 +32,8 @@ WorkbookParts::WorkbookParts(std::string_view bytes) : archive_(bytes) {
   for (const auto& [identity, relation] : relations_of("")) {
     if (relation.kind == "officeDocument") workbook_ = relation.part;
   }
+  if (workbook_.ends_with(".bin"))
+    throw InputError("a binary workbook (.xlsb); save it in the format .xlsx, or its table as CSV");
   if (workbook_.empty() || local_name(workbook().document_element()) != "workbook") refuse_archive();
   relations_ = relations_of(workbook_);
 }
@@ -57,6 +59,7 @@ std::map<std::string, WorkbookParts::Relation> WorkbookParts::relations_of(const
   if (!bytes) return relations;
   const auto document = parsed(file, *bytes);
   for (const auto& one : children(document.document_element(), "Relationship")) {
+    if (std::string_view(one.attribute("TargetMode").value()) == "External") continue;
     const std::string type = one.attribute("Type").value(), target = one.attribute("Target").value();
     // A target that begins with a slash is a path in the archive, another one is relative to the part.
     const auto place = target.starts_with('/') ? fs::path(target).relative_path() : folder / target;

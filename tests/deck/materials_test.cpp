@@ -138,7 +138,8 @@ TEST_F(DeckMaterials, AnotherModulusIsNotTakenForShear) {
   directory.write("g.csv", "relaxation_time_s,youngs_modulus_Pa\n1,3e6\ninf,1e6\n");
   EXPECT_EQ(mistakes(shear),
             "deck.toml:4:19: materials.binder.shear.prony: g.csv: expected a column of the shear modulus, got "
-            "\"youngs_modulus_Pa\", that of Young's modulus: convert it by G = E / (2 (1 + nu)), nu being Poisson's "
+            "\"youngs_modulus_Pa\", that of Young's modulus: the key young takes it as it is, or convert it by G = E / "
+            "(2 (1 + nu)), nu being Poisson's "
             "ratio, and begin the name of the column with shear_");
   directory.write("g.csv", "relaxation_time_s,bulk_modulus_Pa\n1,3e6\n");
   EXPECT_THAT(mistakes(shear), HasSubstr("expected a column of the shear modulus, got \"bulk_modulus_Pa\""));

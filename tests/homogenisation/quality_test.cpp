@@ -193,10 +193,19 @@ TEST(Quality, WarnsOfFewParticlesAndOfAnotherFraction) {
   packed.box = discs(29);
   EXPECT_THAT(warnings_on_packing(study, stage, packed), ElementsAre(HasSubstr("only 29 particles in the box")));
   study.tests.accuracy = 0.05;
+  study.tests.boundaries = {Boundary::periodic};
+  packed.effective_particles = 29.0;
   EXPECT_THAT(warnings_on_packing(study, stage, packed), IsEmpty()) << "a rule judges them";
   auto bonded = stage;
   bonded.bonds.emplace();
   EXPECT_THAT(warnings_on_packing(study, bonded, packed), ElementsAre(HasSubstr("only 29 particles"))) << "no rule";
+  study.tests.boundaries = {Boundary::periodic, Boundary::traction};
+  EXPECT_THAT(warnings_on_packing(study, stage, packed), ElementsAre(HasSubstr("only 29 particles"))) << "nor here";
+  study.tests.boundaries = {Boundary::periodic};
+  packed.box = discs(2);
+  packed.effective_particles = 2.0;
+  EXPECT_THAT(warnings_on_packing(study, stage, packed), ElementsAre(HasSubstr("only 2 particles")))
+      << "no rule for so few";
   study.tests.accuracy.reset();
   packed = result_of({}, 30).microstructure;
   packed.fraction = 0.377;

@@ -345,6 +345,13 @@ TEST_F(MeasuredTableTest, AChoiceNeedsNoUnit) {
   EXPECT_EQ(table.column(storage_modulus).kind, ModulusKind::young);
 }
 
+TEST_F(MeasuredTableTest, TheTimeOfDynamicModuliMayHaveAnyContent) {
+  const auto table = read("Time,frequency_Hz,storage_modulus_Pa,loss_modulus_Pa\n09:30:12,1,2,3\n09:31:12,2,3,3\n");
+  EXPECT_FALSE(table.has({time}));
+  EXPECT_THAT(table.column(storage_modulus).values, ElementsAre(2.0, 3.0));
+  EXPECT_THAT(mistakes("time_s,modulus_Pa\n09:30:12,2\n"), HasSubstr("time_s: expected a number"));
+}
+
 TEST_F(MeasuredTableTest, TheKindOfAModulusIsNotMistaken) {
   const auto of_kind = [](ModulusKind kind) {
     return [kind](const MeasuredTable& table) { static_cast<void>(table.column(modulus, kind)); };
@@ -352,7 +359,7 @@ TEST_F(MeasuredTableTest, TheKindOfAModulusIsNotMistaken) {
   const auto* young = "time_s,youngs_modulus_Pa\n1,2\n";
   EXPECT_EQ(mistakes(young, of_kind(ModulusKind::shear)),
             "table.csv: expected a column of the shear modulus, got \"youngs_modulus_Pa\", that of Young's modulus: "
-            "convert it by "
+            "the key young takes it as it is, or convert it by "
             "G = E / (2 (1 + nu)), nu being Poisson's ratio, and begin the name of the column with shear_");
   EXPECT_THAT(mistakes(young, of_kind(ModulusKind::bulk)), HasSubstr("K = E / (3 (1 - 2 nu))"));
   for (const auto* name :

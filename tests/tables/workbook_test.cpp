@@ -95,7 +95,7 @@ class Workbook : public testing::Test {
   test::TemporaryDirectory directory;
 };
 
-TEST_F(Workbook, IsReadAsATextWithTheNumbersOfItsRows) {
+TEST_F(Workbook, IsReadWithTheNumbersOfItsRows) {
   const auto table = read_measured_table(written({{"Creep", names() + row(2, {1.0, 0.25}) + row(5, {10.0, 0.5})}}));
   EXPECT_THAT(table.column(Quantity::time).values, ElementsAre(1.0, 10.0));
   EXPECT_THAT(table.column(Quantity::compliance, ModulusKind::shear).values, ElementsAre(0.25e-6, 0.5e-6));
@@ -145,28 +145,32 @@ TEST_F(Workbook, AChosenColumnMarksItsSheet) {
 }
 
 TEST_F(Workbook, ShownNumbersThatAreNotTheStoredOnesAreRefused) {
-  const auto styles =
-      part("styleSheet",
-           R"(<numFmts><numFmt numFmtId="164" formatCode="[h]:mm"/>)"
-           R"(<numFmt numFmtId="165" formatCode="0.0&quot; s&quot;\d"/>)"
-           R"(<numFmt numFmtId="166" formatCode="[Red]0.00%"/><numFmt numFmtId="167" formatCode="#,##0.0,;-#"/>)"
-           R"(<numFmt numFmtId="168" formatCode="#,##0.0"/></numFmts>)"
-           R"(<cellXfs><xf numFmtId="0"/><xf numFmtId="21"/><xf numFmtId="164"/>)"
-           R"(<xf numFmtId="165"/><xf numFmtId="166"/><xf numFmtId="11"/><xf numFmtId="167"/>)"
-           R"(<xf numFmtId="168"/></cellXfs>)");
+  const auto styles = part(
+      "styleSheet",
+      R"(<numFmts><numFmt numFmtId="164" formatCode="[h]:mm"/>)"
+      R"(<numFmt numFmtId="165" formatCode="0.0&quot; s&quot;\d"/>)"
+      R"(<numFmt numFmtId="166" formatCode="[Red]0.00%"/><numFmt numFmtId="167" formatCode="[&lt;1000]0.0;#,##0,.0"/>)"
+      R"(<numFmt numFmtId="168" formatCode="#,##0.0"/></numFmts>)"
+      R"(<cellXfs><xf numFmtId="0"/><xf numFmtId="21"/><xf numFmtId="164"/>)"
+      R"(<xf numFmtId="165"/><xf numFmtId="166"/><xf numFmtId="11"/><xf numFmtId="167"/>)"
+      R"(<xf numFmtId="168"/></cellXfs>)");
   std::string rows = names();
   for (int style = 0; style < 8; ++style) {
     rows += fmt::format(R"(<row><c s="{}"><v>0.5</v></c><c><v>1</v></c></row>)", style);
   }
   const auto message = mistakes(written({{"Creep", rows}}, {{"xl/styles.xml", styles}}));
   EXPECT_EQ(message,
-            "table.xlsx:Creep:3: time_s: expected a number, got \"0.5 shown as a date; format it as a number\"\n"
-            "table.xlsx:Creep:4: time_s: expected a number, got \"0.5 shown as a date; format it as a number\"\n"
-            "table.xlsx:Creep:6: time_s: expected a number, got \"0.5 shown in %; format it as a number\"\n"
+            "table.xlsx:Creep:3: time_s: expected a number, got \"0.5 days, shown as a date or time\" (write it in the "
+            "unit of the column, as a number; a day has 86400 s)\n"
+            "table.xlsx:Creep:4: time_s: expected a number, got \"0.5 days, shown as a date or time\" (write it in the "
+            "unit of the column, as a number; a day has 86400 s)\n"
+            "table.xlsx:Creep:6: time_s: expected a number, got \"0.5 stored, shown as a percentage\" (write the "
+            "number that is meant, in a format that shows it as it is)\n"
             "table.xlsx: ... 1 more like these: time_s: expected a number");
   const auto scaled = names() + R"(<row><c s="6"><v>0.5</v></c><c s="7"><v>1</v></c></row>)";
   EXPECT_EQ(mistakes(written({{"Creep", scaled}}, {{"xl/styles.xml", styles}})),
-            "table.xlsx:Creep:2: time_s: expected a number, got \"0.5 shown in thousands; format it as a number\"");
+            "table.xlsx:Creep:2: time_s: expected a number, got \"0.5 stored, shown in thousands\" (write the number "
+            "that is meant, in a format that shows it as it is)");
   const auto beyond = names() + R"(<row><c s="8"><v>0.5</v></c><c><v>1</v></c></row>)";
   EXPECT_THAT(mistakes(written({{"Creep", beyond}}, {{"xl/styles.xml", styles}})),
               HasSubstr("a style that is not stored"));
@@ -175,7 +179,7 @@ TEST_F(Workbook, ShownNumbersThatAreNotTheStoredOnesAreRefused) {
 TEST_F(Workbook, FormulasHaveTheirStoredValueAndErrorsOfCellsAreNoComments) {
   const auto rows = names() + R"(<row><c><f>1+1</f><v>2</v></c><c t="str"><f>B1</f><v>0.5</v></c></row>)";
   EXPECT_THAT(read_measured_table(written({{"Creep", rows}})).column(Quantity::time).values, ElementsAre(2.0));
-  const auto broken = names() + R"(<row><c><f>A1</f></c><c><v>1</v></c></row>)"
+  const auto broken = names() + R"(<row><c><f>A1</f><v></v></c><c><v>1</v></c></row>)"
                                 R"(<row><c t="e"><v>#DIV/0!</v></c><c t="b"><v>1</v></c></row>)"
                                 R"(<row><c t="d"><v>2026-01-01</v></c></row>)";
   EXPECT_EQ(
