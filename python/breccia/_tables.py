@@ -1,4 +1,4 @@
-"""Results as tables in long form, with the columns of the files that `breccia run` writes."""
+"""Results as tables in long form, with columns named as in the files that `breccia run` writes."""
 
 from __future__ import annotations
 
@@ -83,8 +83,8 @@ def stage_table(self: _native.StageResult, kind: str = "curves") -> Table:
 
     kind: "curves", the relaxation moduli with their errors; "dynamic", the complex moduli over the frequency;
     "engineering", Young's modulus, Poisson's ratio, K and the compliance in tension; "comparison", what was measured.
-    Columns are named as in the files of these names, with the errors of all moduli; those that are not known are NaN. Without such data the table has no
-    columns. Raises InputError for another kind.
+    Columns are named as in the files of these names, with the errors of all moduli; those that are not known are NaN.
+    Without such data the table has no columns. Raises InputError for another kind.
     """
     return _joined([self], kind)
 

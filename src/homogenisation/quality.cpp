@@ -315,7 +315,7 @@ std::vector<std::string> warnings_on_packing(const Study& study, const Stage& st
   if (stage.fillers.empty()) return warnings;
   constexpr std::size_t enough_particles = 30;
   const auto particles = packed.particles();
-  // Where an error is asked for and a rule tells that of the packing, the result says it.
+  // Where an error is asked for and a rule gives that of the packing, the result has it.
   const ErrorRules rules{.sample = sample_of(study, stage, packed), .effective_particles = packed.effective_particles};
   const auto has_rule = [&](Boundary boundary) {
     constexpr double stiffening = 2.0;  // of no effect on whether there is a rule
