@@ -29,7 +29,7 @@ def export(result: _native.Result, format: str, file: PathLike | None = None, *,
            step: Quantity | None = None, overwrite: bool = False) -> str:
     """The moduli of a composite as text, as `breccia export` writes it.
 
-    format: "abaqus", "ansys", "ls-dyna", "comsol", "moose" or "csv", a material card; or "dma", a table over the
+    format: "abaqus", "ansys", "ls-dyna", "openradioss", "comsol", "moose" or "csv", a material card; or "dma", a table over the
     temperature; file: where to write it, too; overwrite: whether an existing one may be replaced; stage: the last one
     by default; boundary: needed where several were tested; load: which shear gives G(t).
 

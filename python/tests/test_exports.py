@@ -8,7 +8,7 @@ import pytest
 import breccia
 
 LAW = {"law": "wlf", "c1": 6.5, "c2": "120 K", "reference": "20 degC", "temperature": "20 degC"}
-FORMATS = ["abaqus", "ansys", "ls-dyna", "comsol", "moose", "csv"]
+FORMATS = ["abaqus", "ansys", "ls-dyna", "openradioss", "comsol", "moose", "csv"]
 
 
 @pytest.fixture(scope="module")

@@ -81,5 +81,6 @@ void add_report(CLI::App& application);
 void add_respond(CLI::App& application);
 void add_run(CLI::App& application);
 void add_stages(CLI::App& application);
+void add_studio(CLI::App& application);
 
 }  // namespace breccia::cli

@@ -5,25 +5,14 @@
 
 #include <fmt/format.h>
 
-#include "breccia/error.hpp"
-
 #include "cli/command.hpp"
+#include "cli/installation.hpp"
 #include "io/text_file.hpp"
 
 namespace breccia::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A directory of the installation, found by its path relative to the program. Throws FileError if it is missing.
-fs::path installed(const char* from_program) {
-  std::error_code failure;
-  const auto program = fs::read_symlink("/proc/self/exe", failure);
-  auto directory = (program.parent_path() / from_program).lexically_normal();
-  if (!failure && fs::is_directory(directory)) return directory;
-  throw FileError(
-      fmt::format("{}: no such directory; the installation of breccia is not complete", directory.string()));
-}
 
 /// The title in the line `title = "..."` of a deck; empty if there is no such line.
 std::string title_of(const std::string& deck) {
@@ -57,8 +46,8 @@ constexpr auto pages = R"(  README.md               an overview of all pages
 )";
 
 void print_examples() {
-  const auto examples = installed(BRECCIA_EXAMPLES_FROM_PROGRAM);
-  const auto documentation = installed(BRECCIA_DOCUMENTATION_FROM_PROGRAM);
+  const auto examples = installed_examples();
+  const auto documentation = installed_documentation();
   fmt::print("Decks in {} (run one by its path, or copy it):\n", examples.string());
   for (const auto& deck : decks_below(examples)) {
     fmt::print("  {:<30}  {}\n", deck.string(), title_of(read_text(examples / deck)));

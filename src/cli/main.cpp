@@ -48,6 +48,7 @@ void name_parts_of_help(CLI::App& application) {
 
 void add_commands(CLI::App& application) {
   namespace cli = breccia::cli;
+  cli::add_studio(application);
   cli::add_new(application);
   cli::add_check(application);
   cli::add_run(application);

@@ -37,7 +37,7 @@ DeckValue convert(const toml::node& node) {
 }
 
 DeckTable convert(const toml::table& table) {
-  DeckTable converted{location_of(table.source()), {}};
+  DeckTable converted{location_of(table.source()), {}, table.is_inline()};
   for (const auto& [key, node] : table) {
     converted.entries.push_back({std::string(key.str()), location_of(key.source()), convert(node)});
   }

@@ -21,6 +21,7 @@ struct DeckEntry;
 struct DeckTable {
   Location location;
   std::vector<DeckEntry> entries;
+  bool is_inline = false;  ///< whether it is written in braces
 };
 
 struct DeckArray {

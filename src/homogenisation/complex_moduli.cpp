@@ -1,8 +1,5 @@
 #include "homogenisation/complex_moduli.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <numbers>
 
 #include "study/abscissa_words.hpp"
@@ -14,12 +11,6 @@ std::vector<double> frequencies_in_hertz(const Curve& curve, int per_decade) {
   auto frequencies = logarithmic_times({hertz_of(curve.back().time), hertz_of(curve.front().time)}, per_decade);
   for (auto& frequency : frequencies) frequency *= per_cycle;
   return frequencies;
-}
-
-std::size_t nearest_sample(const Curve& curve, double time) {
-  const auto nearest = std::ranges::min_element(
-      curve, {}, [time](const Sample& sample) { return std::abs(std::log(sample.time / time)); });
-  return static_cast<std::size_t>(nearest - curve.begin());
 }
 
 std::optional<double> whole_error_at(const TestResult& test, double time) {

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
+#include <ranges>
 #include <vector>
 
 #include "breccia/homogenisation/study_result.hpp"
@@ -13,8 +16,12 @@ namespace breccia {
 /// of the times t of a curve; rising.
 std::vector<double> frequencies_in_hertz(const Curve& curve, int per_decade);
 
-/// The index of the sample of a curve that is nearest to a time [s], on a logarithmic axis.
-std::size_t nearest_sample(const Curve& curve, double time);
+/// The index of the sample of a curve in time that is nearest to a time [s], on a logarithmic axis.
+template <std::ranges::random_access_range Samples>
+std::size_t nearest_sample(const Samples& samples, double time) {
+  const auto distance = [time](const auto& sample) { return std::abs(std::log(sample.time / time)); };
+  return static_cast<std::size_t>(std::ranges::min_element(samples, {}, distance) - std::ranges::begin(samples));
+}
 
 /// The whole error of a test at its time nearest to the given one [s]; nothing where it is not known.
 std::optional<double> whole_error_at(const TestResult& test, double time);

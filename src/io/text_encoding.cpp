@@ -96,6 +96,10 @@ std::string from_latin1(std::string_view text) {
 
 }  // namespace
 
+bool is_archive(std::string_view bytes) {
+  return bytes.starts_with("PK\x03\x04");
+}
+
 void refuse_binary(const std::filesystem::path& path, std::string_view text) {
   if (text.starts_with("\xD0\xCF\x11\xE0")) {
     throw InputError(
@@ -103,7 +107,7 @@ void refuse_binary(const std::filesystem::path& path, std::string_view text) {
                     "CSV, or in the format .xlsx without a password",
                     path.string()));
   }
-  if (text.starts_with("PK\x03\x04")) {
+  if (is_archive(text)) {
     throw InputError(fmt::format(
         "{}: expected text, got a workbook of a spreadsheet or an archive; save its table as CSV", path.string()));
   }

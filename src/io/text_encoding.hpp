@@ -15,6 +15,9 @@ struct TableText {
   TextEncoding encoding = TextEncoding::utf8;  ///< encoding of the file
 };
 
+/// Whether bytes begin as a ZIP archive does, which a workbook of a spreadsheet is.
+bool is_archive(std::string_view bytes);
+
 /// Throws InputError if a file is not a text of bytes but UTF-16, a picture or the binary format of a spreadsheet.
 void refuse_binary(const std::filesystem::path& path, std::string_view text);
 

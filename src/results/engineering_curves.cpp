@@ -1,9 +1,9 @@
 #include "results/engineering_curves.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
+#include "homogenisation/complex_moduli.hpp"
 #include "homogenisation/tests_of_solid.hpp"
 #include "results/best_tests.hpp"
 #include "virtual_test/bulk_test.hpp"
@@ -55,11 +55,7 @@ EngineeringCurves curves_of(const TestPair& pair, int dimensions, const Frequenc
 
 void EngineeringCurves::add_frequency(double angular_frequency) {
   auto sample = at(angular_frequency);
-  const auto distance = [angular_frequency](const EngineeringSample& one) {
-    return std::abs(std::log(one.time * angular_frequency));
-  };
-  const auto nearest = std::ranges::min_element(in_time, {}, distance);
-  if (nearest != in_time.end()) sample.errors = nearest->errors;
+  if (!in_time.empty()) sample.errors = in_time[nearest_sample(in_time, 1.0 / angular_frequency)].errors;
   in_frequency.push_back(sample);
 }
 

@@ -19,6 +19,7 @@
 #include "results/cards/csv_card.hpp"
 #include "results/cards/ls_dyna_card.hpp"
 #include "results/cards/moose_card.hpp"
+#include "results/cards/openradioss_card.hpp"
 #include "virtual_test/bulk_test.hpp"
 #include "viscoelasticity/poisson_ratio.hpp"
 #include "viscoelasticity/prony_reduction.hpp"
@@ -44,6 +45,8 @@ std::string program_of(CardFormat format) {
       return "Ansys";
     case CardFormat::ls_dyna:
       return "LS-DYNA";
+    case CardFormat::openradioss:
+      return "OpenRadioss";
     case CardFormat::comsol:
       return "COMSOL";
     case CardFormat::moose:
@@ -58,6 +61,7 @@ std::string program_of(CardFormat format) {
 bool has_shift(CardFormat format) {
   switch (format) {
     case CardFormat::ls_dyna:
+    case CardFormat::openradioss:
     case CardFormat::moose:
       return false;
     case CardFormat::abaqus:
@@ -234,6 +238,16 @@ std::vector<std::string> warnings_on(const MaterialCard& card) {
   return warnings;
 }
 
+/// OpenRadioss takes a Poisson's ratio of 0 for 0.495, and none below.
+void refuse_ratio(const MaterialCard& card, CardFormat format) {
+  const double ratio = poisson_ratio(card.bulk.equilibrium(), card.shear.equilibrium());
+  if (format != CardFormat::openradioss || ratio > 0.0) return;
+  throw InputError(
+      fmt::format("{}: OpenRadioss takes Poisson's ratios between 0 and 0.5; that at infinite time is {:.3g} (K = {}, "
+                  "G = {})",
+                  card.name, ratio, display(card.bulk.equilibrium(), "Pa"), display(card.shear.equilibrium(), "Pa")));
+}
+
 /// The card in other units.
 MaterialCard in_units(MaterialCard card, CardUnits units) {
   if (units == CardUnits::m_kg_s) return card;
@@ -253,9 +267,10 @@ MaterialCard in_units(MaterialCard card, CardUnits units) {
 }  // namespace
 
 std::size_t most_terms(CardFormat format) {
-  constexpr std::size_t of_ansys = 100;
+  constexpr std::size_t of_ansys = 100, of_openradioss = 100;
   constexpr std::size_t of_ls_dyna = 18 - 1;  // one of the terms is the modulus at infinite time
   if (format == CardFormat::ansys) return of_ansys;
+  if (format == CardFormat::openradioss) return of_openradioss;
   return format == CardFormat::ls_dyna ? of_ls_dyna : std::numeric_limits<std::size_t>::max();
 }
 
@@ -273,6 +288,7 @@ MaterialCard material_card(const Composite& composite, const CardSettings& setti
   const double share = share_that_stays * settings.tolerance;
   card.shear = with_equilibrium(few.series[0], times.end, share);
   card.bulk = with_equilibrium(few.series[1], times.end, share);
+  refuse_ratio(card, settings.format);
   if (composite.shift) {
     const auto* law = std::get_if<WilliamsLandelFerry>(&composite.shift->law);
     if (law != nullptr) card.shift = with_reference(*law, composite.shift->temperature);
@@ -295,6 +311,8 @@ std::string text_of(const MaterialCard& card, const CardSettings& settings) {
       return cards::ansys_card(converted);
     case CardFormat::ls_dyna:
       return cards::ls_dyna_card(converted);
+    case CardFormat::openradioss:
+      return cards::openradioss_card(converted);
     case CardFormat::comsol:
       return cards::comsol_card(converted);
     case CardFormat::moose:

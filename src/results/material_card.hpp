@@ -16,12 +16,13 @@
 namespace breccia {
 
 /// The program that a material card is for (docs/exports.md).
-enum class CardFormat { abaqus, ansys, ls_dyna, comsol, moose, csv };
+enum class CardFormat { abaqus, ansys, ls_dyna, openradioss, comsol, moose, csv };
 
 template <>
 inline constexpr auto words<CardFormat> = std::to_array<Word<CardFormat>>({{"abaqus", CardFormat::abaqus},
                                                                            {"ansys", CardFormat::ansys},
                                                                            {"ls-dyna", CardFormat::ls_dyna},
+                                                                           {"openradioss", CardFormat::openradioss},
                                                                            {"comsol", CardFormat::comsol},
                                                                            {"moose", CardFormat::moose},
                                                                            {"csv", CardFormat::csv}});
@@ -68,8 +69,9 @@ std::size_t most_terms(CardFormat format);
 
 /// The card of a composite, in SI units: G(t) and K(t) with few common relaxation times (reduce_prony). Throws
 /// InputError with all mistakes in the settings; where there is neither a bulk test nor a bulk modulus or a Poisson's
-/// ratio; where the series cannot follow the moduli within the tolerance with as many terms as the format has; and
-/// where a series without negative terms cannot follow the K(t) of a composite in plane strain.
+/// ratio; where the series cannot follow the moduli within the tolerance with as many terms as the format has; where a
+/// series without negative terms cannot follow the K(t) of a composite in plane strain; and where Poisson's ratio is
+/// none that the format takes.
 MaterialCard material_card(const Composite& composite, const CardSettings& settings);
 
 /// The text of the card in the format and units of the settings.

@@ -176,10 +176,6 @@ std::string relation_of(const pugi::xml_node& sheet) {
 
 }  // namespace
 
-bool is_archive(std::string_view bytes) {
-  return bytes.starts_with("PK\x03\x04");
-}
-
 std::vector<WorkbookSheet> sheets_of(std::string_view bytes) {
   const WorkbookParts parts(bytes);
   const SheetReader reader(parts);

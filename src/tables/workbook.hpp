@@ -14,9 +14,6 @@ struct WorkbookSheet {
   std::vector<CsvRecord> rows;  ///< those with values, by their numbers as lines; all of the same number of cells
 };
 
-/// Whether bytes begin as a ZIP archive does, which a workbook is.
-bool is_archive(std::string_view bytes);
-
 /// The visible sheets of a workbook in the format .xlsx (Office Open XML, ECMA-376, Part 1, chapter 18). A cell has the
 /// value that is stored, whatever digits its format shows; of a formula, the value when the workbook was saved. What a
 /// format shows as another number than the stored one (dates, times of day, percentages, thousands), and formulas

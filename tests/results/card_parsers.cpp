@@ -169,6 +169,46 @@ ParsedCard parse_ls_dyna(const std::string& text) {
   return card;
 }
 
+ParsedCard parse_openradioss(const std::string& text) {
+  std::vector<std::string> lines;
+  for (const auto& line : lines_of_card(text)) {
+    if (line.rfind('#', 0) != 0) lines.push_back(line);
+  }
+  const auto field = [](const std::string& line, std::size_t begin, std::size_t width) {
+    return line.size() < begin + width ? 0.0 : std::stod(line.substr(begin, width));
+  };
+  constexpr std::size_t wide = 20, narrow = 10;
+  require(lines.at(0) == "/MAT/LAW42/1", "the keyword of the law");
+  ParsedCard card;
+  card.name = lines.at(1);
+  card.density = field(lines.at(2), 0, wide);
+  const double ratio = field(lines.at(3), 0, wide);
+  require(lines.at(3).size() == 5 * wide, "a line of a hundred columns");
+  require(lines.at(3).substr(2 * wide, narrow) == std::string(narrow, ' '), "ten empty columns");
+  require(lines.at(5).empty() && lines.at(7).empty(), "the blank lines");
+  // Ogden's solid: the shear modulus is half of the sum of mu alpha, K = 2 G (1 + nu) / (3 (1 - 2 nu)).
+  double shear = 0.0;
+  for (std::size_t i = 0; i < 5; ++i)
+    shear += 0.5 * field(lines.at(4), i * wide, wide) * field(lines.at(6), i * wide, wide);
+  const double bulk = 2.0 * shear * (1.0 + ratio) / (3.0 * (1.0 - 2.0 * ratio));
+  std::vector<MaxwellTerm> of_shear, of_bulk;
+  if (lines.size() > 8) {
+    require(lines.at(8) == "/VISC/PRONY/1", "the keyword of the terms");
+    require(static_cast<std::size_t>(field(lines.at(9), 0, narrow)) == lines.size() - 10, "the number of terms");
+    for (std::size_t i = 10; i < lines.size(); ++i) {
+      const auto add = [&](std::size_t place, std::vector<MaxwellTerm>& terms) {
+        const double modulus = field(lines[i], place * wide, wide);
+        if (modulus > 0.0) terms.push_back({1.0 / field(lines[i], (place + 1) * wide, wide), modulus});
+      };
+      add(0, of_shear);
+      add(2, of_bulk);
+    }
+  }
+  card.shear = PronySeries(shear, of_shear);
+  card.bulk = PronySeries(bulk, of_bulk);
+  return card;
+}
+
 ParsedCard parse_comsol(const std::string& text) {
   ParsedCard card;
   double shear = 0.0, bulk = 0.0;
@@ -272,7 +312,7 @@ ParsedCard parse_csv_card(const std::string& text) {
 
 ParsedCard parse_card(const std::string& format, const std::string& text) {
   const std::map<std::string, ParsedCard (*)(const std::string&)> parsers = {
-      {"abaqus", parse_abaqus}, {"ansys", parse_ansys}, {"ls-dyna", parse_ls_dyna},
+      {"abaqus", parse_abaqus}, {"ansys", parse_ansys}, {"ls-dyna", parse_ls_dyna}, {"openradioss", parse_openradioss},
       {"comsol", parse_comsol}, {"moose", parse_moose}, {"csv", parse_csv_card}};
   return parsers.at(format)(text);
 }

@@ -23,6 +23,7 @@ struct ParsedCard {
 ParsedCard parse_abaqus(const std::string& text);
 ParsedCard parse_ansys(const std::string& text);
 ParsedCard parse_ls_dyna(const std::string& text);
+ParsedCard parse_openradioss(const std::string& text);
 ParsedCard parse_comsol(const std::string& text);
 ParsedCard parse_moose(const std::string& text);
 ParsedCard parse_csv_card(const std::string& text);

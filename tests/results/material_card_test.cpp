@@ -81,7 +81,7 @@ TEST_P(Card, HasTheShiftOfTheBinderOrSaysThatItHasNot) {
   const auto composite = composite_of_cards();
   const auto text = text_of(material_card(composite, settings), settings);
   const auto read = parse_card(std::string(name), text);
-  if (format == CardFormat::ls_dyna || format == CardFormat::moose) {
+  if (format == CardFormat::ls_dyna || format == CardFormat::openradioss || format == CardFormat::moose) {
     EXPECT_FALSE(read.shift);
     EXPECT_THAT(text, HasSubstr("The shift is not part of the card"));
     return;
@@ -223,6 +223,25 @@ TEST(MaterialCard, IsNotRefusedWhereTheResultHasSoFewTerms) {
   const auto card = material_card(composite, {.format = CardFormat::ls_dyna, .tolerance = 1e-12});
   EXPECT_LE(card.shear.terms().size(), 12U);
   EXPECT_LE(card.shear_deviation, 1e-12);
+}
+
+TEST(MaterialCard, RefusesARatioThatOpenRadiossTakesForAnother) {
+  const auto composite = composite_of_cards();
+  for (const double ratio : {0.0, -0.2}) {
+    const auto message = message_of<InputError>(
+        [&] { static_cast<void>(material_card(composite, {.format = CardFormat::openradioss, .poisson = ratio})); });
+    EXPECT_THAT(message, HasSubstr("OpenRadioss takes Poisson's ratios between 0 and 0.5; that at infinite time is "));
+  }
+}
+
+/// Where the binder has relaxed, the ratio is near 0.5, and the bulk modulus hangs on its last digits.
+TEST(MaterialCard, OfASoftCompositeKeepsItsBulkModulusInOpenRadioss) {
+  auto composite = composite_of_cards();
+  composite.shear = PronySeries(2e4, {{1e-3, 1e9}});
+  composite.dilatational = PronySeries(9e9);
+  const CardSettings settings{.format = CardFormat::openradioss, .tolerance = 0.001};
+  const auto read = parse_card("openradioss", text_of(material_card(composite, settings), settings));
+  EXPECT_NEAR(read.bulk.equilibrium() / 9e9, 1.0, 1e-8);
 }
 
 TEST(MaterialCard, WarnsOfANegativePoissonsRatio) {

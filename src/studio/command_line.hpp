@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace breccia::studio {
+
+/// A `breccia` command: what the studio does is done by one, which a user could type.
+struct Command {
+  std::vector<std::string> arguments = {};  ///< after the name of the program: "check", "a.toml"
+  std::vector<std::string> hidden = {};     ///< further arguments that no user needs, such as a place for previews
+};
+
+/// The line that a user would type: `breccia check 'my deck.toml'`.
+std::string shown(const Command& command);
+
+/// A word as a shell takes it, in quotes where it needs them.
+std::string shell_word(std::string_view word);
+
+/// What a command has printed, and how it ended.
+struct FinishedCommand {
+  int exit_code = 0;
+  std::string output = {};
+};
+
+/// A mistake in a deck, from a line `a.toml:12:3: message`.
+struct ShownMistake {
+  int line = 0;  ///< 0: none
+  int column = 0;
+  std::string message = {};
+};
+
+/// The mistakes among the lines that a command has printed about a deck.
+std::vector<ShownMistake> mistakes_in(std::string_view output, std::string_view deck);
+
+}  // namespace breccia::studio

@@ -1,0 +1,48 @@
+#include "studio/command_runner.hpp"
+
+#include <chrono>
+#include <csignal>
+#include <utility>
+#include <vector>
+
+#include "studio/terminal_text.hpp"
+
+namespace breccia::studio {
+
+std::unique_ptr<ChildProcess> Program::start(const Command& command) const {
+  std::vector<std::string> arguments = {path.string()};
+  arguments.insert(arguments.end(), command.arguments.begin(), command.arguments.end());
+  arguments.insert(arguments.end(), command.hidden.begin(), command.hidden.end());
+  return std::make_unique<ChildProcess>(arguments, folder);
+}
+
+LatestCommand::LatestCommand(Program program) : program_(std::move(program)) {}
+
+std::optional<FinishedCommand> LatestCommand::run(const Command& command) {
+  std::shared_ptr<ChildProcess> mine;
+  {
+    const std::lock_guard lock(mutex_);
+    if (is_closed_) return std::nullopt;
+    if (running_) running_->send(SIGKILL);
+    mine = program_.start(command);
+    running_ = mine;
+  }
+  TerminalText text;
+  constexpr std::chrono::milliseconds wait(200);
+  while (const auto bytes = mine->read(wait)) text.add(*bytes);
+  text.finish();
+  const int exit_code = mine->exit_code();
+  const std::lock_guard lock(mutex_);
+  if (running_ != mine) return std::nullopt;
+  running_ = nullptr;
+  return FinishedCommand{exit_code, text.lines()};
+}
+
+void LatestCommand::end() {
+  const std::lock_guard lock(mutex_);
+  is_closed_ = true;
+  if (running_) running_->send(SIGKILL);
+  running_ = nullptr;
+}
+
+}  // namespace breccia::studio

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "breccia/error.hpp"
+
+namespace breccia::studio {
+
+/// Error that a file is there already, or has changed since it was read.
+class Conflict : public Error {
+ public:
+  explicit Conflict(const std::string& message) : Error(ExitCode::bad_input, message) {}
+};
+
+/// A deck as the page has it.
+struct DeckText {
+  std::string name = {};
+  std::string text = {};
+  std::string version = {};  ///< hash of the text, by which a change by someone else is noticed
+};
+
+/// The name of a file, with the title of the deck in it.
+struct ListedDeck {
+  std::string name = {};
+  std::string title = {};
+};
+
+/// The folder in which the studio works: its decks, the data that they name, and the results. Nothing outside of it is
+/// read or written, and nothing whose name begins with a dot. For several threads.
+class Folder {
+ public:
+  /// Throws InputError if there is no such directory.
+  explicit Folder(const std::filesystem::path& path);
+
+  [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
+
+  /// The decks of the folder, in alphabetical order.
+  [[nodiscard]] std::vector<ListedDeck> decks() const;
+  /// The names of the files that end in one of these, in alphabetical order.
+  [[nodiscard]] std::vector<std::string> files(const std::vector<std::string>& suffixes) const;
+
+  /// The absolute path of an existing file below the folder, by its relative name with slashes. Throws InputError for
+  /// any other name, also for one that leads out of the folder by a symbolic link.
+  [[nodiscard]] std::filesystem::path file(std::string_view name) const;
+
+  /// Throws InputError if the name is not that of a deck directly in the folder, or there is none.
+  [[nodiscard]] DeckText deck(std::string_view name) const;
+  /// Writes a deck that was read with this version. The text that was there first in this session is kept as NAME~.
+  /// Throws Conflict if it has changed since.
+  DeckText save_deck(const DeckText& deck);
+  /// Writes a deck that is not there yet. Throws Conflict if a file of its name is.
+  DeckText add_deck(const std::string& name, const std::string& text);
+  /// Writes a file of data that is not there yet, or has the same content. Throws Conflict if it has another one.
+  void add_data(const std::string& name, std::string_view bytes);
+
+ private:
+  std::filesystem::path path_;
+  std::mutex mutex_;                 ///< one change at a time
+  std::set<std::string> kept_ = {};  ///< decks whose first text is kept
+};
+
+/// Whether a name can be one of a file directly in the folder.
+bool is_file_name(std::string_view name);
+
+}  // namespace breccia::studio

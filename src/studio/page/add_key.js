@@ -1,0 +1,78 @@
+/// The line below a table of the form with which keys are added that the deck lacks.
+
+import {element} from "../../page/scripts/elements.js";
+import {hasForm, labelOf} from "./form_labels.js";
+import {describe, isModulus} from "./key_reference.js";
+import {firstSentence} from "./markdown.js";
+import {materialNames} from "./deck_tree.js";
+import {startingValue} from "./starting_values.js";
+
+let count = 0;
+
+/// A list of keys with a button. `except` names keys that have buttons of their own.
+export function addKey({path, except, context}) {
+  const id = `add-${++count}`;
+  const list = element("select", {id});
+  const button = element("button", {type: "button", className: "quiet", onclick: () => {
+    const key = keys.find((one) => one.key === list.value);
+    if (key === undefined) return;
+    context.focusAfterwards([...path, key.key]);
+    const names = materialNames(context.deck.tree);
+    context.edit([...path, key.key], startingValue(context.reference, key, {folder: context.folder, names}));
+  }}, "Add");
+  const line = element("div", {className: "add"}, element("label", {htmlFor: id}, titleOf(path)), list, button);
+  let [keys, shown] = [[], ""];
+  return {element: line, update({section, node}) {
+    const forms = path.length === 0 ? [] : describe(context.reference, path)?.forms ?? [];
+    keys = missingKeys(context.reference, section, node)
+      .filter(({key}) => !except.includes(key) && suitsForm(forms, node, key));
+    line.hidden = keys.length === 0;
+    const state = keys.map(({key}) => key).join(" ");
+    if (state === shown) return;
+    shown = state;
+    list.replaceChildren(...keys.map((key) => {
+      const short = firstSentence(key.meaning);
+      return element("option", {value: key.key}, short === "" ? key.key : `${key.key} – ${short.slice(0, 70)}`);
+    }));
+  }};
+}
+
+function titleOf(path) {
+  if (path.length === 0) return "Add to the study";
+  const name = path.findLast((part) => typeof part === "string");
+  return `Add to ${name === "stages" ? "the stage" : name === "measurements" ? "it" : labelOf(name)}`;
+}
+
+/// The keys that a table can have besides those that it has; of a packing, or of a law, those that belong to it.
+export function missingKeys(reference, section, node) {
+  const keys = section === null ? [] : [...reference.get(section).values()];
+  const has = new Set(node.entries.map(({key}) => key));
+  const missing = keys.filter(({key}) => !has.has(key));
+  const kept = section === "modulus" ? missing.filter(({key}) => belongsToForm(reference, node, key)) : missing;
+  const decisive = keys.find(({key, choices}) => has.has(key) && choices.some((choice) => choice.keys.length > 0));
+  if (decisive === undefined || isModulus(decisive)) return kept;
+  const value = node.entries.find(({key}) => key === decisive.key).value.value;
+  const chosen = decisive.choices.find(({source}) => source === `"${value}"`);
+  const ofOthers = new Set(decisive.choices.flatMap((choice) => choice.keys));
+  const ofChosen = new Set([...chosen?.keys ?? [], ...value === "regular" ? ["lattice", "repeats"] : []]);
+  if (value === "random") ["walls", "seed"].forEach((key) => ofChosen.add(key));
+  return kept.filter(({key}) => ofChosen.has(key) || (!ofOthers.has(key) && decisive.key !== "method"));
+}
+
+/// Whether a key goes with the form that a value has, such as `counts` with a list of sizes.
+function suitsForm(forms, node, key) {
+  const form = forms.find((one) => one.example.table !== null && hasForm(node, one));
+  if (form === undefined) return true;
+  if (form.example.table.has(key)) return true;
+  const isOfOther = forms.some(({example, meaning}) => example.table?.has(key) || new RegExp(`\\b${key} =`).test(meaning));
+  return !isOfOther || new RegExp(`\\b${key} =`).test(form.meaning);
+}
+
+function belongsToForm(reference, node, key) {
+  const has = (name) => node.entries.some((one) => one.key === name);
+  if (has("measured")) return key === "reference_temperature";
+  if (has("prony") || has("terms")) return key === "equilibrium";
+  const law = node.entries.find((one) => one.key === "law")?.value.value;
+  const choice = reference.get("modulus").get("law").choices.find(({source}) => source === `"${law}"`);
+  return choice?.keys.includes(key) ?? false;
+}

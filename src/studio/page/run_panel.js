@@ -1,0 +1,100 @@
+/// Running the deck: progress, what the program prints, stop, and the result.
+
+import {element} from "../../page/scripts/elements.js";
+import {duration} from "../../page/scripts/numbers.js";
+import * as api from "./api.js";
+import {commandLine} from "./command_line.js";
+import {runCommand} from "./shell_command.js";
+
+const states = {running: "running", done: "complete", failed: "failed",
+  stopped: "stopped; running it again goes on from there"};
+
+/// The panel. `openResult(path)` shows a result; `finished()` is called when a job has ended.
+export function runPanel(context, {openResult, finished}) {
+  const seeds = element("input", {type: "number", min: 1, max: 100, value: "1", id: "seeds"});
+  const runButton = element("button", {type: "button", className: "main", onclick: () => run()}, "Run");
+  const anewButton = element("button", {type: "button", hidden: true, onclick: () => run({anew: true})},
+    "Keep the earlier results and run into a new folder");
+  const stopButton = element("button", {type: "button", hidden: true, onclick: stop}, "Stop");
+  const open = element("button", {type: "button", className: "main", hidden: true}, "Open the result");
+  const bar = element("progress", {max: 1, hidden: true, ariaLabel: "progress of the run"});
+  const state = element("p", {className: "state", role: "status"});
+  const live = element("p", {className: "note live"});
+  const output = element("pre", {hidden: true});
+  const line = commandLine();
+  const panel = element("section", {className: "panel run", ariaLabel: "run"}, element("h3", {}, "Run"),
+    element("div", {className: "buttons"}, runButton, stopButton, anewButton, open,
+      element("label", {htmlFor: "seeds", title: "seeds: packings that differ by chance alone, for mean and spread"},
+        "packings ", seeds)),
+    bar, state, live, output, line.element);
+  let [timer, job] = [0, null];
+  seeds.addEventListener("input", showCommand);
+
+  function showCommand() {
+    if (job?.state !== "running" && context.deck !== null) line.show(runCommand(context.deck.name, Number(seeds.value)));
+  }
+
+  async function run(options = {}) {
+    runButton.disabled = true;
+    try {
+      await context.deck.save();
+      const number = Number(seeds.value);
+      show(await api.run(context.deck.name, {...number > 1 ? {seeds: number} : {}, ...options}));
+      context.showCommand(job.command, "the run");
+    } catch (error) {
+      state.textContent = error.message;
+    }
+    runButton.disabled = job?.state === "running";
+  }
+
+  async function stop() {
+    stopButton.disabled = true;
+    state.textContent = "stopping; what is done is kept …";
+    try {
+      show(await api.stop());
+    } catch (error) {
+      state.textContent = error.message;
+    }
+  }
+
+  function show(newJob) {
+    const hasEnded = job?.state === "running" && newJob?.state !== "running";
+    job = newJob;
+    if (job === null) return showCommand();
+    const isRunning = job.state === "running";
+    runButton.disabled = isRunning;
+    stopButton.hidden = !isRunning;
+    if (!isRunning) stopButton.disabled = false;
+    bar.hidden = !isRunning;
+    if (job.share === null) bar.removeAttribute("value");
+    else bar.value = job.share;
+    const elapsed = duration(Math.max(job.seconds, 0.1));
+    const words = isRunning ? `${job.name} is running` : `${job.name}: ${states[job.state]}, ${elapsed}`;
+    if (state.textContent !== words) state.textContent = words;
+    panel.dataset.state = job.state;
+    live.textContent = isRunning ? [elapsed, job.live].filter((text) => text !== "").join("; ") : "";
+    output.hidden = job.output === "";
+    if (output.textContent !== job.output) {
+      output.textContent = job.output;
+      output.scrollTop = output.scrollHeight;
+    }
+    line.show(job.command);
+    // What a deck names may have changed, though its text has not.
+    anewButton.hidden = job.state !== "failed" || !job.output.includes("--overwrite");
+    open.hidden = isRunning || job.report === null;
+    open.onclick = () => openResult(job.results);
+    clearTimeout(timer);
+    if (isRunning) timer = setTimeout(poll, 500);
+    if (hasEnded) finished(job);
+  }
+
+  async function poll() {
+    try {
+      show(await api.getJob());
+    } catch {
+      timer = setTimeout(poll, 2000);
+    }
+  }
+
+  return {element: panel, show, showCommand};
+}

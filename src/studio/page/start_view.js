@@ -1,0 +1,87 @@
+/// The first view: decks of the folder, and examples to begin with.
+
+import {element} from "../../page/scripts/elements.js";
+import * as api from "./api.js";
+import {command} from "./shell_command.js";
+
+/// The view. `openDeck(name)` and `take(DECK)` are called with what the user has chosen.
+export function startView(context, {openDeck, take}) {
+  const decks = element("ul", {className: "decks"});
+  const noDecks = element("p", {className: "note"}, "There is no deck in this folder yet. Begin with one of those below.");
+  const name = element("input", {type: "text", id: "new-name", spellcheck: false, autocomplete: "off",
+    placeholder: "my-composite"});
+  const complaint = element("p", {className: "mistake", role: "alert", hidden: true});
+  const examples = element("div", {className: "examples"});
+  const view = element("section", {className: "view", ariaLabel: "decks"},
+    element("h2", {}, "Decks of this folder"), noDecks, decks,
+    element("h2", {}, "A new deck"),
+    element("p", {className: "new"}, element("label", {htmlFor: "new-name"}, "name "), name, ".toml"), complaint,
+    element("p", {},
+      element("button", {type: "button", className: "main", onclick: () => begin(null)}, "Begin with the starter deck"),
+      " stiff discs in a soft binder, in which every line is explained"),
+    element("h3", {}, "or from an example"), examples);
+  let shown = "";
+
+  async function begin(example) {
+    complaint.hidden = true;
+    const stem = name.value.trim().replace(/\.toml$/, "") || (example === null ? "starter"
+      : example.split("/").at(-1).replace(/\.toml$/, ""));
+    try {
+      const deck = await api.newDeck(`${stem}.toml`, example);
+      if (example === null) context.showCommand(command("breccia", "new", deck.name), "a new deck");
+      else context.showCommand(command("cp", `examples/${example}`, deck.name), "the example, with the files it names");
+      name.value = "";
+      take(deck);
+    } catch (error) {
+      complaint.textContent = `${error.message}${error.status === 409 ? ": give it another name above" : ""}`;
+      complaint.hidden = false;
+      name.focus();
+    }
+  }
+
+  /// A few are shown at once, many when they are asked for.
+  function groupOfExamples([group, ofGroup]) {
+    const list = element("ul", {className: "decks"}, ...ofGroup.map((one) => button(one, () => begin(one.name))));
+    if (ofGroup.length <= 3) return element("section", {}, element("h4", {}, group), list);
+    return element("details", {className: "all"}, element("summary", {}, `${group} (${ofGroup.length})`), list);
+  }
+
+  return {element: view, update() {
+    const {decks: found, examples: offered} = context.folder;
+    const state = JSON.stringify([found, offered]);
+    if (state === shown) return;
+    shown = state;
+    noDecks.hidden = found.length > 0;
+    decks.replaceChildren(...found.map((deck) => button(deck, () => openDeck(deck.name))));
+    examples.replaceChildren(...groupsOfExamples(offered).map(groupOfExamples));
+  }};
+}
+
+/// A deck or an example as a button: its title, what it is about, and its name.
+function button({name, title, about = ""}, act) {
+  return element("li", {}, element("button", {type: "button", className: "deck", onclick: act},
+    element("b", {}, title || name), element("span", {}, shortAbout(about)), element("span", {className: "note"}, name)));
+}
+
+/// The examples by material: those in materials/NAME under the name, the others by what they are of.
+export function groupsOfExamples(examples) {
+  const groups = new Map();
+  for (const one of examples) {
+    const [, material] = /^materials\/([^/]+)\//.exec(one.name) ?? [];
+    const group = material !== undefined ? sentenceCase(material.replaceAll("-", " and "))
+      : /^pbx/.test(one.name) ? "Plastic-bonded explosive, PBX-9501" : /propellant/i.test(one.title) ? "Propellant"
+        : one.name.includes("/") ? "Studies and checks" : "Shapes and models";
+    groups.set(group, [...groups.get(group) ?? [], one]);
+  }
+  const rank = (group) => ["Plastic-bonded explosive, PBX-9501", "Shapes and models", "Studies and checks"].indexOf(group);
+  return [...groups].sort(([a], [b]) => rank(a) - rank(b));
+}
+
+function sentenceCase(text) {
+  return text.charAt(0).toUpperCase() + text.slice(1);
+}
+
+function shortAbout(about) {
+  const words = about.replace(/\s+/g, " ").trim();
+  return words.length <= 190 ? words : `${words.slice(0, 185).replace(/\s+\S*$/, "")} …`;
+}
