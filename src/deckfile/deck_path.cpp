@@ -47,12 +47,13 @@ void refuse_impossible(DeckSteps path, const DeckValue& value, const DeckStep& s
     if (index > next) throw no_element(place, index, next);
     return;
   }
-  const bool is_table = kind_of(value) == Kind::table;
-  if (is_table && key != nullptr) return;
-  if (is_table)
+  if (kind_of(value) != Kind::table) {
+    throw InputError(
+        fmt::format("{} is {}, no table and no array: it has no \"{}\"", place, shown(value), path_text({&step, 1})));
+  }
+  if (key == nullptr) {
     throw InputError(fmt::format("{} is a table: it has no element {}", place, std::get<std::size_t>(step)));
-  throw InputError(
-      fmt::format("{} is {}, no table and no array: it has no \"{}\"", place, shown(value), path_text({&step, 1})));
+  }
 }
 
 /// Refuses an index other than 0 in an array that is missing, which begins at a step or further on.

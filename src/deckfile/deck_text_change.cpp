@@ -59,8 +59,9 @@ std::string with_entries(std::string text, DeckSteps path, const std::string& ta
 /// The text with the elements of an array of tables in place of those of another one, element by element.
 std::string with_elements(std::string text, DeckSteps path, const std::string& array, std::size_t present) {
   const auto elements = elements_of(array);
-  for (std::size_t i = 0; i < elements.size(); ++i)
+  for (std::size_t i = 0; i < elements.size(); ++i) {
     text = with_other_value(text, extended(path, DeckStep(i)), elements[i]);
+  }
   for (auto i = present; i-- > elements.size();) text = text_without(text, extended(path, DeckStep(i)));
   return text;
 }

@@ -14,7 +14,7 @@ bool is_entry(const DeckStatement& statement) {
   return statement.form == DeckStatement::Form::entry;
 }
 
-bool is_at(const DeckSteps& path, const DeckSteps& other) {
+bool is_at(DeckSteps path, DeckSteps other) {
   return path.size() == other.size() && is_within(path, other);
 }
 

@@ -100,8 +100,9 @@ DeckText Folder::save_deck(const DeckText& deck) {
   const auto present = this->deck(deck.name);
   if (present.text == deck.text) return present;
   if (present.version != deck.version) {
-    throw Conflict(
-        fmt::format("{}: the file has changed since it was read, by an editor or in another window", deck.name));
+    throw ChangedDeck(
+        fmt::format("{}: the file has changed since it was read, by an editor or in another window", deck.name),
+        present.version);
   }
   const auto path = file(deck.name);
   if (kept_.insert(deck.name).second) write_text(path.string() + "~", present.text);

@@ -6,16 +6,28 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "breccia/error.hpp"
 
 namespace breccia::studio {
 
-/// Error that a file is there already, or has changed since it was read.
+/// Error that something else has taken place meanwhile: a file is there already, a run is under way.
 class Conflict : public Error {
  public:
   explicit Conflict(const std::string& message) : Error(ExitCode::bad_input, message) {}
+};
+
+/// Error that a deck has changed since it was read.
+class ChangedDeck : public Conflict {
+ public:
+  /// `version` is that of the text that is there now.
+  ChangedDeck(const std::string& message, std::string version) : Conflict(message), version_(std::move(version)) {}
+  [[nodiscard]] const std::string& version() const noexcept { return version_; }
+
+ private:
+  std::string version_;
 };
 
 /// A deck as the page has it.
@@ -52,7 +64,7 @@ class Folder {
   /// Throws InputError if the name is not that of a deck directly in the folder, or there is none.
   [[nodiscard]] DeckText deck(std::string_view name) const;
   /// Writes a deck that was read with this version. The text that was there first in this session is kept as NAME~.
-  /// Throws Conflict if it has changed since.
+  /// Throws ChangedDeck if it has changed since.
   DeckText save_deck(const DeckText& deck);
   /// Writes a deck that is not there yet. Throws Conflict if a file of its name is.
   DeckText add_deck(const std::string& name, const std::string& text);

@@ -32,7 +32,7 @@ class Session {
   [[nodiscard]] Json deck(const std::string& name) const;
   /// Adds a copy of an example, or of the deck to begin with. Throws Conflict as Folder::add_deck().
   Json add_deck(const Json& request);
-  /// Throws Conflict as Folder::save_deck().
+  /// Throws ChangedDeck as Folder::save_deck().
   Json save_deck(const Json& request);
   /// Adds a file of data. Throws Conflict as Folder::add_data().
   Json upload(const std::string& name, std::string_view bytes);

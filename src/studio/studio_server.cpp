@@ -134,6 +134,9 @@ template <class Action>
 void answer(httplib::Response& response, const Action& action) {
   try {
     action();
+  } catch (const ChangedDeck& error) {
+    response.status = conflict;
+    send_json(response, {{"error", error.what()}, {"version", error.version()}});
   } catch (const Conflict& error) {
     send_error(response, conflict, error.what());
   } catch (const InputError& error) {

@@ -176,7 +176,9 @@ TEST_F(Studio, MakesADeckChecksAndRunsIt) {
   EXPECT_EQ(read_text(folder_ / "a.toml"), edited["text"].get<std::string>());
   EXPECT_EQ(post("api/deck", deck_now.dump())->status, 200);  // the same text is no conflict
   deck_now["text"] = "title = 1";
-  EXPECT_EQ(post("api/deck", deck_now.dump())->status, 409);
+  const auto refused = post("api/deck", deck_now.dump());
+  EXPECT_EQ(refused->status, 409);
+  EXPECT_EQ(Json::parse(refused->body)["version"], saved["version"]);
   EXPECT_NE(saved["version"], deck_now["version"]);
 
   const auto checked = answer("api/check", {{"name", "a.toml"}});

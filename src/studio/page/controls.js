@@ -26,6 +26,12 @@ export function whenTyped(input, take) {
   input.addEventListener("change", now);
 }
 
+/// Shows the value of the deck in an input, unless something else was typed there that the deck does not have yet.
+export function showTyped({input, typed, path, context}) {
+  const isKept = document.activeElement === input || context.deck.keepsTyped(path);
+  if (!isKept && input.value !== typed) input.value = typed;
+}
+
 /// A field into which a value is typed: text, numbers, quantities with their unit, and arrays as TOML.
 export function typedControl({path, commit, complain, context}) {
   const input = element("input", {type: "text", spellcheck: false, autocomplete: "off"});
@@ -44,16 +50,14 @@ export function typedControl({path, commit, complain, context}) {
   return {element: input, input, update(newNode, newKey) {
     [node, key] = [newNode, newKey];
     const typed = typedOf(node);
-    // What the server has refused stays as it was typed.
-    const isKept = document.activeElement === input || context.deck.refusals.has(JSON.stringify(path));
-    if (!isKept && input.value !== typed) input.value = typed;
+    showTyped({input, typed, path, context});
     input.inputMode = ["integer", "number"].includes(node.type) ? "decimal" : "text";
     input.classList.toggle("wide", typed.length > 17);
   }};
 }
 
 /// The two ends of a range, such as the first and the last time.
-export function pairControl({path, label, commit, complain}) {
+export function pairControl({path, label, commit, complain, context}) {
   const inputs = ["from", "to"].map((end, i) => element("input", {type: "text", spellcheck: false, autocomplete: "off",
     ariaLabel: i === 0 ? "" : `${label}, ${end}`}));
   inputs[0].removeAttribute("aria-label");
@@ -67,10 +71,7 @@ export function pairControl({path, label, commit, complain}) {
   });
   const whole = element("div", {className: "pair"}, inputs[0], element("span", {className: "note"}, "to"), inputs[1]);
   return {element: whole, input: inputs[0], update(node) {
-    inputs.forEach((input, i) => {
-      const typed = typedOf(node.items[i]);
-      if (document.activeElement !== input && input.value !== typed) input.value = typed;
-    });
+    inputs.forEach((input, i) => showTyped({input, typed: typedOf(node.items[i]), path, context}));
   }};
 }
 

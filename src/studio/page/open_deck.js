@@ -17,6 +17,7 @@ export class OpenDeck {
     this.isToml = deck.tree !== null;   // whether the tree is that of the text, not of an earlier one
     this.mistakes = deck.mistakes;
     this.refusals = new Map();      // what the server says of values that it could not write, by path as JSON
+    this.pending = new Map();       // numbers of changes on their way to the server, by path as JSON
     this.unsent = new Map();        // changes that no server has taken, by path as JSON: [path, value]
     this.conflict = null;
     this.history = new TextsHistory(deck.text);
@@ -30,15 +31,24 @@ export class OpenDeck {
 
   /// Replaces the value at a path by a source of TOML; null removes it. Resolves to whether it was done.
   edit(path, value) {
-    const done = this.work.then(() => this.#edit(path, value));
+    const place = JSON.stringify(path);
+    const count = (by) => this.pending.set(place, (this.pending.get(place) ?? 0) + by);
+    count(1);
+    const done = this.work.then(() => this.#edit(path, value, () => count(-1)));
     this.work = done.catch(() => {});
     return done;
   }
 
-  async #edit(path, value) {
+  /// Whether a field shows what was typed into it, not what the deck has: it is on its way, or was refused.
+  keepsTyped(path) {
+    const place = JSON.stringify(path);
+    return this.pending.get(place) > 0 || this.refusals.has(place);
+  }
+
+  async #edit(path, value, answered) {
     const place = JSON.stringify(path);
     try {
-      const answer = await api.editDeck({text: this.text, path, value});
+      const answer = await api.editDeck({text: this.text, path, value}).finally(answered);
       this.unsent.delete(place);
       if (answer.tree === null) throw new Error(answer.mistakes[0]?.message ?? "this is no value of TOML");
       this.refusals.delete(place);

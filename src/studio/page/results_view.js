@@ -61,6 +61,8 @@ export function resultsView(context) {
       date.textContent = dateText(result.date);
       took.textContent = result.seconds > 0 ? duration(result.seconds) : "";
       state.textContent = stateText(result, context.deck);
+      box.disabled = result.is_sweep;
+      box.title = result.is_sweep ? "several runs are compared on their own page" : "";
       row.classList.toggle("old", state.textContent.includes("earlier text"));
       showModuli(result, first, last);
     }};
@@ -84,12 +86,16 @@ export function resultsView(context) {
     if (result === undefined) return;
     const differs = stateText(result, context.deck).includes("earlier text");
     const warning = `This is the result of an earlier text of ${result.deck}; run it again for the present one.`;
-    opened.hidden = frame.hidden = false;
+    const hasPage = result.report !== null;
+    opened.hidden = false;
+    frame.hidden = !hasPage;
     opened.replaceChildren(element("h3", {}, result.title),
       ...differs ? [element("p", {className: "notice"}, warning)] : [],
-      element("div", {className: "buttons"},
-        element("a", {href: result.report, target: "_blank", rel: "noopener"}, "in a tab of its own"),
+      ...hasPage ? [] : [element("p", {className: "note"}, "There is no page yet: the run is not complete.")],
+      element("div", {className: "buttons"}, ...hasPage
+        ? [element("a", {href: result.report, target: "_blank", rel: "noopener"}, "in a tab of its own")] : [],
         element("button", {type: "button", onclick: () => { frame.hidden = opened.hidden = true; }}, "Close")));
+    if (!hasPage) return;
     if (frame.getAttribute("src") !== result.report || frame.dataset.date !== result.date) frame.src = result.report;
     frame.dataset.date = result.date;
     context.showCommand(command("xdg-open", `${path}/report.html`), "the page of the result");

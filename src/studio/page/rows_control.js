@@ -1,7 +1,7 @@
 /// A small table of numbers, such as the terms of a Prony series or a sieve analysis.
 
 import {element} from "../../page/scripts/elements.js";
-import {whenTyped} from "./controls.js";
+import {showTyped, whenTyped} from "./controls.js";
 import {labelOf} from "./form_labels.js";
 import {keySource, sourceOf, sourceOfTyped, typedOf} from "./toml_source.js";
 
@@ -27,7 +27,7 @@ export function rowsControl({path, label, context}) {
       const input = body.rows[i].cells[j].firstChild;
       const value = item.entries.find((one) => one.key === key)?.value;
       const typed = value === undefined ? "" : typedOf(value);
-      if (document.activeElement !== input && input.value !== typed) input.value = typed;
+      showTyped({input, typed, path: [...path, i, key], context});
     }));
   }};
 

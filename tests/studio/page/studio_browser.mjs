@@ -1,0 +1,176 @@
+/// What a user does with the studio in a browser, against the program itself.
+
+import assert from "node:assert/strict";
+import {mkdtemp, readFile, rm, writeFile} from "node:fs/promises";
+import {tmpdir} from "node:os";
+import {join} from "node:path";
+import {after, before, test} from "node:test";
+
+import {Browser} from "./browser.mjs";
+import {Studio} from "./studio_process.mjs";
+
+const program = process.env.BRECCIA;
+let [browser, studio, folder] = [];
+
+before(async () => {
+  folder = await mkdtemp(join(tmpdir(), "breccia-studio-test-"));
+  browser = await Browser.start("chromium");
+  studio = await Studio.start(program, folder);
+});
+
+after(async () => {
+  await browser.end();
+  await studio.end("SIGKILL");
+  await rm(folder, {recursive: true, force: true, maxRetries: 5});
+});
+
+/// Keeps a picture of the page where the caller of the test wants them.
+async function look(page, name) {
+  if (process.env.PICTURES) await writeFile(join(process.env.PICTURES, `${name}.png`), await page.picture());
+}
+
+const field = (path) => `document.querySelector(${JSON.stringify(`[data-focus='${JSON.stringify(path)}']`)})`;
+const button = (text, within = "document") =>
+  `[...${within}.querySelectorAll("button")].find((one) => one.textContent === ${JSON.stringify(text)} && one.offsetParent)`;
+/// A check that a later one has overtaken is answered by 409, which the browser notes.
+const expectNoComplaints = (page) => assert.deepEqual(page.complaints.filter((one) => !one.includes("409")), []);
+
+const deckOnDisk = (name) => readFile(join(folder, name), "utf8");
+
+/// Types a value into a field as a user does, and leaves the field.
+async function fill(page, path, value) {
+  await page.until(field(path));
+  await page.value(`${field(path)}.focus(), ${field(path)}.select()`);
+  await page.type(value);
+  await page.press("Tab");
+}
+
+/// Waits until the deck on the disk is as expected, and returns it.
+async function deckThat(name, expected) {
+  for (let tries = 0; tries < 600; ++tries) {
+    const text = await deckOnDisk(name);
+    if (expected.test(text)) return text;
+    await new Promise((resolve) => setTimeout(resolve, 50));
+  }
+  return assert.match(await deckOnDisk(name), expected);
+}
+
+async function openStarter(name) {
+  const page = await browser.open(studio.address);
+  await page.resize(1400, 1000);
+  await page.until("document.getElementById('new-name')?.offsetParent");
+  await page.value("document.getElementById('new-name').focus()");
+  await page.type(name);
+  await page.value(`${button("Begin with the starter deck")}.click()`);
+  await page.until(field(["stages", 0, "box"]));
+  return page;
+}
+
+test("from nothing to a result", {timeout: 300000}, async () => {
+  const page = await openStarter("first");
+  await look(page, "start");
+  await fill(page, ["stages", 0, "filler", "fraction"], "0.3");
+  await fill(page, ["stages", 0, "box"], "8 mm");
+  await fill(page, ["stages", 0, "cells"], "[16, 32]");
+  const text = await deckThat("first.toml", /^cells {3}= \[16, 32\]/m);
+  assert.match(text, /fraction = 0\.3,/);
+  assert.match(text, /^box {5}= "8 mm" +# side of the box/m);
+  assert.match(text, /# A deck to begin with/);
+
+  await page.until("document.querySelector('.right').innerText.includes('together about')");
+  await page.until("document.querySelector('.right img')?.naturalWidth > 0");
+  await look(page, "compose");
+  await page.value(`${button("Run")}.click()`);
+  await page.until(button("Open the result"), 240);
+  await page.value(`${button("Open the result")}.click()`);
+  await page.until("document.querySelector('#results iframe')?.offsetHeight > 0");
+  assert.match(await page.value("document.querySelector('#results iframe').src"), /files\/results\/first\/report\.html/);
+  assert.equal(await page.value("document.querySelector('#results iframe').getAttribute('sandbox')"),
+    "allow-scripts allow-downloads allow-popups");
+  await page.until("/Pa.* at 1.ms/.test(document.getElementById('results').innerText)");
+  await look(page, "result");
+  expectNoComplaints(page);
+});
+
+test("mistakes stand at their fields, and what was typed stays", {timeout: 120000}, async () => {
+  const page = await openStarter("mistakes");
+  await fill(page, ["stages", 0, "box"], "8 kg");
+  const mistake = "document.querySelector('.field.wrong .mistake:not([hidden])')";
+  await page.until(mistake);
+  assert.match(await page.value(`${mistake}.innerText`), /expected a length/);
+  assert.equal(await page.value(`${field(["stages", 0, "box"])}.value`), "8 kg");
+  assert.match(await page.value("document.querySelector('.mistakes').innerText"), /One mistake in the deck/);
+  await fill(page, ["stages", 0, "box"], "8 mm");
+  await page.until("document.querySelector('.mistakes').hidden");
+  // By hand in the text.
+  await page.value("document.querySelector('#text').open = true");
+  await page.value("(() => { const area = document.getElementById('deck-text'); area.focus(); area.setSelectionRange(0, 0); })()");
+  await page.type("foo = 1\n");
+  await page.until("document.querySelector('.mistakes').innerText.includes('foo')");
+  await deckThat("mistakes.toml", /^foo = 1\n/);
+  expectNoComplaints(page);
+});
+
+test("two windows do not overwrite each other", {timeout: 120000}, async () => {
+  const page = await openStarter("shared");
+  await writeFile(join(folder, "shared.toml"), (await deckOnDisk("shared.toml")).replace("20 mm", "21 mm"));
+  await fill(page, ["stages", 0, "filler", "fraction"], "0.4");
+  await page.until(button("Keep what is on this page"));
+  assert.match(await deckOnDisk("shared.toml"), /21 mm/);  // nothing has been overwritten
+  await page.value(`${button("Load what is on the disk")}.click()`);
+  await page.until(`${field(["stages", 0, "box"])}.value === "21 mm"`);
+  assert.match(await deckOnDisk("shared.toml"), /fraction = 0\.50/);
+});
+
+test("measured data become a binder", {timeout: 180000}, async () => {
+  const rows = Array.from({length: 25}, (_, i) => 10 ** (-3 + i / 4))
+    .map((omega) => `${omega},${2e6 * omega ** 2 / (1 + omega ** 2) + 1e5},${2e6 * omega / (1 + omega ** 2)}`);
+  await writeFile(join(folder, "rheometer.csv"),
+    ["angular_frequency_rad_per_s,storage_modulus_Pa,loss_modulus_Pa", ...rows].join("\n"));
+  const page = await openStarter("measured");
+  const panel = "document.querySelector('details.fit')";
+  await page.value(`${panel}.open = true`);
+  await page.until(`[...${panel}.querySelectorAll("option")].some((one) => one.value === "rheometer.csv")`);
+  await page.value(`(() => { const list = ${panel}.querySelector("select"); list.value = "rheometer.csv";
+    list.dispatchEvent(new Event("change")); })()`);
+  await page.until(button("Use it as shear of binder"));
+  assert.match(await page.value(`${panel}.innerText`), /25 rows/);
+  await look(page, "fit");
+  await page.value(`${button("Use it as shear of binder")}.click()`);
+  await deckThat("measured.toml", /shear {3}= \{ measured = "rheometer\.csv" \}/);
+  await page.until("document.querySelector('.right').innerText.includes('together about')");
+});
+
+test("by keyboard alone, and in a narrow window", {timeout: 120000}, async () => {
+  const page = await browser.open(studio.address);
+  await page.resize(500, 900);
+  await page.until("document.getElementById('new-name')?.offsetParent");
+  const reach = async (expression) => {
+    for (let presses = 0; presses < 400; ++presses) {
+      if (await page.value(`document.activeElement === ${expression}`)) return;
+      await page.press("Tab");
+    }
+    assert.fail(`not reached by the key Tab: ${expression}`);
+  };
+  await reach("document.getElementById('new-name')");
+  await page.type("keyboard");
+  await reach(button("Begin with the starter deck"));
+  await page.press("Enter");
+  await page.until(field(["stages", 0, "box"]));
+  await reach(field(["stages", 0, "box"]));
+  await page.press("a", 2);
+  await page.type("9 mm");
+  await page.press("Tab");
+  await deckThat("keyboard.toml", /^box +=\s"9 mm"/m);
+  assert.ok(await page.value("document.documentElement.scrollWidth <= 500"));
+  await look(page, "narrow");
+});
+
+test("the end of the studio is said, and nothing is lost", {timeout: 120000}, async () => {
+  const page = await openStarter("lost");
+  await studio.end("SIGKILL");
+  await fill(page, ["stages", 0, "box"], "7 mm");
+  await page.until("!document.getElementById('ended').hidden");
+  assert.equal(await page.value(`${field(["stages", 0, "box"])}.value`), "7 mm");
+  studio = await Studio.start(program, folder);
+});
