@@ -17,7 +17,7 @@ _says_nothing = not {"OMP_WAIT_POLICY", "GOMP_SPINCOUNT"} & set(_os.environ)
 if _says_nothing:
     _os.environ["GOMP_SPINCOUNT"] = "1000"
 
-from . import _drawings, _errors, _figures, _html, _native, _plot, _tables
+from . import _drawings, _errors, _figures, _html, _native, _plot, _signatures, _tables
 
 if _says_nothing:
     del _os.environ["GOMP_SPINCOUNT"]
@@ -72,6 +72,7 @@ for _name in __all__:
     if getattr(_object, "__module__", "").startswith("breccia."):
         _object.__module__ = "breccia"
 
+_signatures.show_signatures()
 for _class, _drawing in _drawings.DRAWINGS.items():
     setattr(_class, "plot", _figures.plot_by(_drawing))
     setattr(_class, "svg", _plot.svg_by(_drawing))
@@ -93,5 +94,6 @@ setattr(MasterCurve, "_repr_html_", _html.master_curve_html)
 setattr(Microstructure, "_repr_html_", _html.microstructure_html)
 setattr(Microstructure, "_repr_svg_", Microstructure.svg)
 
-# MPI and PETSc, where a calculation has started them, end with the interpreter; a host program ends what it has started.
+# Calculations of other threads are ended first, then MPI and PETSc, where one has started them; a host program ends what
+# it has started itself.
 _atexit.register(_native.stop_parallel)

@@ -166,7 +166,10 @@ void bind_calculations(py::module_& module) {
              py::arg("threads"), py::arg("ignore_memory"), py::arg("show"), py::arg("stop"));
   module.def("respond", &respond_with, py::arg("result"), py::arg("materials"), py::arg("temperature"),
              py::arg("times"), py::arg("frequencies"));
-  module.def("stop_parallel", &parallel::stop);
+  module.def("stop_parallel", [] {
+    end_calculations();
+    parallel::stop();
+  });
 }
 
 }  // namespace breccia::python

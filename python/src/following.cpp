@@ -28,6 +28,12 @@ std::atomic<std::thread::id>& calculating() {
   return instance;
 }
 
+/// Whether the interpreter ends, so that no calculation may begin or go on.
+std::atomic<bool>& is_ending() {
+  static std::atomic<bool> instance = false;
+  return instance;
+}
+
 /// Waits a while for the mutex, without the interpreter's lock. Returns whether it is held now.
 bool takes_turn() {
   constexpr milliseconds pause(50);
@@ -56,6 +62,13 @@ Turn::~Turn() {
   turn_of_all().unlock();
 }
 
+void end_calculations() {
+  is_ending() = true;
+  if (calculating() == std::this_thread::get_id()) return;
+  const py::gil_scoped_release release;
+  turn_of_all().lock();
+}
+
 bool Following::is_due(Clock::time_point& last, milliseconds pause) const {
   const auto now = Clock::now();
   if (now - last < pause) return false;
@@ -68,7 +81,7 @@ void Following::look_for_signals() {
   if (!is_due(looked_, pause)) return;
   const py::gil_scoped_acquire lock;
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-  if (!stop_.is_none() && stop_().cast<bool>()) shall_end_ = true;
+  if (is_ending() || (!stop_.is_none() && stop_().cast<bool>())) shall_end_ = true;
 }
 
 void Following::report(const Progress& now) {
@@ -79,7 +92,7 @@ void Following::report(const Progress& now) {
 }
 
 void Following::ask() {
-  if (!stop_.is_none() && stop_().cast<bool>()) {
+  if (is_ending() || (!stop_.is_none() && stop_().cast<bool>())) {
     throw Interrupted("the calculation was stopped before it began; run() leaves what it has computed");
   }
 }

@@ -44,7 +44,7 @@ class Following {
   pybind11::object show_, stop_;
   Clock::time_point looked_ = Clock::now(), shown_ = Clock::now() - std::chrono::hours(1);
   std::optional<pybind11::error_already_set> interruption_ = {};
-  bool shall_end_ = false;  ///< as `stop` has said
+  bool shall_end_ = false;  ///< as `stop`, or the end of the interpreter, has said
 };
 
 /// Follows a solution in memory.
@@ -82,5 +82,10 @@ auto calculate(const Work& work, Following* following = nullptr) {
   const pybind11::gil_scoped_release release;
   return work();
 }
+
+/// Ends the calculation of another thread, waits for it and lets no other one begin: for the end of the interpreter, at
+/// which threads that do not keep it from ending (daemon threads) may still calculate. The interpreter's lock must be
+/// held.
+void end_calculations();
 
 }  // namespace breccia::python

@@ -98,6 +98,18 @@ class Terminal(io.StringIO):
         return True
 
 
+def test_a_thread_that_still_calculates_at_the_end_does_no_harm():
+    ended = run_python("""
+        import threading, time, breccia
+        study = breccia.read_study(MODEL, {**OVERRIDES, "stages.0.cells": 300, "tests.method": "quasistatic"})
+        working = threading.Event()
+        threading.Thread(target=lambda: breccia.solve(study, progress=lambda *_: working.set()), daemon=True).start()
+        assert working.wait(60)
+    """)
+    assert ended.returncode == 0, ended.stderr
+    assert "MPI_ABORT" not in ended.stderr and "PETSC" not in ended.stderr
+
+
 def test_terminals_show_a_line_that_goes(monkeypatch):
     terminal = Terminal()
     monkeypatch.setattr(sys, "stderr", terminal)

@@ -179,6 +179,10 @@ def test_calculations_are_stopped(study, tmp_path):
 
 def test_functions_have_signatures_and_refuse_what_is_no_number():
     assert list(inspect.signature(breccia.fit).parameters) == ["time", "modulus", "ramp", "times_per_decade"]
+    made = {"PronySeries": ["terms", "equilibrium"], "Solid": ["name", "density", "bulk", "shear"],
+            "CreepCompliance": ["instantaneous", "terms", "fluidity"]}
+    for name, parameters in made.items():
+        assert list(inspect.signature(getattr(breccia, name)).parameters) == parameters
     data = [1, 2, 4, 8, 16], [5e6, 4e6, 3e6, 2e6, 1.5e6]
     assert breccia.fit(*data, ramp="100 ms").series == breccia.fit(*data, ramp=0.1).series
     with pytest.raises(breccia.InputError, match="ramp: "):

@@ -48,8 +48,8 @@ void refuse_impossible(DeckSteps path, const DeckValue& value, const DeckStep& s
     return;
   }
   if (kind_of(value) != Kind::table) {
-    throw InputError(
-        fmt::format("{} is {}, no table and no array: it has no \"{}\"", place, shown(value), path_text({&step, 1})));
+    throw InputError(fmt::format("{} is {}, no table and no array: it has no \"{}\"", place, printable(shown(value)),
+                                 path_text({&step, 1})));
   }
   if (key == nullptr) {
     throw InputError(fmt::format("{} is a table: it has no element {}", place, std::get<std::size_t>(step)));

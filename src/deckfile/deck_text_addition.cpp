@@ -12,6 +12,7 @@
 #include "deckfile/deck_text_lines.hpp"
 #include "deckfile/deck_text_place.hpp"
 #include "deckfile/deck_text_value.hpp"
+#include "io/printable.hpp"
 
 namespace breccia::detail {
 
@@ -58,7 +59,8 @@ class Addition {
   [[nodiscard]] std::vector<std::string> next_element() const {
     if (!is_in_braces(first_value_)) {
       throw InputError(fmt::format("{}: expected a table, since {} is an array of [[tables]], got {}",
-                                   path_text(extended(present_, missing_.front())), path_text(present_), first_value_));
+                                   path_text(extended(present_, missing_.front())), path_text(present_),
+                                   printable(first_value_)));
     }
     return element_block(present_, entries_of(first_value_));
   }

@@ -14,6 +14,7 @@
 #include "deckfile/deck_text_place.hpp"
 #include "deckfile/deck_text_value.hpp"
 #include "deckfile/deck_tree_edit.hpp"
+#include "io/printable.hpp"
 
 namespace breccia::detail {
 
@@ -97,7 +98,7 @@ std::string text_with_value(const std::string& text, DeckSteps path, const std::
     return with_elements(text, path, value, std::get<DeckArray>(old_value.content).values.size());
   }
   if (std::holds_alternative<std::size_t>(path.back())) {
-    throw InputError(fmt::format("{} is a block: expected a table, got {}", path_text(path), value));
+    throw InputError(fmt::format("{} is a block: expected a table, got {}", path_text(path), printable(value)));
   }
   const bool is_in_blocks = line == nullptr && !last_dotted_entry(source, path);
   if (is_in_blocks && (is_table(new_value) || is_array_of_tables(new_value))) {

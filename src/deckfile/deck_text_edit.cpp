@@ -41,7 +41,7 @@ std::string single_value(std::span<const DeckStep> path, const std::string& valu
   constexpr auto blanks = " \t\r\n";
   const auto begin = value.find_first_not_of(blanks);
   if (begin == std::string::npos) refuse("it is empty");
-  const auto trimmed = value.substr(begin, value.find_last_not_of(blanks) + 1 - begin);
+  auto trimmed = value.substr(begin, value.find_last_not_of(blanks) + 1 - begin);
   try {
     detail::parse_deck("value", fmt::format("value = {}", trimmed));
   } catch (const InputError& error) {

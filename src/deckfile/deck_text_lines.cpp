@@ -141,7 +141,7 @@ std::string with_lines(const std::string& text, std::size_t at, const std::vecto
 std::string with_block(const std::string& text, std::size_t at, const std::vector<std::string>& lines) {
   auto block = lines;
   if (at > first_line(text) && !is_empty_line(text, line_begin(text, at - 1))) block.insert(block.begin(), "");
-  if (at < text.size() && !is_empty_line(text, at)) block.push_back("");
+  if (at < text.size() && !is_empty_line(text, at)) block.emplace_back();
   return with_lines(text, at, block);
 }
 

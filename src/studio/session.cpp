@@ -191,7 +191,7 @@ Json Session::start_run(const Json& request) {
   const auto stem = without_suffix(deck.name);
   const auto name = seeds > 0 ? fmt::format("{}-{}-seeds", stem, seeds) : stem;
   const auto results = options.value("anew", false) ? new_directory_for(folder_.path(), name)
-                                                     : directory_for(folder_.path(), name, deck.text);
+                                                    : directory_for(folder_.path(), name, deck.text);
   Command command = {.arguments = {"run", deck.name}};
   if (seeds > 0) add_option(command, "--seeds", std::to_string(seeds));
   if (results != "results/" + stem) add_option(command, "--out", results);

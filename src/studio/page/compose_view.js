@@ -30,14 +30,15 @@ export function composeView(context, run) {
   const textDetails = element("details", {className: "deck-text", id: "text"},
     element("summary", {}, "Deck as text"), text.element);
   const noForm = element("p", {className: "notice", hidden: true},
-    "The text is not TOML at the moment, so that the form shows the last one that was. Mend the text below.");
+    "The text is not TOML at the moment, so that the form shows the last one that was. Mend the text of the deck.");
   const view = element("section", {className: "view compose", ariaLabel: "deck"},
     element("header", {className: "deck-header"}, title, state, element("div", {className: "buttons"}, undo, redo)), conflict,
-    element("nav", {className: "jump", ariaLabel: "parts of this view"}, ...[["#form", "Form"], ["#text", "Text"],
-      ["#side", "Packing, plan and run"]].map(([href, words]) => element("a", {href}, words)), toMistakes),
+    element("nav", {className: "jump", ariaLabel: "parts of this view"}, ...[["#form", "Form"],
+      ["#side", "Packing, plan and run"], ["#text", "Text"]].map(([href, words]) => element("a", {href}, words)), toMistakes),
     element("div", {className: "columns"},
-      element("div", {className: "left", id: "form"}, noForm, form.element, textDetails),
-      element("div", {className: "right", id: "side"}, mistakes.element, packing.element, plan.element, run.element)));
+      element("div", {className: "left", id: "form"}, noForm, form.element),
+      element("div", {className: "right", id: "side"}, mistakes.element, packing.element, plan.element, run.element,
+        textDetails)));
   let [timer, call, checked, answer] = [0, 0, null, null];
   let places = new Map();
   context.mistakesAt = (path, isDeep = false) => {

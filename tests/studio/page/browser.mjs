@@ -54,9 +54,10 @@ export class Page {
     await this.#send("Emulation.setDeviceMetricsOverride", {width, height, deviceScaleFactor: 1, mobile: false});
   }
 
-  /// The bytes of a picture (PNG) of the whole page.
-  async picture() {
-    const {data} = await this.#send("Page.captureScreenshot", {format: "png", captureBeyondViewport: true});
+  /// The bytes of a picture (PNG) of the whole page, or of its beginning with a width and height in pixels.
+  async picture(size = undefined) {
+    const clip = size && {x: 0, y: 0, scale: 1, ...size};
+    const {data} = await this.#send("Page.captureScreenshot", {format: "png", captureBeyondViewport: !size, clip});
     return Buffer.from(data, "base64");
   }
 
@@ -77,8 +78,8 @@ export class Browser {
   static async start(program) {
     const browser = new Browser();
     browser.#profile = await mkdtemp(join(tmpdir(), "breccia-browser-"));
-    browser.#process = spawn(program, ["--headless", "--no-sandbox", "--disable-gpu", "--remote-debugging-pipe",
-      `--user-data-dir=${browser.#profile}`, "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1"],
+    browser.#process = spawn(program, ["--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars",
+      "--remote-debugging-pipe", `--user-data-dir=${browser.#profile}`, "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1"],
     {stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"]});
     browser.#process.stdio[4].setEncoding("utf8").on("data", (text) => browser.#take(text));
     return browser;
