@@ -241,7 +241,8 @@ std::vector<std::string> warnings_on(const MaterialCard& card) {
 /// OpenRadioss takes a Poisson's ratio of 0 for 0.495, and none below.
 void refuse_ratio(const MaterialCard& card, CardFormat format) {
   const double ratio = poisson_ratio(card.bulk.equilibrium(), card.shear.equilibrium());
-  if (format != CardFormat::openradioss || ratio > 0.0) return;
+  constexpr double of_rounding = 1e-12;
+  if (format != CardFormat::openradioss || ratio > of_rounding) return;
   throw InputError(
       fmt::format("{}: OpenRadioss takes Poisson's ratios between 0 and 0.5; that at infinite time is {:.3g} (K = {}, "
                   "G = {})",
