@@ -1,11 +1,14 @@
 #include "cli/browser.hpp"
 
 #include <array>
+#include <csignal>
 #include <cstdlib>
+#include <thread>
 
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "io/text_file.hpp"
@@ -34,10 +37,20 @@ void show_in_browser(const std::string& address, const std::filesystem::path& pr
   for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) {
     posix_spawn_file_actions_addopen(&silent, stream, "/dev/null", O_WRONLY, 0);
   }
+  // In a session of its own, so that the keys of this terminal do not reach the browser, and with the usual signals.
+  posix_spawnattr_t apart;
+  posix_spawnattr_init(&apart);
+  sigset_t all;
+  sigfillset(&all);
+  posix_spawnattr_setsigdefault(&apart, &all);
+  posix_spawnattr_setflags(&apart, POSIX_SPAWN_SETSID | POSIX_SPAWN_SETSIGDEF);
   pid_t process = 0;
   // Without such a program the address that was printed does.
-  (void)::posix_spawnp(&process, opener.c_str(), &silent, nullptr, arguments.data(), environ);
+  const bool has_begun = ::posix_spawnp(&process, opener.c_str(), &silent, &apart, arguments.data(), environ) == 0;
+  posix_spawnattr_destroy(&apart);
   posix_spawn_file_actions_destroy(&silent);
+  // Waits for its end, whenever that is.
+  if (has_begun) std::thread([process] { (void)::waitpid(process, nullptr, 0); }).detach();
 }
 
 }  // namespace breccia::cli

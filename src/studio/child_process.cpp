@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <poll.h>
@@ -16,6 +17,8 @@
 namespace breccia::studio {
 namespace {
 
+constexpr int unknown_code = 255;
+
 /// Becomes the program, in a process that has just been made: calls nothing but what such a process may call.
 [[noreturn]] void become(char* const* arguments, const char* directory) {
   constexpr int cannot_start = 127;
@@ -24,8 +27,14 @@ namespace {
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
-  constexpr unsigned first_of_others = 3;
-  if (close_range(first_of_others, ~0U, 0) == 0 && ::chdir(directory) == 0) ::execv(arguments[0], arguments);
+  constexpr int first_of_others = 3, most = 4096;
+  // Old kernels, and some containers, have no such call.
+  if (close_range(first_of_others, ~0U, 0) != 0) {
+    for (int file = first_of_others; file < most; ++file) (void)::close(file);
+  }
+  if (::chdir(directory) == 0) ::execv(arguments[0], arguments);
+  constexpr std::string_view message = "the program cannot be started in this folder\n";
+  (void)!::write(STDERR_FILENO, message.data(), message.size());
   ::_exit(cannot_start);
 }
 
@@ -68,9 +77,9 @@ int ChildProcess::exit_code() {
   const std::lock_guard lock(mutex_);
   if (!exit_code_) {
     int status = 0;
-    (void)::waitpid(process_, &status, 0);
+    const bool is_known = ::waitpid(process_, &status, 0) == process_;
     constexpr int of_signals = 128;
-    exit_code_ = WIFEXITED(status) ? WEXITSTATUS(status) : of_signals + WTERMSIG(status);
+    exit_code_ = !is_known ? unknown_code : WIFEXITED(status) ? WEXITSTATUS(status) : of_signals + WTERMSIG(status);
   }
   return *exit_code_;
 }

@@ -27,7 +27,8 @@ class ChildProcess {
   /// What the program has written since the last call, after waiting for it at most this long; nothing once it has
   /// ended and all of it was read. For one thread.
   std::optional<std::string> read(std::chrono::milliseconds wait);
-  /// The exit code of the program, which has ended (read() returned nothing); 128 + signal if a signal ended it.
+  /// The exit code of the program, which has ended (read() returned nothing); 128 + signal if a signal ended it,
+  /// 255 if the system does not say.
   int exit_code();
   /// Sends a signal to the program and to all that it has started; from any thread.
   void send(int signal) noexcept;

@@ -1,6 +1,7 @@
 #include "studio/command_line.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstddef>
 #include <sstream>
@@ -34,6 +35,23 @@ std::string shown(const Command& command) {
   std::string line = "breccia";
   for (const auto& argument : command.arguments) line += " " + shell_word(argument);
   return line;
+}
+
+std::string failure_in(std::string_view output) {
+  const auto is_of_plan = [](const std::string& line) {
+    constexpr std::array<std::string_view, 4> beginnings = {" ", "plan, ", "together ", "warning: "};
+    return line.empty() || std::ranges::any_of(beginnings, [&](auto beginning) { return line.starts_with(beginning); });
+  };
+  std::istringstream lines{std::string(output)};
+  std::string failure;
+  for (std::string line; std::getline(lines, line);) {
+    if (is_of_plan(line)) {
+      failure.clear();
+    } else {
+      failure += (failure.empty() ? "" : "\n") + line;
+    }
+  }
+  return failure;
 }
 
 std::vector<ShownMistake> mistakes_in(std::string_view output, std::string_view deck) {

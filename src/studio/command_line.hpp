@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,5 +33,9 @@ struct ShownMistake {
 
 /// The mistakes among the lines that a command has printed about a deck.
 std::vector<ShownMistake> mistakes_in(std::string_view output, std::string_view deck);
+
+/// The message with which a command has failed, from all that it has printed: the lines at the end that are no part of
+/// a summary, a plan or a table.
+std::string failure_in(std::string_view output);
 
 }  // namespace breccia::studio

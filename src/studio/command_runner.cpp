@@ -16,16 +16,16 @@ std::unique_ptr<ChildProcess> Program::start(const Command& command) const {
   return std::make_unique<ChildProcess>(arguments, folder);
 }
 
-LatestCommand::LatestCommand(Program program) : program_(std::move(program)) {}
+LatestCommands::LatestCommands(Program program) : program_(std::move(program)) {}
 
-std::optional<FinishedCommand> LatestCommand::run(const Command& command) {
+std::optional<FinishedCommand> LatestCommands::run(const std::string& about, const Command& command) {
   std::shared_ptr<ChildProcess> mine;
   {
     const std::lock_guard lock(mutex_);
     if (is_closed_) return std::nullopt;
-    if (running_) running_->send(SIGKILL);
+    if (const auto earlier = running_.find(about); earlier != running_.end()) earlier->second->send(SIGKILL);
     mine = program_.start(command);
-    running_ = mine;
+    running_[about] = mine;
   }
   TerminalText text;
   constexpr std::chrono::milliseconds wait(200);
@@ -33,16 +33,17 @@ std::optional<FinishedCommand> LatestCommand::run(const Command& command) {
   text.finish();
   const int exit_code = mine->exit_code();
   const std::lock_guard lock(mutex_);
-  if (running_ != mine) return std::nullopt;
-  running_ = nullptr;
+  const auto latest = running_.find(about);
+  if (latest == running_.end() || latest->second != mine) return std::nullopt;
+  running_.erase(latest);
   return FinishedCommand{exit_code, text.lines()};
 }
 
-void LatestCommand::end() {
+void LatestCommands::end() {
   const std::lock_guard lock(mutex_);
   is_closed_ = true;
-  if (running_) running_->send(SIGKILL);
-  running_ = nullptr;
+  for (const auto& [about, command] : running_) command->send(SIGKILL);
+  running_.clear();
 }
 
 }  // namespace breccia::studio

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -20,21 +21,22 @@ struct Program {
   [[nodiscard]] std::unique_ptr<ChildProcess> start(const Command& command) const;
 };
 
-/// Runs commands of one kind to their end, of which only the answer of the latest counts: one that is started while
-/// another one runs ends that one. For several threads.
-class LatestCommand {
+/// Runs commands of one kind to their end. Of those about the same deck or file only the answer of the latest counts:
+/// one that is started while another one runs ends that one. For several threads.
+class LatestCommands {
  public:
-  explicit LatestCommand(Program program);
+  explicit LatestCommands(Program program);
 
-  /// What a command printed; nothing if a later one, or end(), has ended it. Throws FileError if it cannot be started.
-  std::optional<FinishedCommand> run(const Command& command);
-  /// Ends the command that runs, if there is one, and all that follow.
+  /// What a command about a deck or file printed; nothing if a later one, or end(), has ended it. Throws FileError if
+  /// it cannot be started.
+  std::optional<FinishedCommand> run(const std::string& about, const Command& command);
+  /// Ends the commands that run and all that follow.
   void end();
 
  private:
   Program program_;
   std::mutex mutex_;
-  std::shared_ptr<ChildProcess> running_;  ///< null without one
+  std::map<std::string, std::shared_ptr<ChildProcess>> running_;
   bool is_closed_ = false;
 };
 

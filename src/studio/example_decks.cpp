@@ -12,6 +12,7 @@
 #include "deckfile/deck.hpp"
 #include "io/file_mistakes.hpp"
 #include "io/text_file.hpp"
+#include "studio/replaced_parts.hpp"
 
 namespace breccia::studio {
 namespace {
@@ -45,12 +46,6 @@ std::vector<std::string> named_files(const Deck& deck, const fs::path& directory
   return {names.begin(), names.end()};
 }
 
-void replace_all(std::string& text, const std::string& old_part, const std::string& new_part) {
-  for (auto at = text.find(old_part); at != std::string::npos; at = text.find(old_part, at + new_part.size())) {
-    text.replace(at, old_part.size(), new_part);
-  }
-}
-
 }  // namespace
 
 std::vector<ExampleDeck> example_decks(const fs::path& examples) {
@@ -73,13 +68,14 @@ DeckText copy_example(const fs::path& examples, const std::string& example, Fold
   if (std::ranges::find(known, example, &ExampleDeck::name) == known.end()) {
     throw InputError(fmt::format("{}: no such example", shown_value(example)));
   }
+  folder.require_new_deck(name);
   const auto directory = (examples / example).parent_path();
   const Deck deck(examples / example);
   auto text = deck.text();
   for (const auto& file : named_files(deck, directory)) {
     const auto beside = fs::path(file).filename().string();
     folder.add_data(beside, read_text(directory / file));
-    replace_all(text, '"' + file + '"', '"' + beside + '"');
+    text = replaced(std::move(text), '"' + file + '"', '"' + beside + '"');
   }
   return folder.add_deck(name, text);
 }

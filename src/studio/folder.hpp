@@ -44,7 +44,8 @@ struct ListedDeck {
 };
 
 /// The folder in which the studio works: its decks, the data that they name, and the results. Nothing outside of it is
-/// read or written, and nothing whose name begins with a dot. For several threads.
+/// read or written, but for results where `results` is a link, and nothing whose name begins with a dot or, as an
+/// option does, with a dash. For several threads.
 class Folder {
  public:
   /// Throws InputError if there is no such directory.
@@ -61,21 +62,28 @@ class Folder {
   /// any other name, also for one that leads out of the folder by a symbolic link.
   [[nodiscard]] std::filesystem::path file(std::string_view name) const;
 
-  /// Throws InputError if the name is not that of a deck directly in the folder, or there is none.
+  /// Throws InputError if the name is not that of a deck directly in the folder, or there is none, or it is not UTF-8.
   [[nodiscard]] DeckText deck(std::string_view name) const;
   /// Writes a deck that was read with this version. The text that was there first in this session is kept as NAME~.
   /// Throws ChangedDeck if it has changed since.
   DeckText save_deck(const DeckText& deck);
-  /// Writes a deck that is not there yet. Throws Conflict if a file of its name is.
+  /// Throws InputError if a new deck cannot have this name, Conflict if a file has it.
+  void require_new_deck(const std::string& name) const;
+  /// Writes a deck that is not there yet. Throws as require_new_deck().
   DeckText add_deck(const std::string& name, const std::string& text);
-  /// Writes a file of data that is not there yet, or has the same content. Throws Conflict if it has another one.
+  /// Writes a table or a picture that is not there yet, or has the same content. Throws Conflict if it has another one.
   void add_data(const std::string& name, std::string_view bytes);
 
  private:
   std::filesystem::path path_;
-  std::mutex mutex_;                 ///< one change at a time
-  std::set<std::string> kept_ = {};  ///< decks whose first text is kept
+  std::mutex mutex_;                           ///< one change at a time
+  std::set<std::filesystem::path> kept_ = {};  ///< decks whose first text is kept
 };
+
+/// How the names of tables of data end.
+extern const std::vector<std::string> table_suffixes;
+/// How the names of pictures of microstructures end.
+extern const std::vector<std::string> picture_suffixes;
 
 /// Whether a name can be one of a file directly in the folder.
 bool is_file_name(std::string_view name);

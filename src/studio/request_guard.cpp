@@ -20,27 +20,9 @@ bool are_same(std::string_view a, std::string_view b) {
   return difference == 0;
 }
 
-}  // namespace
-
-RequestGuard::RequestGuard(std::string token, int port) : token_(std::move(token)), port_(port) {}
-
-std::optional<std::string> RequestGuard::admitted(const RequestLine& request) const {
-  const auto is_here = [&](std::string_view host) {
-    return host == fmt::format("127.0.0.1:{}", port_) || host == fmt::format("localhost:{}", port_);
-  };
-  constexpr std::string_view scheme = "http://";
-  const std::string_view origin = request.origin;
-  if (!is_here(request.host)) return std::nullopt;
-  if (!origin.empty() && !(origin.starts_with(scheme) && is_here(origin.substr(scheme.size())))) return std::nullopt;
-  const std::string_view path = request.path;
-  const auto end = path.find('/', 1);
-  if (!path.starts_with("/") || end == std::string_view::npos) return std::nullopt;
-  if (!are_same(path.substr(1, end - 1), token_)) return std::nullopt;
-  return std::string(path.substr(end + 1));
-}
-
-std::string RequestGuard::address() const {
-  return fmt::format("http://127.0.0.1:{}/{}/", port_, token_);
+/// Whether an address below a token is that of a file, which results may be shown from.
+bool is_file(std::string_view path) {
+  return path.starts_with("files/") || path.starts_with("preview/");
 }
 
 std::string random_token() {
@@ -52,6 +34,38 @@ std::string random_token() {
   std::string token;
   for (const unsigned byte : bytes) token += fmt::format("{:02x}", byte);
   return token;
+}
+
+}  // namespace
+
+RequestGuard::RequestGuard(Tokens tokens, int port) : tokens_(std::move(tokens)), port_(port) {}
+
+std::optional<std::string> RequestGuard::admitted(const RequestLine& request) const {
+  const auto is_here = [&](std::string_view host) {
+    return host == fmt::format("127.0.0.1:{}", port_) || host == fmt::format("localhost:{}", port_);
+  };
+  constexpr std::string_view scheme = "http://";
+  const std::string_view origin = request.origin;
+  if (!is_here(request.host)) return std::nullopt;
+  if (!origin.empty() && !(origin.starts_with(scheme) && is_here(origin.substr(scheme.size())))) return std::nullopt;
+  // A page of another site may follow a link, which shows what the user could see anyway.
+  if (request.fetch_site == "cross-site" && request.fetch_mode != "navigate") return std::nullopt;
+  const std::string_view path = request.path;
+  const auto end = path.find('/', 1);
+  if (!path.starts_with("/") || end == std::string_view::npos) return std::nullopt;
+  const auto token = path.substr(1, end - 1);
+  const auto rest = path.substr(end + 1);
+  const bool reads_results = request.method == "GET" && is_file(rest) && are_same(token, tokens_.results);
+  if (!are_same(token, tokens_.page) && !reads_results) return std::nullopt;
+  return std::string(rest);
+}
+
+std::string RequestGuard::address() const {
+  return fmt::format("http://127.0.0.1:{}/{}/", port_, tokens_.page);
+}
+
+Tokens random_tokens() {
+  return {.page = random_token(), .results = random_token()};
 }
 
 }  // namespace breccia::studio

@@ -8,9 +8,20 @@ namespace breccia::studio {
 
 /// What a request says of where it comes from and what it asks for.
 struct RequestLine {
-  std::string path = {};    ///< "/TOKEN/api/state"
-  std::string host = {};    ///< header `Host`
-  std::string origin = {};  ///< header `Origin`; empty without one
+  std::string method = {};      ///< "GET", "POST"
+  std::string path = {};        ///< "/TOKEN/api/state"
+  std::string host = {};        ///< header `Host`
+  std::string origin = {};      ///< header `Origin`; empty without one
+  std::string fetch_site = {};  ///< header `Sec-Fetch-Site`; empty without one
+  std::string fetch_mode = {};  ///< header `Sec-Fetch-Mode`; empty without one
+};
+
+/// The secrets of a session, of which the addresses have one each.
+struct Tokens {
+  std::string page = {};  ///< of the page, which may do everything
+  /// Of results that are shown in a frame or a tab of their own. Their scripts can read their own address, so that it
+  /// lets them read files, and no more.
+  std::string results = {};
 };
 
 /// Decides which requests the studio answers: those that know its token, a secret of this session in the address. So
@@ -20,7 +31,7 @@ struct RequestLine {
 class RequestGuard {
  public:
   /// For a server at this port of 127.0.0.1.
-  RequestGuard(std::string token, int port);
+  RequestGuard(Tokens tokens, int port);
 
   /// The path below the token, "api/state" or "" for the page itself; nothing for a request that is refused.
   [[nodiscard]] std::optional<std::string> admitted(const RequestLine& request) const;
@@ -28,11 +39,11 @@ class RequestGuard {
   [[nodiscard]] std::string address() const;
 
  private:
-  std::string token_;
+  Tokens tokens_;
   int port_;
 };
 
-/// 256 random bits from the system, as 64 hexadecimal digits. Throws FileError if it has none.
-std::string random_token();
+/// Tokens of 256 random bits each from the system, as 64 hexadecimal digits. Throws FileError if it has none.
+Tokens random_tokens();
 
 }  // namespace breccia::studio

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "studio/folder.hpp"
 
 namespace breccia::studio {
 
@@ -22,13 +23,13 @@ struct ListedResult {
 };
 
 /// The results in the subdirectories of `results` of a folder, the latest first.
-std::vector<ListedResult> results_in(const std::filesystem::path& folder);
+std::vector<ListedResult> results_in(const Folder& folder);
 
 /// The directory, relative to the folder, for new results: the first of "results/a", "results/a-2", ... that does not
 /// exist. `name` is that of the deck, or more, and without `.toml`.
-std::string new_directory_for(const std::filesystem::path& folder, const std::string& name);
+std::string new_directory_for(const Folder& folder, const std::string& name);
 
 /// The directory for a run of a deck with this text: that of its earlier results, which go on there, or a new one.
-std::string directory_for(const std::filesystem::path& folder, const std::string& name, const std::string& deck_text);
+std::string directory_for(const Folder& folder, const std::string& name, const std::string& deck_text);
 
 }  // namespace breccia::studio

@@ -1,8 +1,6 @@
 #include "studio/session.hpp"
 
 #include <algorithm>
-#include <cstdint>
-#include <iterator>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -11,7 +9,9 @@
 
 #include "breccia/error.hpp"
 
+#include "io/file_mistakes.hpp"
 #include "studio/example_decks.hpp"
+#include "studio/replaced_parts.hpp"
 #include "studio/result_list.hpp"
 
 namespace breccia::studio {
@@ -19,27 +19,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> table_suffixes = {".csv", ".txt", ".dat", ".tsv", ".xlsx"};
-const std::vector<std::string> picture_suffixes = {".png", ".tif", ".tiff", ".npy", ".h5", ".vti"};
-
-/// What a command answers that a later one of its kind has ended.
-constexpr auto is_superseded = "a later one has taken its place";
-
 FinishedCommand finished(std::optional<FinishedCommand> command) {
-  if (!command) throw Conflict(is_superseded);
+  if (!command) throw Conflict("a later request has taken its place");
   return std::move(*command);
 }
 
 std::string without_suffix(const std::string& name) {
   return fs::path(name).stem().string();
-}
-
-/// A text with each place of a preview in it replaced by what a user would see.
-std::string with_usual_places(std::string text, const std::string& place, const std::string& usual) {
-  for (auto at = text.find(place); at != std::string::npos; at = text.find(place)) {
-    text.replace(at, place.size(), usual);
-  }
-  return text;
 }
 
 Json list_of(const std::vector<ListedDeck>& decks) {
@@ -56,22 +42,26 @@ Json list_of(const std::vector<ExampleDeck>& decks) {
   return json;
 }
 
-Json list_of(const std::vector<ListedResult>& results) {
+/// The results, whose pages are below an address.
+Json list_of(const std::vector<ListedResult>& results, const std::string& results_at) {
   auto json = Json::array();
   for (const auto& result : results) {
     Json one = {{"path", result.path},           {"title", result.title}, {"deck", result.deck},
                 {"deck_text", result.deck_text}, {"date", result.date},   {"complete", result.is_complete},
                 {"is_sweep", result.is_sweep},   {"seconds", nullptr},    {"report", nullptr}};
     if (result.seconds) one["seconds"] = *result.seconds;
-    if (result.has_page) one["report"] = fmt::format("files/{}/report.html", result.path);
+    if (result.has_page) one["report"] = fmt::format("{}files/{}/report.html", results_at, result.path);
     json.push_back(std::move(one));
   }
   return json;
 }
 
-/// Adds an option with the value that the page has for it, if it has one.
+/// Adds an option with the value that the page has for it, if it has one. Throws InputError for a value that would be
+/// another option.
 void add_option(Command& command, const std::string& option, const std::string& value) {
   if (value.empty()) return;
+  if (value.starts_with("--"))
+    throw InputError(fmt::format("{}: expected a value, got {}", option, shown_value(value)));
   command.arguments.push_back(option);
   command.arguments.push_back(value);
 }
@@ -81,6 +71,7 @@ void add_option(Command& command, const std::string& option, const std::string& 
 Session::Session(const Places& places)
     : places_(places),
       folder_(places.folder),
+      preview_files_(previews_.path()),
       checks_(program()),
       packings_(program()),
       fits_(program()),
@@ -100,7 +91,7 @@ Json Session::state() {
           {"tables", folder_.files(table_suffixes)},
           {"pictures", folder_.files(picture_suffixes)},
           {"examples", list_of(example_decks(places_.examples))},
-          {"results", list_of(results_in(folder_.path()))},
+          {"results", list_of(results_in(folder_), places_.results_at)},
           {"opened", places_.opened.empty() ? Json(nullptr) : Json(places_.opened)},
           {"job", run}};
 }
@@ -128,9 +119,12 @@ Json Session::upload(const std::string& name, std::string_view bytes) {
 Json Session::check(const Json& request) {
   const auto name = folder_.deck(required_text(request, "name")).name;
   const Command command = {.arguments = {"check", name}};
-  const auto answer = finished(checks_.run(command));
+  const auto answer = finished(checks_.run(name, command));
   auto json = json_of(command, answer);
-  json["mistakes"] = json_of(mistakes_in(answer.output, name));
+  auto mistakes = mistakes_in(answer.output, name);
+  // What is a mistake of no single line, such as a lack of memory.
+  if (answer.exit_code != 0 && mistakes.empty()) mistakes.push_back({.message = failure_in(answer.output)});
+  json["mistakes"] = json_of(mistakes);
   return json;
 }
 
@@ -138,8 +132,8 @@ Json Session::pack(const Json& request) {
   const auto name = folder_.deck(required_text(request, "name")).name;
   const auto place = previews_.next();
   const Command command = {.arguments = {"pack", name}, .hidden = {"--out", place.string()}};
-  auto answer = finished(packings_.run(command));
-  answer.output = with_usual_places(answer.output, place.string(), "results/" + without_suffix(name));
+  auto answer = finished(packings_.run(name, command));
+  answer.output = replaced(std::move(answer.output), place.string(), "results/" + without_suffix(name));
   auto json = json_of(command, answer);
   json["stages"] = Json::array();
   for (const auto& picture : pictures_below(place)) {
@@ -159,11 +153,12 @@ Json Session::fit(const Json& request) {
     add_option(command, "--columns", column);
   }
   command.arguments.emplace_back("--overwrite");
-  const auto answer = finished(fits_.run(command));
+  const auto answer = finished(fits_.run(file, command));
   auto json = json_of(command, answer);
   const auto page = fmt::format("results/{}-fit/report.html", without_suffix(file));
   const bool has_page = answer.exit_code == 0 && fs::exists(folder_.path() / page);
-  json["page"] = has_page ? Json("files/" + page) : Json(nullptr);
+  json["failure"] = answer.exit_code == 0 ? "" : failure_in(answer.output);
+  json["page"] = has_page ? Json(places_.results_at + "files/" + page) : Json(nullptr);
   return json;
 }
 
@@ -177,8 +172,8 @@ Json Session::compare(const Json& request) {
   }
   const auto place = previews_.next();
   command.hidden = {"--out", place.string()};
-  auto answer = finished(comparisons_.run(command));
-  answer.output = with_usual_places(answer.output, place.string(), "a preview");
+  auto answer = finished(comparisons_.run("", command));
+  answer.output = replaced(std::move(answer.output), place.string(), "a preview");
   auto json = json_of(command, answer);
   json["pictures"] = pictures_below(place);
   return json;
@@ -190,8 +185,8 @@ Json Session::start_run(const Json& request) {
   const int seeds = options.value("seeds", 0);
   const auto stem = without_suffix(deck.name);
   const auto name = seeds > 0 ? fmt::format("{}-{}-seeds", stem, seeds) : stem;
-  const auto results = options.value("anew", false) ? new_directory_for(folder_.path(), name)
-                                                    : directory_for(folder_.path(), name, deck.text);
+  const auto results =
+      options.value("anew", false) ? new_directory_for(folder_, name) : directory_for(folder_, name, deck.text);
   Command command = {.arguments = {"run", deck.name}};
   if (seeds > 0) add_option(command, "--seeds", std::to_string(seeds));
   if (results != "results/" + stem) add_option(command, "--out", results);
@@ -203,8 +198,12 @@ Json Session::start_run(const Json& request) {
 Json Session::run_status() const {
   const auto run = run_.status();
   if (!run) return nullptr;
-  const bool has_ended_well = run->state == RunState::done && fs::exists(folder_.path() / run->results / "report.html");
-  return json_of(*run, has_ended_well);
+  auto json = json_of(*run);
+  const auto page = (run->results / "report.html").generic_string();
+  if (run->state == RunState::done && fs::exists(folder_.path() / page)) {
+    json["report"] = places_.results_at + "files/" + page;
+  }
+  return json;
 }
 
 Json Session::stop_run() {
@@ -217,7 +216,8 @@ std::vector<std::string> Session::pictures_below(const fs::path& place) const {
   std::error_code failure;
   for (const auto& entry : fs::recursive_directory_iterator(place, failure)) {
     if (entry.path().extension() != ".svg") continue;
-    pictures.push_back("preview/" + entry.path().lexically_relative(previews_.path()).generic_string());
+    pictures.push_back(places_.results_at + "preview/" +
+                       entry.path().lexically_relative(previews_.path()).generic_string());
   }
   std::ranges::sort(pictures);
   return pictures;
@@ -226,7 +226,7 @@ std::vector<std::string> Session::pictures_below(const fs::path& place) const {
 fs::path Session::file(std::string_view path) const {
   constexpr std::string_view of_folder = "files/", of_previews = "preview/";
   if (path.starts_with(of_folder)) return folder_.file(path.substr(of_folder.size()));
-  if (path.starts_with(of_previews)) return Folder(previews_.path()).file(path.substr(of_previews.size()));
+  if (path.starts_with(of_previews)) return preview_files_.file(path.substr(of_previews.size()));
   throw InputError("no such address");
 }
 

@@ -19,6 +19,8 @@ struct Places {
   std::filesystem::path examples = {};  ///< the decks that came with it
   std::filesystem::path folder = {};    ///< in which the user works
   std::string opened = {};              ///< name of a deck in the folder that is to be shown; empty: none
+  /// Address of results, relative to the page or absolute, below which "files/..." is: "../TOKEN/".
+  std::string results_at = {};
 };
 
 /// What the page of the studio can ask for: each function takes the JSON object of a request and returns that of its
@@ -63,7 +65,8 @@ class Session {
   Places places_;
   Folder folder_;
   PrivateDirectory previews_;
-  LatestCommand checks_, packings_, fits_, comparisons_;
+  Folder preview_files_;
+  LatestCommands checks_, packings_, fits_, comparisons_;
   RunningStudy run_;
 };
 

@@ -89,7 +89,7 @@ Json json_of(const Command& command, const FinishedCommand& finished) {
   return {{"command", shown(command)}, {"exit", finished.exit_code}, {"output", finished.output}};
 }
 
-Json json_of(const RunStatus& run, bool has_page) {
+Json json_of(const RunStatus& run) {
   const auto share = share_in(run.live_line);
   Json json = {{"id", run.id},           {"command", shown(run.command)},
                {"name", run.deck},       {"state", word_of(run.state)},
@@ -99,7 +99,6 @@ Json json_of(const RunStatus& run, bool has_page) {
                {"report", nullptr}};
   if (run.exit_code) json["exit"] = *run.exit_code;
   if (share) json["share"] = *share;
-  if (has_page) json["report"] = fmt::format("files/{}/report.html", run.results.generic_string());
   return json;
 }
 

@@ -25,8 +25,7 @@ std::string optional_text(const Json& request, const std::string& key);
 Json json_of(const DeckText& deck);
 Json json_of(const std::vector<ShownMistake>& mistakes);
 Json json_of(const Command& command, const FinishedCommand& finished);
-/// `has_page`: whether its results have a page by now.
-Json json_of(const RunStatus& run, bool has_page);
+Json json_of(const RunStatus& run);
 
 /// The text of a deck with one value replaced, added or removed, as the page has it: {"text", "tree", "mistakes"}.
 Json edited_deck(const Json& request);

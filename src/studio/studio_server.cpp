@@ -26,9 +26,10 @@ constexpr std::size_t largest_upload = 64U << 20U;  ///< [B]
 constexpr auto policy_of_page =
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; connect-src 'self'; "
     "frame-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
-/// Results are pages and pictures with scripts and texts of decks: they get an origin of their own, from which nothing
-/// of the studio can be reached.
-constexpr auto policy_of_results = "sandbox allow-scripts allow-downloads allow-popups";
+/// Results are pages and pictures with scripts and texts of decks: they get an origin of their own, and load nothing.
+constexpr auto policy_of_results =
+    "sandbox allow-scripts allow-downloads allow-popups; default-src 'none'; script-src 'unsafe-inline'; style-src "
+    "'unsafe-inline'; img-src data: blob:; font-src data:; form-action 'none'; base-uri 'none'";
 
 const char* type_of(const std::filesystem::path& file) {
   static const std::map<std::string, const char*, std::less<>> types = {{".html", "text/html; charset=utf-8"},
@@ -141,8 +142,8 @@ void answer(httplib::Response& response, const Action& action) {
     send_error(response, conflict, error.what());
   } catch (const InputError& error) {
     send_error(response, bad_request, error.what());
-  } catch (const nlohmann::json::exception& error) {
-    send_error(response, bad_request, error.what());
+  } catch (const nlohmann::json::exception&) {
+    send_error(response, bad_request, "the request is not as docs/studio.md has it");
   } catch (const std::exception& error) {
     send_error(response, internal_failure, error.what());
   }
@@ -155,11 +156,19 @@ void answer_requests(httplib::Server& server, const Answers& answers, const Requ
                               {"Cache-Control", "no-store"},
                               {"Cross-Origin-Resource-Policy", "same-origin"}});
   server.set_pre_routing_handler([&](const httplib::Request& request, httplib::Response& response) {
-    const auto path =
-        guard.admitted({request.path, request.get_header_value("Host"), request.get_header_value("Origin")});
-    if (path) return httplib::Server::HandlerResponse::Unhandled;
-    send_error(response, forbidden, "not the address that `breccia studio` has printed");
+    const auto header = [&](const char* name) { return request.get_header_value(name); };
+    const auto path = guard.admitted({request.method, request.path, header("Host"), header("Origin"),
+                                      header("Sec-Fetch-Site"), header("Sec-Fetch-Mode")});
+    if (path && request.ranges.empty()) return httplib::Server::HandlerResponse::Unhandled;
+    if (path) {
+      send_error(response, bad_request, "parts of files are not served");
+    } else {
+      send_error(response, forbidden, "not the address that `breccia studio` has printed");
+    }
     return httplib::Server::HandlerResponse::Handled;
+  });
+  server.set_error_handler([](const httplib::Request&, httplib::Response& response) {
+    if (response.body.empty()) send_error(response, response.status, "the request is too large, or none of HTTP");
   });
   const auto below_token = [](const httplib::Request& request) {
     return request.path.substr(request.path.find('/', 1) + 1);
@@ -173,6 +182,17 @@ void answer_requests(httplib::Server& server, const Answers& answers, const Requ
   server.Post("/.*", [=](const httplib::Request& request, httplib::Response& response) {
     answer(response, [&] { refuse_unknown(response, answers.post(below_token(request), request, response)); });
   });
+}
+
+/// Limits what a connection can do. One request each: the body of a request that is refused is not read, and would be
+/// taken for the next request. Threads for many, so that slow ones do not keep the others waiting.
+void limit_connections(httplib::Server& server) {
+  constexpr std::size_t threads = 64;
+  constexpr std::chrono::seconds patience(3);
+  server.set_keep_alive_max_count(1);
+  server.set_read_timeout(patience);
+  server.set_payload_max_length(largest_upload);
+  server.new_task_queue = [] { return new httplib::ThreadPool(threads); };  // which the server deletes
 }
 
 /// Binds the server to a port of this machine alone, and returns the port.
@@ -195,8 +215,8 @@ void serve(Session& session, const ServerOptions& options, const std::function<v
            const std::function<bool()>& is_to_stop) {
   httplib::Server server;
   const int port = bound_port(server, options);
-  const RequestGuard guard(random_token(), port);
-  server.set_payload_max_length(largest_upload);
+  const RequestGuard guard(options.tokens, port);
+  limit_connections(server);
   answer_requests(server, Answers(session), guard);
   const std::jthread watcher([&](const std::stop_token& stop) {
     constexpr std::chrono::milliseconds pause(100);

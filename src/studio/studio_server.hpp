@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 
+#include "studio/request_guard.hpp"
 #include "studio/session.hpp"
 
 namespace breccia::studio {
@@ -10,6 +11,7 @@ namespace breccia::studio {
 /// How the studio is reached.
 struct ServerOptions {
   int port = 0;  ///< 0: any free one
+  Tokens tokens = {};
 };
 
 /// Serves the page of the studio to the browsers of this machine that know its address, until `is_to_stop` returns

@@ -36,5 +36,15 @@ TEST(MistakesIn, TakesTheLinesOfTheDeckAlone) {
   EXPECT_EQ(mistakes[2].message, "tests: missing");
 }
 
+TEST(FailureIn, IsWhatFollowsThePlan) {
+  EXPECT_EQ(failure_in("title\n\nplan, with an estimate\n  A: 3 cells\ntogether about 3 d\nA: too large\nB: too\n"),
+            "A: too large\nB: too");
+  EXPECT_EQ(failure_in("plan, with an estimate\nmaterial a: expected more\n"), "material a: expected more");
+  EXPECT_EQ(failure_in("file.csv: 3 rows\n  time\n\n--reference-temperature: no sweep\n"),
+            "--reference-temperature: no sweep");
+  EXPECT_EQ(failure_in(""), "");
+  EXPECT_EQ(failure_in("x\n\n"), "");
+}
+
 }  // namespace
 }  // namespace breccia::studio

@@ -30,34 +30,47 @@ RunStatus ended(const RunningStudy& run) {
   return *run.status();
 }
 
-TEST(LatestCommand, ReturnsWhatACommandPrints) {
+TEST(LatestCommands, ReturnsWhatACommandPrints) {
   const test::TemporaryDirectory directory;
-  LatestCommand commands(shell(directory.path()));
-  const auto finished = commands.run(script("echo one; echo two >&2; exit 3"));
+  LatestCommands commands(shell(directory.path()));
+  const auto finished = commands.run("a", script("echo one; echo two >&2; exit 3"));
   ASSERT_TRUE(finished);
   EXPECT_EQ(finished->output, "one\ntwo\n");
   EXPECT_EQ(finished->exit_code, 3);
 }
 
-TEST(LatestCommand, EndsAnEarlierOne) {
+TEST(LatestCommands, EndsAnEarlierOne) {
   const test::TemporaryDirectory directory;
-  LatestCommand commands(shell(directory.path()));
-  auto first = std::async(std::launch::async, [&] { return commands.run(script("touch begun; sleep 100")); });
+  LatestCommands commands(shell(directory.path()));
+  auto first = std::async(std::launch::async, [&] { return commands.run("a", script("touch begun; sleep 100")); });
   while (!std::filesystem::exists(directory.path() / "begun")) std::this_thread::sleep_for(milliseconds(5));
-  const auto second = commands.run(script("echo second"));
+  const auto second = commands.run("a", script("echo second"));
   ASSERT_TRUE(second);
   EXPECT_EQ(second->output, "second\n");
   EXPECT_FALSE(first.get());
 }
 
-TEST(LatestCommand, RunsNoneAfterItsEnd) {
+TEST(LatestCommands, LetsThoseAboutOthersGoOn) {
   const test::TemporaryDirectory directory;
-  LatestCommand commands(shell(directory.path()));
-  auto first = std::async(std::launch::async, [&] { return commands.run(script("touch begun; sleep 100")); });
+  LatestCommands commands(shell(directory.path()));
+  auto first = std::async(std::launch::async, [&] {
+    return commands.run("a", script("touch begun; until test -e go; do sleep 0.01; done; echo first"));
+  });
+  while (!std::filesystem::exists(directory.path() / "begun")) std::this_thread::sleep_for(milliseconds(5));
+  EXPECT_TRUE(commands.run("b", script("touch go")));
+  const auto finished = first.get();
+  ASSERT_TRUE(finished);
+  EXPECT_EQ(finished->output, "first\n");
+}
+
+TEST(LatestCommands, RunsNoneAfterItsEnd) {
+  const test::TemporaryDirectory directory;
+  LatestCommands commands(shell(directory.path()));
+  auto first = std::async(std::launch::async, [&] { return commands.run("a", script("touch begun; sleep 100")); });
   while (!std::filesystem::exists(directory.path() / "begun")) std::this_thread::sleep_for(milliseconds(5));
   commands.end();
   EXPECT_FALSE(first.get());
-  EXPECT_FALSE(commands.run(script("echo second")));
+  EXPECT_FALSE(commands.run("a", script("echo second")));
 }
 
 TEST(RunningStudy, ShowsProgressAndTheEnd) {

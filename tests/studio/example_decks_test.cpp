@@ -41,6 +41,10 @@ TEST(CopyExample, RefusesWhatIsNoExample) {
   Folder folder(directory.path());
   EXPECT_THROW(copy_example(examples, "../README.md", folder, "a.toml"), InputError);
   EXPECT_THROW(copy_example(examples, "no.toml", folder, "a.toml"), InputError);
+  EXPECT_THROW(copy_example(examples, "pbx9501-hb1.toml", folder, "../a.toml"), InputError);
+  (void)folder.add_deck("taken.toml", "");
+  EXPECT_THROW(copy_example(examples, "pbx9501-hb1.toml", folder, "taken.toml"), Conflict);
+  EXPECT_TRUE(folder.files({".csv"}).empty());
   write_text(directory.path() / "hmx_sizes.csv", "another table");
   EXPECT_THROW(copy_example(examples, "pbx9501-hb1.toml", folder, "a.toml"), Conflict);
   EXPECT_FALSE(fs::exists(directory.path() / "a.toml"));

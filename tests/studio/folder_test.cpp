@@ -56,9 +56,26 @@ TEST_F(StudioFolder, HasNothingOutsideOfIt) {
   EXPECT_EQ(read_text(folder.file("a.csv")), "inside");
   EXPECT_EQ(read_text(folder.file("own.csv")), "inside");
   const auto absolute = (root_ / "a.csv").string();
-  for (const auto* name : {"", ".", "..", "../outside.csv", "results/../../outside.csv", "link.csv", "up/outside.csv",
-                           ".secret", "results/a/.b/c.csv", "results", "results/", "no.csv", "/etc/passwd",
-                           "../work-2/a.csv", "./a.csv", "a.csv/", "a.csv\n", absolute.c_str()}) {
+  for (const auto* name : {"",
+                           ".",
+                           "..",
+                           "../outside.csv",
+                           "results/../../outside.csv",
+                           "link.csv",
+                           "up/outside.csv",
+                           ".secret",
+                           "results/a/.b/c.csv",
+                           "results",
+                           "results/",
+                           "no.csv",
+                           "-x.csv",
+                           "--help/study.json",
+                           "/etc/passwd",
+                           "../work-2/a.csv",
+                           "./a.csv",
+                           "a.csv/",
+                           "a.csv\n",
+                           absolute.c_str()}) {
     EXPECT_THROW((void)folder.file(name), InputError) << name;
   }
 }
@@ -96,17 +113,47 @@ TEST_F(StudioFolder, AddsDecksAndDataWithoutReplacingAny) {
   Folder folder(root_);
   EXPECT_EQ(folder.add_deck("new.toml", "x = 1\n").text, "x = 1\n");
   EXPECT_THROW(folder.add_deck("new.toml", "x = 2\n"), Conflict);
-  for (const auto* name : {"", "x", ".toml", "../a.toml", "a/b.toml", "a\\b.toml", "a\n.toml", "/tmp/a.toml"}) {
+  for (const auto* name :
+       {"", "x", ".toml", "--help.toml", "../a.toml", "a/b.toml", "a\\b.toml", "a\n.toml", "/tmp/a.toml"}) {
     EXPECT_THROW(folder.add_deck(name, ""), InputError) << name;
   }
   folder.add_data("dma.csv", "1");
   folder.add_data("dma.csv", "1");
   EXPECT_THROW(folder.add_data("dma.csv", "2"), Conflict);
-  for (const auto* name : {"a.toml", "../dma.csv", ".bashrc", "", "a/b.csv"}) {
+  for (const auto* name : {"a.toml", "../dma.csv", ".bashrc", "", "a/b.csv", "-x.csv", "Makefile", "a.toml~", "a.py"}) {
     EXPECT_THROW(folder.add_data(name, "1"), InputError) << name;
   }
   EXPECT_EQ(read_text(root_ / "new.toml"), "x = 1\n");
   EXPECT_EQ(read_text(root_ / "dma.csv"), "1");
+}
+
+TEST_F(StudioFolder, KeepsPermissionsAndTheFirstText) {
+  write("a.toml", "x = 1\n");
+  fs::permissions(root_ / "a.toml", fs::perms::owner_read | fs::perms::owner_write);
+  fs::create_directory(root_ / "a.toml~");
+  Folder folder(root_);
+  auto deck = folder.deck("a.toml");
+  deck.text = "x = 2\n";
+  EXPECT_THROW(folder.save_deck(deck), FileError);
+  EXPECT_EQ(read_text(root_ / "a.toml"), "x = 1\n");
+  fs::remove(root_ / "a.toml~");
+  (void)folder.save_deck(deck);
+  EXPECT_EQ(read_text(root_ / "a.toml~"), "x = 1\n");
+  for (const auto* name : {"a.toml", "a.toml~"}) {
+    EXPECT_EQ(fs::status(root_ / name).permissions(), fs::perms::owner_read | fs::perms::owner_write) << name;
+  }
+}
+
+TEST_F(StudioFolder, ShowsNoDeckOutsideAndNoneThatIsNotUtf8) {
+  write("a.toml",
+        "# 20 \xb0"
+        "C\n");
+  write_text(temporary_.path() / "outside.toml", "title = \"outside\"\n");
+  fs::create_symlink(temporary_.path() / "outside.toml", root_ / "link.toml");
+  const Folder folder(root_);
+  EXPECT_THROW((void)folder.deck("a.toml"), InputError);
+  ASSERT_EQ(folder.decks().size(), 1U);
+  EXPECT_EQ(folder.decks()[0].title, "a");
 }
 
 TEST_F(StudioFolder, IsADirectory) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "io/text_file.hpp"
 #include "temporary_directory.hpp"
@@ -29,7 +30,7 @@ TEST(ResultsIn, ListsRunsAndSweepsTheLatestFirst) {
   write_text(results / "a" / "report.html", "");
   write_record(results / "broken", "study.json", "{");
   write_record(results / "fit", "fit.json", "{}");
-  const auto list = results_in(directory.path());
+  const auto list = results_in(Folder(directory.path()));
   ASSERT_EQ(list.size(), 3U);
   EXPECT_EQ(list[0].path, "results/b");
   EXPECT_FALSE(list[0].is_complete);
@@ -43,24 +44,43 @@ TEST(ResultsIn, ListsRunsAndSweepsTheLatestFirst) {
   EXPECT_TRUE(list[2].is_sweep);
 }
 
+TEST(ResultsIn, ReadsNothingOutsideOfTheFolderAndNoPipe) {
+  const test::TemporaryDirectory directory, outside;
+  const auto results = directory.path() / "results";
+  write_record(outside.path() / "other", "study.json", R"({"title": "outside"})");
+  fs::create_directories(results / "pipe");
+  ASSERT_EQ(::mkfifo((results / "pipe" / "study.json").c_str(), 0600), 0);
+  fs::create_directory_symlink(outside.path() / "other", results / "link");
+  EXPECT_TRUE(results_in(Folder(directory.path())).empty());
+}
+
+TEST(ResultsIn, FollowsALinkOfTheResultsAsAWhole) {
+  const test::TemporaryDirectory directory, scratch;
+  write_record(scratch.path() / "a", "study.json", R"({"title": "A"})");
+  fs::create_directory_symlink(scratch.path(), directory.path() / "results");
+  const Folder folder(directory.path());
+  ASSERT_EQ(results_in(folder).size(), 1U);
+  EXPECT_NO_THROW((void)folder.file("results/a/study.json"));
+}
+
 TEST(ResultsIn, IsEmptyWithoutResults) {
   const test::TemporaryDirectory directory;
-  EXPECT_TRUE(results_in(directory.path()).empty());
+  EXPECT_TRUE(results_in(Folder(directory.path())).empty());
 }
 
 TEST(DirectoryFor, GoesOnWithResultsOfTheSameTextAlone) {
   const test::TemporaryDirectory directory;
   const auto results = directory.path() / "results";
-  EXPECT_EQ(directory_for(directory.path(), "a", "one"), "results/a");
+  EXPECT_EQ(directory_for(Folder(directory.path()), "a", "one"), "results/a");
   write_record(results / "a", "study.json", R"({"deck_text": "one", "overrides": []})");
-  EXPECT_EQ(directory_for(directory.path(), "a", "one"), "results/a");
-  EXPECT_EQ(directory_for(directory.path(), "a", "two"), "results/a-2");
+  EXPECT_EQ(directory_for(Folder(directory.path()), "a", "one"), "results/a");
+  EXPECT_EQ(directory_for(Folder(directory.path()), "a", "two"), "results/a-2");
   write_record(results / "a-2", "study.json", R"({"deck_text": "two", "overrides": ["tests.times=1"]})");
-  EXPECT_EQ(directory_for(directory.path(), "a", "two"), "results/a-3");
+  EXPECT_EQ(directory_for(Folder(directory.path()), "a", "two"), "results/a-3");
   write_record(results / "a-3", "another.txt", "of someone else");
-  EXPECT_EQ(directory_for(directory.path(), "a", "two"), "results/a-4");
-  EXPECT_EQ(new_directory_for(directory.path(), "a"), "results/a-4");
-  EXPECT_EQ(new_directory_for(directory.path(), "b"), "results/b");
+  EXPECT_EQ(directory_for(Folder(directory.path()), "a", "two"), "results/a-4");
+  EXPECT_EQ(new_directory_for(Folder(directory.path()), "a"), "results/a-4");
+  EXPECT_EQ(new_directory_for(Folder(directory.path()), "b"), "results/b");
 }
 
 }  // namespace

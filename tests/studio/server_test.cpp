@@ -48,12 +48,15 @@ class Studio : public ::testing::Test {
     fs::create_directories(folder_);
     write_text(temporary_.path() / "outside.csv", "outside");
     write_text(folder_ / "a.toml", deck);
-    session_ = std::make_unique<Session>(
-        Places{.program = BRECCIA_COMMAND, .examples = BRECCIA_EXAMPLES_DIRECTORY, .folder = folder_});
+    session_ = std::make_unique<Session>(Places{.program = BRECCIA_COMMAND,
+                                                .examples = BRECCIA_EXAMPLES_DIRECTORY,
+                                                .folder = folder_,
+                                                .results_at = fmt::format("../{}/", tokens_.results)});
     std::promise<std::string> address;
     server_ = std::jthread([this, &address] {
       serve(
-          *session_, {}, [&](const std::string& it) { address.set_value(it); }, [this] { return is_to_stop_.load(); });
+          *session_, {.tokens = tokens_}, [&](const std::string& it) { address.set_value(it); },
+          [this] { return is_to_stop_.load(); });
     });
     const auto whole = address.get_future().get();
     const auto slash = whole.find('/', whole.find("//") + 2);
@@ -67,8 +70,10 @@ class Studio : public ::testing::Test {
     server_.join();
   }
 
+  /// Gets an address relative to the page, which may be one of another token.
   httplib::Result get(const std::string& path, const httplib::Headers& headers = {}) {
-    return browser_->Get((base_ + path).c_str(), headers);
+    const bool is_of_results = path.starts_with("../");
+    return browser_->Get((is_of_results ? path.substr(2) : base_ + path).c_str(), headers);
   }
   httplib::Result post(const std::string& path, const std::string& body, const httplib::Headers& headers = {}) {
     return browser_->Post((base_ + path).c_str(), headers, body, "application/json");
@@ -80,6 +85,7 @@ class Studio : public ::testing::Test {
     return Json::parse(result->body);
   }
 
+  Tokens tokens_ = random_tokens();
   test::TemporaryDirectory temporary_;
   fs::path folder_ = temporary_.path() / "work";
   std::unique_ptr<Session> session_;
@@ -118,13 +124,35 @@ TEST_F(Studio, RefusesWhoDoesNotKnowTheAddress) {
   EXPECT_TRUE(session_->run_status().is_null());
 }
 
+TEST_F(Studio, TakesNoRequestFromTheBodyOfOneThatItRefuses) {
+  const auto hidden = fmt::format(
+      "POST {}api/upload?name=smuggled.csv HTTP/1.1\r\nHost: 127.0.0.1:{}\r\n"
+      "Content-Length: 1\r\n\r\nx",
+      base_, port_);
+  browser_->set_keep_alive(true);
+  for (const auto* path : {"/", "/wrong/api/upload?name=a.csv"}) {
+    const auto result = browser_->Post(path, hidden, "text/plain");
+    EXPECT_TRUE(!result || result->status == 403) << path;
+  }
+  EXPECT_EQ(get("api/state")->status, 200);
+  EXPECT_FALSE(fs::exists(folder_ / "smuggled.csv"));
+}
+
+TEST_F(Studio, ShowsResultsBelowATokenThatOnlyReadsThem) {
+  const auto shown = fmt::format("/{}/", tokens_.results);
+  EXPECT_EQ(browser_->Get((shown + "files/a.toml").c_str())->status, 200);
+  for (const auto* path : {"", "api/state", "api/deck?name=a.toml", "studio.js"}) {
+    EXPECT_EQ(browser_->Get((shown + path).c_str())->status, 403) << path;
+  }
+  EXPECT_EQ(browser_->Post((shown + "api/run").c_str(), R"({"name": "a.toml"})", "application/json")->status, 403);
+  EXPECT_EQ(get("files/a.toml", {{"Range", "bytes=0-3"}})->status, 400);
+}
+
 TEST_F(Studio, ListensToThisMachineAlone) {
-  httplib::Client outside("0.0.0.0", port_);
-  const auto result = outside.Get((base_ + "api/state").c_str());
-  // Linux takes 0.0.0.0 for this machine; then the name of the host is refused.
-  EXPECT_TRUE(!result || result->status == 403);
+  httplib::Client elsewhere("127.0.0.2", port_);  // another address of this machine
+  EXPECT_FALSE(elsewhere.Get((base_ + "api/state").c_str()));
   EXPECT_THROW(serve(
-                   *session_, {.port = port_}, [](const std::string&) {}, [] { return true; }),
+                   *session_, {.port = port_, .tokens = tokens_}, [](const std::string&) {}, [] { return true; }),
                InputError);
 }
 
@@ -187,7 +215,7 @@ TEST_F(Studio, MakesADeckChecksAndRunsIt) {
   const auto packed = answer("api/pack", {{"name", "a.toml"}});
   ASSERT_EQ(packed["stages"].size(), 1U) << packed;
   EXPECT_EQ(packed["stages"][0]["name"], "A");
-  const auto picture = get(packed["stages"][0]["picture"].get<std::string>());
+  const auto picture = get(packed["stages"][0]["picture"].get<std::string>());  // "../TOKEN/preview/..."
   EXPECT_EQ(picture->status, 200);
   EXPECT_EQ(picture->get_header_value("Content-Type"), "image/svg+xml");
   EXPECT_FALSE(fs::exists(folder_ / "results"));
@@ -201,7 +229,8 @@ TEST_F(Studio, MakesADeckChecksAndRunsIt) {
   EXPECT_EQ(run["state"], "done") << run;
   const auto page = get(run["report"].get<std::string>());
   EXPECT_EQ(page->status, 200);
-  EXPECT_EQ(page->get_header_value("Content-Security-Policy"), "sandbox allow-scripts allow-downloads allow-popups");
+  const auto policy = page->get_header_value("Content-Security-Policy");
+  EXPECT_TRUE(policy.starts_with("sandbox allow-scripts allow-downloads allow-popups; default-src 'none';")) << policy;
   const auto after = Json::parse(get("api/state")->body);
   ASSERT_EQ(after["results"].size(), 1U);
   EXPECT_EQ(after["results"][0]["path"], "results/a");

@@ -76,7 +76,7 @@ export function composeView(context, run) {
     if (what === "text") packing.changed();
     if (what !== "text" && deck.tree !== null) form.update();
     if (what === "tree" || what === "saved") planCheck();
-    run.showCommand();
+    run.update();
   }
 
   function planCheck() {
@@ -98,7 +98,9 @@ export function composeView(context, run) {
       if (deck.tree !== null) form.update();
       if (found.exit === 0) packing.sound(found.output);
     } catch (error) {
-      if (number === call && error.status !== 409) plan.complain(error.message);
+      // Another window may have checked the same deck meanwhile.
+      if (number === call && error.status === 409) timer = setTimeout(check, 1000);
+      else if (number === call) plan.complain(error.message);
     }
   }
 

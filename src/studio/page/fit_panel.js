@@ -75,12 +75,12 @@ export function fitPanel({material, context}) {
   }
 
   function show(answer) {
-    const {command, exit, output: words, page: address} = answer;
+    const {command, exit, output: words, page: address, failure} = answer;
     fitted = answer;
     context.showCommand(command, "the fit");
     line.show(command);
     state.textContent = exit === 0 ? "Does it say what the file has? If not, correct modulus, temperature or columns above."
-      : "It was not understood; the options above may say what the file does not.";
+      : `${failure || "It was not understood"}. The options above say what the file does not.`;
     output.textContent = words;
     output.hidden = false;
     buttons.hidden = exit !== 0;

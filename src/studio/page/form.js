@@ -7,6 +7,7 @@ import {fitPanel} from "./fit_panel.js";
 import {labelOf} from "./form_labels.js";
 import {keepingFocus, reconcile} from "./reconcile.js";
 import {newFiller} from "./starting_values.js";
+import {dimensionsChoice, moduliChoice} from "./study_choices.js";
 import {quoted, sourceOf} from "./toml_source.js";
 
 /// The form. `update()` shows the tree of the deck of the context.
@@ -26,15 +27,16 @@ function cardsOf(context) {
   const materials = entry(tree, "materials")?.entries ?? [];
   const tests = entry(tree, "tests");
   return [
-    card("study", "Study", [], {...tree, entries: tree.entries.filter(({value}) => !isTable(value))},
-      {removable: false}),
+    card("study", "Study", [], {...tree, entries: tree.entries.filter(({key, value}) => !isTable(value) && key !== "dimensions")},
+      {removable: false, below: () => dimensionsChoice(context), except: ["materials", "stages", "measurements", "dimensions"]}),
     ...materials.map(({key, value}) => card(`material ${key}`, ["Material", key], ["materials", key], value,
       {below: () => fitPanel({material: key, context})})),
     adder("add material", context, addMaterial),
     ...stagesOf(tree).map((stage, i) => card(`stage ${i}`, ["Stage", nameOf(stage, String(i + 1))], ["stages", i], stage,
       {actions: [["Add another filler", () => addFiller(context, i)]]})),
     adder("add stage", context, addStage),
-    ...tests?.type === "table" ? [card("tests", "Tests", ["tests"], tests, {removable: false})] : [],
+    ...tests?.type === "table" ? [card("tests", "Tests", ["tests"], tests,
+      {removable: false, below: () => moduliChoice(context)})] : [],
     ...(entry(tree, "measurements")?.items ?? []).map((one, i) => card(`measurement ${i}`,
       ["Measurement", nameOf(one, String(i + 1))], ["measurements", i], one)),
     adder("add measurement", context, addMeasurement),
@@ -47,13 +49,13 @@ function isTable(value) {
   return value.type === "table" || (value.type === "array" && value.items[0]?.type === "table");
 }
 
-function cardOf({path, context, below: makeBelow = null, actions = [], removable = true}) {
+function cardOf({path, context, below: makeBelow = null, actions = [], removable = true, except = []}) {
   const heading = element("h3", {});
   const remove = element("button", {type: "button", className: "remove", hidden: !removable,
     onclick: () => context.edit(path, null)}, "×");
   const complaint = element("p", {className: "mistake", hidden: true});
   const below = makeBelow?.() ?? null;
-  const fields = fieldsOf({path, context, except: path.length === 0 ? ["materials", "stages", "measurements"] : []});
+  const fields = fieldsOf({path, context, except});
   const buttons = actions.map(([text, act]) => element("button", {type: "button", className: "quiet", onclick: act}, text));
   const card = element("section", {className: `card of-${path[0] ?? "study"}`},
     element("header", {}, heading, ...buttons, remove), complaint, fields.element, ...below === null ? [] : [below.element]);

@@ -57,8 +57,12 @@ export function packingPanel(context) {
   return {
     element: panel,
     sound(plan) {
-      if (packed === context.deck.savedText) return;
       clearTimeout(timer);
+      if (packed === context.deck.savedText) {
+        panel.classList.remove("old");
+        state.textContent = "";
+        return;
+      }
       if (seconds > slow || mostParticles(plan) > many) {
         state.textContent = "The deck has changed; packing it takes a while, so it waits for the button.";
         panel.classList.add("old");
@@ -66,7 +70,12 @@ export function packingPanel(context) {
         timer = setTimeout(draw, pause);
       }
     },
-    changed: () => clearTimeout(timer),
+    changed() {
+      clearTimeout(timer);
+      if (packed === null || packed === context.deck.text) return;
+      panel.classList.add("old");
+      state.textContent = "of an earlier text of the deck";
+    },
   };
 }
 

@@ -32,6 +32,8 @@ export function planPanel() {
     },
     wait() {
       panel.classList.add("old");
+      state.hidden = false;
+      state.textContent = "checking …";
     },
     complain(message) {
       state.hidden = false;

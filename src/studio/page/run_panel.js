@@ -27,19 +27,17 @@ export function runPanel(context, {openResult, finished}) {
       element("label", {htmlFor: "seeds", title: "seeds: packings that differ by chance alone, for mean and spread"},
         "packings ", seeds)),
     bar, state, live, output, line.element);
-  let [timer, job] = [0, null];
-  seeds.addEventListener("input", showCommand);
-
-  function showCommand() {
-    if (job?.state !== "running" && context.deck !== null) line.show(runCommand(context.deck.name, Number(seeds.value)));
-  }
+  let [timer, job, ran] = [0, null, null];   // `ran`: the text of the deck that this page has run last
+  seeds.addEventListener("input", update);
 
   async function run(options = {}) {
     runButton.disabled = true;
     try {
       await context.deck.save();
       const number = Number(seeds.value);
+      const text = context.deck.savedText;
       show(await api.run(context.deck.name, {...number > 1 ? {seeds: number} : {}, ...options}));
+      ran = {id: job.id, text};
       context.showCommand(job.command, "the run");
     } catch (error) {
       state.textContent = error.message;
@@ -60,32 +58,44 @@ export function runPanel(context, {openResult, finished}) {
   function show(newJob) {
     const hasEnded = job?.state === "running" && newJob?.state !== "running";
     job = newJob;
-    if (job === null) return showCommand();
-    const isRunning = job.state === "running";
+    update();
+    clearTimeout(timer);
+    if (job?.state === "running") timer = setTimeout(poll, 500);
+    if (hasEnded) finished(job);
+  }
+
+  /// Shows the run that is under way, or the last one if it was of the deck that is open.
+  function update() {
+    const isRunning = job?.state === "running";
+    const isShown = isRunning || (job !== null && job.name === context.deck?.name);
     runButton.disabled = isRunning;
-    stopButton.hidden = !isRunning;
+    stopButton.hidden = bar.hidden = !isRunning;
     if (!isRunning) stopButton.disabled = false;
-    bar.hidden = !isRunning;
+    panel.dataset.state = isShown ? job.state : "";
+    state.hidden = live.hidden = !isShown;
+    output.hidden = !isShown || job.output === "";
+    anewButton.hidden = !isShown || job.state !== "failed" || !job.output.includes("--overwrite");
+    open.hidden = !isShown || isRunning || job.report === null;
+    if (isShown) showJob();
+    if (isRunning) line.show(job.command);
+    else if (context.deck !== null) line.show(runCommand(context.deck.name, Number(seeds.value)));
+  }
+
+  function showJob() {
+    const isRunning = job.state === "running";
     if (job.share === null) bar.removeAttribute("value");
     else bar.value = job.share;
     const elapsed = duration(Math.max(job.seconds, 0.1));
-    const words = isRunning ? `${job.name} is running` : `${job.name}: ${states[job.state]}, ${elapsed}`;
+    const isOld = ran?.id === job.id && context.deck?.name === job.name && ran.text !== context.deck.text;
+    const words = isRunning ? `${job.name} is running`
+      : `${job.name}: ${states[job.state]}, ${elapsed}${isOld ? "; of an earlier text of the deck" : ""}`;
     if (state.textContent !== words) state.textContent = words;
-    panel.dataset.state = job.state;
     live.textContent = isRunning ? [elapsed, job.live].filter((text) => text !== "").join("; ") : "";
-    output.hidden = job.output === "";
     if (output.textContent !== job.output) {
       output.textContent = job.output;
       output.scrollTop = output.scrollHeight;
     }
-    line.show(job.command);
-    // What a deck names may have changed, though its text has not.
-    anewButton.hidden = job.state !== "failed" || !job.output.includes("--overwrite");
-    open.hidden = isRunning || job.report === null;
     open.onclick = () => openResult(job.results);
-    clearTimeout(timer);
-    if (isRunning) timer = setTimeout(poll, 500);
-    if (hasEnded) finished(job);
   }
 
   async function poll() {
@@ -96,5 +106,5 @@ export function runPanel(context, {openResult, finished}) {
     }
   }
 
-  return {element: panel, show, showCommand};
+  return {element: panel, show, update};
 }

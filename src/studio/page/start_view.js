@@ -4,6 +4,14 @@ import {element} from "../../page/scripts/elements.js";
 import * as api from "./api.js";
 import {command} from "./shell_command.js";
 
+/// What most begin with: an example (null: the starter deck), the words of its button, and what it is about.
+const beginnings = [
+  [null, "Begin with the starter deck", "discs in a soft binder, quick, every line of the deck explained"],
+  ["spheres.toml", "Begin with spheres", "in three dimensions, of one size in a rubber"],
+  ["two-fillers.toml", "Begin with two fillers", "of two materials and sizes, as a propellant has them"],
+  ["image.toml", "Begin with a micrograph", "a picture in which particles are brighter or darker than the matrix"],
+];
+
 /// The view. `openDeck(name)` and `take(DECK)` are called with what the user has chosen.
 export function startView(context, {openDeck, take}) {
   const decks = element("ul", {className: "decks"});
@@ -13,12 +21,15 @@ export function startView(context, {openDeck, take}) {
   const complaint = element("p", {className: "mistake", role: "alert", hidden: true});
   const examples = element("div", {className: "examples"});
   const view = element("section", {className: "view", ariaLabel: "decks"},
+    element("p", {}, "The stiffness of a filled composite over time, from what it is made of. You need the modulus of the "
+      + "binder (a file of a rheometer or a DMA will do), the moduli of the filler, and its sizes and fraction, or a "
+      + "micrograph. All of it is a deck, a file of text in this folder, which the page writes for you."),
     element("h2", {}, "Decks of this folder"), noDecks, decks,
     element("h2", {}, "A new deck"),
     element("p", {className: "new"}, element("label", {htmlFor: "new-name"}, "name "), name, ".toml"), complaint,
-    element("p", {},
-      element("button", {type: "button", className: "main", onclick: () => begin(null)}, "Begin with the starter deck"),
-      " stiff discs in a soft binder, in which every line is explained"),
+    element("ul", {className: "beginnings"}, ...beginnings.map(([example, words, about]) => element("li", {},
+      element("button", {type: "button", className: example === null ? "main" : "", onclick: () => begin(example)}, words),
+      ` ${about}`))),
     element("h3", {}, "or from an example"), examples);
   let shown = "";
 
