@@ -24,11 +24,11 @@ async function take(page, name, width, height) {
 }
 
 try {
-  const deck = resolve(figures, "../../examples/materials/polyethylene-silica/polyethylene-silica.toml");
-  const out = join(folder, "polyethylene");
+  const deck = resolve(figures, "../../examples/materials/concrete/concrete.toml");
+  const out = join(folder, "concrete");
   const {status} = spawnSync(program, ["run", deck, "--out", out], {stdio: "inherit"});
   if (status !== 0) throw new Error(`breccia run ${deck} has ended with ${status}`);
-  await take(await browser.open(`file://${out}/report.html`), "page-polyethylene.png", 1240, 720);
+  await take(await browser.open(`file://${out}/report.html`), "page-concrete.png", 1240, 720);
 
   const studio = await Studio.start(program, folder);
   await studio.ask("api/new", {name: "composite.toml", example: null});

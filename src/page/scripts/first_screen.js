@@ -213,7 +213,7 @@ export function showResult(curves) {
       measured: isShear ? measuredBeside(curves, stage, "shear") : undefined});
   if (inFrequency.letter !== "E") sentences.push(...sentencesOnYoungsModulus(curves, result));
   if (isShear) sentences.push(...sentencesOnOther("bulk", "the bulk modulus", curves, result));
-  sentences.push(onSpace(study, qualityOf(stage)));
+  sentences.push(onSpace(study, stageOf(stage)));
   const [first, ...others] = sentences.filter((sentence) => sentence !== "");
   place.append(element("p", {id: "answer"}, element("strong", {}, unbroken(first)), ` ${unbroken(others.join(" "))}`));
   const next = nextStep(stageOf(stage));

@@ -103,9 +103,14 @@ export function onAnisotropy(record, quality) {
   return `The modulus is the mean of all shears of the box, which are apart by ${listed(ends.map(at))}.`;
 }
 
-/// A sentence on what two dimensions leave out of the modulus of random discs; empty where no rule says it.
-export function onSpace(record, quality) {
-  if (quality?.spheres_over_discs === undefined) return "";
+/// A sentence on what two dimensions leave out of the modulus of a stage, by a rule where there is one; empty for cubes and
+/// for a box without particles.
+export function onSpace(record, {dimensions, microstructure, quality}) {
+  if (dimensions !== 2 || microstructure === undefined) return "";
+  if (quality?.spheres_over_discs === undefined) {
+    return "This is the modulus of parallel cylinders, in two dimensions; particles in space have another one, and no rule " +
+      "says which.";
+  }
   const {ratio, time_s: time} = quality.spheres_over_discs;
   return "This is the modulus of discs in two dimensions; that of spheres would be up to about " +
     `${shortNumber(ratio, 2)} times as large (at ${instantText(record, time, 2)}).`;

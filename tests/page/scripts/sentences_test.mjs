@@ -295,8 +295,11 @@ test("what both apparent moduli say of a larger body", () => {
 });
 
 test("what two dimensions leave out", () => {
-  assert.equal(onSpace({}, {}), "");
-  assert.equal(onSpace({}, {spheres_over_discs: {time_s: 1, ratio: 1.52}}),
+  const packed = {dimensions: 2, microstructure: {}};
+  assert.equal(onSpace({}, {...packed, dimensions: 3}), "");
+  assert.equal(onSpace({}, {dimensions: 2}), "");
+  assert.match(onSpace({}, packed), /parallel cylinders, in two dimensions; .* no rule says which/);
+  assert.equal(onSpace({}, {...packed, quality: {spheres_over_discs: {time_s: 1, ratio: 1.52}}}),
     "This is the modulus of discs in two dimensions; that of spheres would be up to about 1.5 times as large (at 1 s).");
 });
 
