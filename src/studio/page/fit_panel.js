@@ -18,7 +18,7 @@ export function fitPanel({material, context}) {
   const id = `fit-${++count}`;
   const file = element("select", {id: `${id}-file`, onchange: () => file.value !== "" && fit()});
   const kind = element("select", {id: `${id}-kind`}, ...kinds.map(([value, text]) => element("option", {value}, text)));
-  const reference = element("input", {type: "text", id: `${id}-reference`, placeholder: "20 degC", spellcheck: false});
+  const reference = element("input", {type: "text", id: `${id}-reference`, placeholder: "of one sweep", spellcheck: false});
   const columns = element("textarea", {id: `${id}-columns`, rows: 2, spellcheck: false, placeholder: "storage=E1 [MPa]"});
   const line = commandLine();
   const output = element("pre", {hidden: true});
@@ -29,7 +29,8 @@ export function fitPanel({material, context}) {
   const again = element("button", {type: "button", onclick: fit}, "Fit");
   const use = moduli.map((key) => element("button", {type: "button", onclick: () => take(key)},
     `Use it as ${key} of ${material}`));
-  const buttons = element("div", {className: "buttons", hidden: true}, ...use);
+  const buttons = element("div", {className: "buttons", hidden: true}, ...use, element("span", {className: "note"},
+    "The other modulus of the material stays: check that it belongs to it."));
   const field = (label, input) => element("div", {}, element("label", {htmlFor: input.id}, label), input);
   const options = element("div", {className: "fit-options"}, field("modulus", kind), field("reference temperature", reference),
     field("columns, one a line", columns), again);

@@ -7,7 +7,7 @@ import {fitPanel} from "./fit_panel.js";
 import {labelOf} from "./form_labels.js";
 import {keepingFocus, reconcile} from "./reconcile.js";
 import {newFiller} from "./starting_values.js";
-import {dimensionsChoice, moduliChoice} from "./study_choices.js";
+import {dimensionsChoice, offersOfTests} from "./study_choices.js";
 import {quoted, sourceOf} from "./toml_source.js";
 
 /// The form. `update()` shows the tree of the deck of the context.
@@ -36,7 +36,7 @@ function cardsOf(context) {
       {actions: [["Add another filler", () => addFiller(context, i)]]})),
     adder("add stage", context, addStage),
     ...tests?.type === "table" ? [card("tests", "Tests", ["tests"], tests,
-      {removable: false, below: () => moduliChoice(context)})] : [],
+      {removable: false, below: () => offersOfTests(context)})] : [],
     ...(entry(tree, "measurements")?.items ?? []).map((one, i) => card(`measurement ${i}`,
       ["Measurement", nameOf(one, String(i + 1))], ["measurements", i], one)),
     adder("add measurement", context, addMeasurement),

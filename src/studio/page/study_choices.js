@@ -1,7 +1,7 @@
 /// Choices that matter to every study, also where the deck leaves them at their defaults.
 
 import {element} from "../../page/scripts/elements.js";
-import {entry} from "./deck_tree.js";
+import {entry, stagesOf} from "./deck_tree.js";
 
 let count = 0;
 
@@ -24,13 +24,42 @@ export function dimensionsChoice(context) {
   }};
 }
 
-/// Shear alone, the default, or also what E and Poisson's ratio follow from.
-export function moduliChoice(context) {
-  const button = element("button", {type: "button", className: "quiet",
-    onclick: () => context.edit(["tests", "loads"], '["isotropic", "bulk"]')}, "Also E, K and Poisson's ratio");
-  const note = element("span", {className: "note"}, " G alone is computed; the others take a test in bulk, too.");
-  const line = element("p", {className: "offer"}, button, note);
-  return {element: line, update() {
-    line.hidden = entry(entry(context.deck.tree, "tests"), "loads") !== undefined;
+/// What the tests may leave to the program, or ask for besides: offers, which go once they are taken.
+export function offersOfTests(context) {
+  const offers = [moduliOffer(context), accuracyOffer(context)];
+  return {element: element("div", {}, ...offers.map((offer) => offer.element)), update() {
+    for (const offer of offers) offer.update();
   }};
+}
+
+/// An offer with a button; `isOpen()` says whether it is still to be made.
+function offer(words, about, isOpen, take) {
+  const button = element("button", {type: "button", className: "quiet", onclick: take}, words);
+  const line = element("p", {className: "offer"}, button, element("span", {className: "note"}, ` ${about}`));
+  return {element: line, update() {
+    line.hidden = !isOpen();
+  }};
+}
+
+/// Shear alone, the default, or also what E and Poisson's ratio follow from.
+function moduliOffer(context) {
+  return offer("Also E, K and Poisson's ratio", "G alone is computed; the others take a test in bulk, too.",
+    () => entry(entry(context.deck.tree, "tests"), "loads") === undefined,
+    () => context.edit(["tests", "loads"], '["isotropic", "bulk"]'));
+}
+
+/// Boxes and grids that the program chooses for an error, in place of those of the deck.
+function accuracyOffer(context) {
+  return offer("Choose boxes and grids for an error of 5 %", "In place of box, particles and cells of the stages.",
+    () => entry(entry(context.deck.tree, "tests"), "accuracy") === undefined,
+    async () => {
+      const {length} = stagesOf(context.deck.tree);
+      for (let stage = 0; stage < length; ++stage) {
+        for (const key of ["box", "particles", "cells", "resolution"]) {
+          const isThere = entry(stagesOf(context.deck.tree)[stage], key) !== undefined;
+          if (isThere && !await context.edit(["stages", stage, key], null)) return;
+        }
+      }
+      await context.edit(["tests", "accuracy"], '"5 %"');
+    });
 }

@@ -92,6 +92,20 @@ test("from nothing to a result", {timeout: 300000}, async () => {
   expectNoComplaints(page);
 });
 
+test("boxes and grids are chosen for an error, in three dimensions and with E", {timeout: 120000}, async () => {
+  const page = await openStarter("chosen");
+  await page.value(`${button("Choose boxes and grids for an error of 5 %")}.click()`);
+  const text = await deckThat("chosen.toml", /^accuracy = "5 %"/m);
+  assert.doesNotMatch(text, /^(box|cells) /m);
+  await page.until("document.querySelector('.right').innerText.includes('together about')");
+  await page.value(`${button("Also E, K and Poisson's ratio")}.click()`);
+  await deckThat("chosen.toml", /^loads += \["isotropic", "bulk"\]/m);
+  await page.value(`(() => { const list = ${field(["dimensions"])}; list.value = "3";
+    list.dispatchEvent(new Event("change")); })()`);
+  await deckThat("chosen.toml", /^dimensions = 3/m);
+  expectNoComplaints(page);
+});
+
 test("mistakes stand at their fields, and what was typed stays", {timeout: 120000}, async () => {
   const page = await openStarter("mistakes");
   await fill(page, ["stages", 0, "box"], "8 kg");
