@@ -28,7 +28,7 @@ try {
   const out = join(folder, "concrete");
   const {status} = spawnSync(program, ["run", deck, "--out", out], {stdio: "inherit"});
   if (status !== 0) throw new Error(`breccia run ${deck} has ended with ${status}`);
-  await take(await browser.open(`file://${out}/report.html`), "page-concrete.png", 1240, 720);
+  await take(await browser.open(`file://${out}/report.html`), "page-concrete.png", 1240, 880);
 
   const studio = await Studio.start(program, folder);
   await studio.ask("api/new", {name: "composite.toml", example: null});

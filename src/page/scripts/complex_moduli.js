@@ -110,23 +110,31 @@ export function measuredComplex(curves, stage, quantityOf) {
     x: storage.x.map((omega) => omega / perCycle), moduli: storage.y.map((value, i) => complexOf(value, loss.y[i]))};
 }
 
-/// The ratio of the absolute value of a computed complex modulus to the measured one, and the difference of their phases
-/// [degrees], at each measured frequency.
+/// The ratios of the absolute value and of the loss modulus of a computed complex modulus to the measured ones, and the
+/// difference of the phases [degrees], at each measured frequency.
 function deviationsFrom(measured, {at}) {
   return measured.x.map((frequency, i) => {
-    const {size, phase} = at(frequency);
-    return {ratio: size / measured.moduli[i].size, phase: phase - measured.moduli[i].phase};
+    const [computed, reference] = [at(frequency), measured.moduli[i]];
+    return {ratio: computed.size / reference.size, loss: lossOf(computed) / lossOf(reference),
+      phase: computed.phase - reference.phase};
   });
+}
+
+function lossOf({size, phase}) {
+  return size * Math.sin(phase * Math.PI / 180);
 }
 
 /// A sentence on complex moduli beside a measured one, of a letter: G or E; empty where they have no frequency in common.
 export function sentenceOnMeasuredComplex(moduli, measured, letter) {
   const found = moduli.flatMap((modulus) => deviationsFrom(measured, modulus)).filter(({ratio}) => Number.isFinite(ratio));
   if (found.length === 0) return "";
-  const [from, to] = rangeOf(found.map(({ratio}) => ratio)).map((ratio) => shortNumber(ratio, 3));
+  const [sizes, losses] = [({ratio}) => ratio, ({loss}) => loss].map((part) => {
+    const [from, to] = rangeOf(found.map(part).filter(Number.isFinite)).map((ratio) => shortNumber(ratio, 3));
+    return from === to ? from : `${from} to ${to}`;
+  });
   const largest = Math.max(...found.map(({phase}) => Math.abs(phase)));
   const [first, last] = [measured.x[0], measured.x.at(-1)].map((frequency) => display(frequency, "Hz", 2));
-  return `From ${first} to ${last} |${letter}*| is ${from === to ? from : `${from} to ${to}`} times what was measured ` +
+  return `From ${first} to ${last} |${letter}*| is ${sizes} and ${letter}″ ${losses} times what was measured ` +
     `(${measured.name}), and the phases are within ${shortNumber(Math.max(largest, 0.01), 2)}°.`;
 }
 

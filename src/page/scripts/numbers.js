@@ -64,6 +64,16 @@ export function shortNumber(value, digits = 3) {
   return Number(factor) === 1 ? `10${superscript}` : `${minus(Number(factor))}·10${superscript}`;
 }
 
+/// A ratio in two digits, or three where it is less than a fifth above one, which two digits would hide.
+export function ratioNumber(ratio) {
+  return shortNumber(ratio, ratio > 1 && ratio < 1.2 ? 3 : 2);
+}
+
+/// The range of ratios in words: "0.92 to 1.04", or one number.
+export function ratioText(ratios) {
+  return [...new Set([Math.min(...ratios), Math.max(...ratios)].map(ratioNumber))].join(" to ");
+}
+
 /// A text in which no line ends between a number and its unit, or after "±".
 export function unbroken(text) {
   return text.replaceAll("± ", "±\u00a0")

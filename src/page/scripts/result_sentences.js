@@ -1,7 +1,7 @@
 /// The result of a study in sentences: the modulus of a stage at its first, middle and last time, compared with its
 /// binder and a measurement.
 
-import {display, displayRange, percent, shortNumber} from "./numbers.js";
+import {display, displayRange, percent, ratioText} from "./numbers.js";
 import {listed} from "./names.js";
 import {valueAt} from "./sampling.js";
 
@@ -19,11 +19,6 @@ export function threeTimes(curves) {
 function rangeAt(curves, time) {
   const values = curves.map((curve) => valueAt(curve.x, curve.y, time)).filter(Number.isFinite);
   return [Math.min(...values), Math.max(...values)];
-}
-
-function ratioText([least, most]) {
-  const [from, to] = [least, most].map((ratio) => shortNumber(ratio, 2));
-  return from === to ? from : `${from} to ${to}`;
 }
 
 /// The boundary conditions of curves, the softest of which comes first: "traction to displacement boundary".

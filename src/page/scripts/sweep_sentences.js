@@ -3,7 +3,7 @@
 import {threeTimes} from "./result_sentences.js";
 import {mainLoad} from "./loads.js";
 import {listed} from "./names.js";
-import {display, percent, shortNumber} from "./numbers.js";
+import {display, percent, ratioText} from "./numbers.js";
 import {ratioRange, valueAt} from "./sampling.js";
 
 /// The curves of one test that the sentences are about: the main load, the last stage, under the periodic boundary, which
@@ -44,8 +44,7 @@ export function seedsSentences({curves, symbol, xUnit, boundary, tasks, measured
     `${listed([...new Set(parts)])}.`, "The deviation is that of one packing, without the error of the grid."];
   const range = measured && ratioRange({x: curves[0].x, y: curves[0].x.map((at) => meanAt(curves, at).mean)}, measured);
   if (range === undefined) return sentences;
-  const ratios = [...new Set(range.map((ratio) => shortNumber(ratio, 2)))].join(" to ");
-  return [...sentences, `The mean is ${ratios} times what was measured (${measured.name}).`];
+  return [...sentences, `The mean is ${ratioText(range)} times what was measured (${measured.name}).`];
 }
 
 /// The mean of the curves that are known at a place, and the standard deviation of one of them.
@@ -78,13 +77,11 @@ function nearestTo({name, x, y}, curves, nameOfModulus, textOnTask) {
   if (known.length < 2) return [];
   const best = known.reduce((nearest, one) => (one.factor < nearest.factor ? one : nearest));
   const {curve, range} = best;
-  const [least, most] = range.map((ratio) => shortNumber(ratio, 2));
-  const ratios = least === most ? least : `${least} to ${most}`;
   const equal = known.filter((one) => one !== best &&
     Math.log(one.factor / best.factor) < Math.hypot(uncertaintyOf(one.curve), uncertaintyOf(curve)));
   const reason = curves.some(({packings}) => packings !== undefined) ? "scatter of the packings" : "errors of both";
   const sentences = [`Nearest to what was measured (${name}) comes ${textOnTask(curve)}, with ${nameOfModulus} of ` +
-    `${ratios} times the measured one${isPart ? ", where all tasks are known" : ""}.`];
+    `${ratioText(range)} times the measured one${isPart ? ", where all tasks are known" : ""}.`];
   if (equal.length > 0) {
     sentences.push(`As near, within the ${reason}, ${equal.length === 1 ? "comes" : "come"} ` +
       `${listed(equal.map((one) => textOnTask(one.curve)))}.`);

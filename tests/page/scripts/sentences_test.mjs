@@ -98,7 +98,7 @@ test("a complex modulus beside a measured one", () => {
   const [modulus] = complexModuli(curves, [relaxed]);
   assert.equal(modulus.at(10 / (2 * Math.PI)).phase, 45, "the series itself, not between samples");
   assert.equal(sentenceOnMeasuredComplex([modulus], beside, "G"),
-    "From 1 Hz to 10 Hz |G*| is 1 times what was measured (DMA), and the phases are within 0.01°.");
+    "From 1 Hz to 10 Hz |G*| is 1 and G″ 1 times what was measured (DMA), and the phases are within 0.01°.");
   const columns = measuredColumns("G", [modulus], beside);
   assert.deepEqual(columns.map(([head]) => head), ["measured |G*|", "measured phase", "|G*| over measured"]);
   assert.deepEqual(columns.map(([, text]) => text(10 / (2 * Math.PI))), ["1.41 MPa", "45°", "1.000"]);
@@ -121,7 +121,7 @@ test("a complex Young's modulus beside a measured one", () => {
   const relaxation = [{boundary: "periodic", x: [1e-4, 10], y: [5e6, 4e6]}];
   const moduli = complexYoungsModuli(computed);
   assert.equal(sentenceOnMeasuredComplex(moduli, measured, "E"),
-    "From 1 Hz to 100 Hz |E*| is 0.5 times what was measured (DMA), and the phases are within 0.01°.");
+    "From 1 Hz to 100 Hz |E*| is 0.5 and E″ 0.5 times what was measured (DMA), and the phases are within 0.01°.");
   assert.ok(Math.abs(moduli[0].errorAt(1) - 0.02) < 1e-9);
   assert.ok(Number.isNaN(complexYoungsModuli([curve("stage", "storage", 3e6), computed[1]])[0].errorAt(1)), "not known");
   assert.ok(complexSentences({stage: "mix", letter: "E", moduli, result: relaxation, error: "± 2 %"})[0].startsWith(
