@@ -75,7 +75,7 @@ DeckText copy_example(const fs::path& examples, const std::string& example, Fold
   for (const auto& file : named_files(deck, directory)) {
     const auto beside = fs::path(file).filename().string();
     folder.add_data(beside, read_text(directory / file));
-    text = replaced(std::move(text), '"' + file + '"', '"' + beside + '"');
+    text = replaced(std::move(text), fmt::format("\"{}\"", file), fmt::format("\"{}\"", beside));
   }
   return folder.add_deck(name, text);
 }

@@ -99,7 +99,7 @@ fs::path Folder::file(std::string_view name) const {
   const bool is_open = !name.empty() && relative.is_relative() &&
                        std::ranges::all_of(relative, [](const fs::path& part) { return is_open_part(part.string()); });
   std::error_code failure;
-  const auto path = is_open ? fs::canonical(path_ / relative, failure) : fs::path();
+  auto path = is_open ? fs::canonical(path_ / relative, failure) : fs::path();
   const auto results = fs::canonical(path_ / "results", failure);
   const bool is_allowed = is_inside(path, path_) || (!results.empty() && is_inside(path, results));
   if (path.empty() || !is_allowed || !fs::is_regular_file(path, failure)) {
@@ -118,7 +118,7 @@ DeckText Folder::deck(std::string_view name) const {
 
 DeckText Folder::save_deck(const DeckText& deck) {
   const std::lock_guard lock(mutex_);
-  const auto present = this->deck(deck.name);
+  auto present = this->deck(deck.name);
   if (present.text == deck.text) return present;
   if (present.version != deck.version) {
     throw ChangedDeck(

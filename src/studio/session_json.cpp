@@ -46,9 +46,9 @@ std::vector<DeckStep> path_in(const Json& request) {
   if (path == request.end() || !path->is_array() || path->empty()) throw InputError("path: expected keys and indices");
   for (const auto& step : *path) {
     if (step.is_string()) {
-      steps.push_back(step.get<std::string>());
+      steps.emplace_back(step.get<std::string>());
     } else if (step.is_number_unsigned()) {
-      steps.push_back(step.get<std::size_t>());
+      steps.emplace_back(step.get<std::size_t>());
     } else {
       throw InputError("path: expected keys and indices");
     }
