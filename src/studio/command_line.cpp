@@ -33,7 +33,7 @@ std::string shell_word(std::string_view word) {
 
 std::string shown(const Command& command) {
   std::string line = "breccia";
-  for (const auto& argument : command.arguments) line += " " + shell_word(argument);
+  for (const auto& argument : command.arguments) line += fmt::format(" {}", shell_word(argument));
   return line;
 }
 
@@ -48,7 +48,8 @@ std::string failure_in(std::string_view output) {
     if (is_of_plan(line)) {
       failure.clear();
     } else {
-      failure += (failure.empty() ? "" : "\n") + line;
+      if (!failure.empty()) failure += '\n';
+      failure += line;
     }
   }
   return failure;

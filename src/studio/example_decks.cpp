@@ -24,7 +24,8 @@ std::string first_comment(const std::string& text) {
   std::istringstream lines(text);
   std::string comment;
   for (std::string line; std::getline(lines, line) && line.starts_with("# ");) {
-    comment += (comment.empty() ? "" : " ") + line.substr(2);
+    if (!comment.empty()) comment += ' ';
+    comment += line.substr(2);
   }
   return comment;
 }
