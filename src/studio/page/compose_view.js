@@ -81,7 +81,13 @@ export function composeView(context, run) {
 
   function planCheck() {
     clearTimeout(timer);
-    if (context.deck.isSaved && checked !== context.deck.savedText) timer = setTimeout(check, 250);
+    if (!context.deck.isSaved) return;
+    if (checked !== context.deck.savedText) {
+      timer = setTimeout(check, 250);
+    } else if (answer !== null) {
+      ++call;  // a check of a text between is of no use any more
+      showPlan();
+    }
   }
 
   async function check() {
@@ -91,17 +97,22 @@ export function composeView(context, run) {
     try {
       const found = await api.check(deck.name);
       if (number !== call || context.deck !== deck) return;
+      if (text !== deck.savedText) return;
       [checked, answer] = [text, found];
-      plan.element.classList.remove("old");
-      plan.show(found);
+      showPlan();
       showMistakes();
       if (deck.tree !== null) form.update();
-      if (found.exit === 0) packing.sound(found.output);
     } catch (error) {
       // Another window may have checked the same deck meanwhile.
       if (number === call && error.status === 409) timer = setTimeout(check, 1000);
       else if (number === call) plan.complain(error.message);
     }
+  }
+
+  function showPlan() {
+    plan.element.classList.remove("old");
+    plan.show(answer);
+    if (answer.exit === 0) packing.sound(answer.output);
   }
 
   function showConflict() {

@@ -27,9 +27,11 @@ export function whenTyped(input, take) {
 }
 
 /// Shows the value of the deck in an input, unless something else was typed there that the deck does not have yet.
-export function showTyped({input, typed, path, context}) {
+export function showTyped({input, typed, path, context, complain = () => {}}) {
   const isKept = document.activeElement === input || context.deck.keepsTyped(path);
-  if (!isKept && input.value !== typed) input.value = typed;
+  if (isKept || input.value === typed) return;
+  input.value = typed;
+  complain(null);
 }
 
 /// A field into which a value is typed: text, numbers, quantities with their unit, and arrays as TOML.
@@ -50,7 +52,7 @@ export function typedControl({path, commit, complain, context}) {
   return {element: input, input, update(newNode, newKey) {
     [node, key] = [newNode, newKey];
     const typed = typedOf(node);
-    showTyped({input, typed, path, context});
+    showTyped({input, typed, path, context, complain});
     input.inputMode = ["integer", "number"].includes(node.type) ? "decimal" : "text";
     input.classList.toggle("wide", typed.length > 17);
   }};
@@ -71,7 +73,7 @@ export function pairControl({path, label, commit, complain, context}) {
   });
   const whole = element("div", {className: "pair"}, inputs[0], element("span", {className: "note"}, "to"), inputs[1]);
   return {element: whole, input: inputs[0], update(node) {
-    inputs.forEach((input, i) => showTyped({input, typed: typedOf(node.items[i]), path, context}));
+    inputs.forEach((input, i) => showTyped({input, typed: typedOf(node.items[i]), path, context, complain}));
   }};
 }
 

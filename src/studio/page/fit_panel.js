@@ -16,7 +16,7 @@ let count = 0;
 /// The panel of a material.
 export function fitPanel({material, context}) {
   const id = `fit-${++count}`;
-  const file = element("select", {id: `${id}-file`, onchange: () => file.value !== "" && fit()});
+  const file = element("select", {id: `${id}-file`, onchange: () => fit()});
   const kind = element("select", {id: `${id}-kind`}, ...kinds.map(([value, text]) => element("option", {value}, text)));
   const reference = element("input", {type: "text", id: `${id}-reference`, placeholder: "of one sweep", spellcheck: false});
   const columns = element("textarea", {id: `${id}-columns`, rows: 2, spellcheck: false, placeholder: "storage=E1 [MPa]"});
@@ -26,7 +26,7 @@ export function fitPanel({material, context}) {
   const frame = element("iframe", {title: `fit for ${material}`, hidden: true});
   frame.setAttribute("sandbox", "allow-scripts allow-downloads allow-popups");
   const page = element("details", {hidden: true}, element("summary", {}, "curves of the fit"), frame);
-  const again = element("button", {type: "button", onclick: fit}, "Fit");
+  const again = element("button", {type: "button", onclick: () => fit()}, "Fit");
   const use = moduli.map((key) => element("button", {type: "button", onclick: () => take(key)},
     `Use it as ${key} of ${material}`));
   const buttons = element("div", {className: "buttons", hidden: true}, ...use, element("span", {className: "note"},
@@ -43,6 +43,8 @@ export function fitPanel({material, context}) {
     element("div", {className: "fit-file"}, field("file", file), target),
     options, state, output, page, buttons, line.element);
   const panel = element("details", {className: "fit"}, element("summary", {}, "from a measured file"), body);
+  // What was fitted is used, not what is chosen since.
+  for (const option of [kind, reference, columns]) option.addEventListener("input", () => { buttons.hidden = true; });
   page.addEventListener("toggle", () => { frame.hidden = !page.open; });
   let [shownFiles, call, fitted] = ["", 0, null];
 
@@ -63,15 +65,20 @@ export function fitPanel({material, context}) {
   });
 
   async function fit() {
+    buttons.hidden = true;
     if (file.value === "") return;
     const number = ++call;
+    const asked = {file: file.value, options: chosenOptions()};
     state.textContent = `fitting ${file.value} …`;
     line.show(fitCommand(file.value, chosenOptions()));
     try {
-      const answer = await api.fit(file.value, chosenOptions());
-      if (number === call) show(answer);
+      const answer = await api.fit(asked.file, asked.options);
+      if (number === call) show({...answer, ...asked});
     } catch (error) {
-      if (number === call) state.textContent = error.message;
+      if (number !== call) return;
+      // Another window may have fitted the same file meanwhile.
+      if (error.status === 409) setTimeout(() => number === call && fit(), 1000);
+      else state.textContent = error.message;
     }
   }
 
@@ -93,7 +100,7 @@ export function fitPanel({material, context}) {
   }
 
   async function take(key) {
-    const entries = entriesOfFit(key, file.value, chosenOptions(), fitted);
+    const entries = entriesOfFit(key, fitted.file, fitted.options, fitted);
     const table = entry(entry(context.deck.tree, "materials"), material);
     const has = (name) => entry(table, name) !== undefined;
     context.focusAfterwards(["materials", material, key, "form"]);

@@ -37,6 +37,8 @@ const context = {
   },
   async refreshFolder() {
     context.folder = {...context.folder, ...await api.getState()};
+    // A run that another window has started.
+    if (context.folder.job !== null) run.show(context.folder.job);
     showFolder();
   },
 };
@@ -56,8 +58,10 @@ at("start").append(start.element);
 at("results").append(results.element);
 for (const name of ["start", "compose", "results"]) at(`to-${name}`).addEventListener("click", () => show(name));
 addEventListener("keydown", undoByKey);
+// A file that is dropped beside its target would take the place of the page.
+for (const name of ["dragover", "drop"]) addEventListener(name, (event) => event.preventDefault());
 addEventListener("beforeunload", (event) => {
-  if (context.deck !== null && !context.deck.isSaved) event.preventDefault();
+  if ([...opened.values()].some((deck) => !deck.isSaved)) event.preventDefault();
 });
 api.whenReached(showReached);
 begin();
@@ -86,7 +90,12 @@ function showFolder() {
   if (context.deck !== null) compose.update("folder");
 }
 
+/// The decks that were open in this window, by name: what of them is not saved is not lost when another one is opened.
+const opened = new Map();
+
 async function openDeck(name) {
+  const known = opened.get(name);
+  if (known !== undefined && !known.isSaved) return showDeck(known);
   try {
     take(await api.getDeck(name));
   } catch (error) {
@@ -96,7 +105,15 @@ async function openDeck(name) {
 }
 
 function take(deck) {
-  context.deck = new OpenDeck(deck, changed);
+  const taken = new OpenDeck(deck, (what) => {
+    if (context.deck === taken) changed(what);
+  });
+  opened.set(deck.name, taken);
+  showDeck(taken);
+}
+
+function showDeck(deck) {
+  context.deck = deck;
   compose = composeView(context, run);
   at("compose").replaceChildren(compose.element);
   at("to-compose").hidden = false;

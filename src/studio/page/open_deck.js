@@ -34,7 +34,7 @@ export class OpenDeck {
     const place = JSON.stringify(path);
     const count = (by) => this.pending.set(place, (this.pending.get(place) ?? 0) + by);
     count(1);
-    const done = this.work.then(() => this.#edit(path, value, () => count(-1)));
+    const done = this.work.then(() => this.#edit(path, value)).finally(() => count(-1));
     this.work = done.catch(() => {});
     return done;
   }
@@ -45,10 +45,15 @@ export class OpenDeck {
     return this.pending.get(place) > 0 || this.refusals.has(place);
   }
 
-  async #edit(path, value, answered) {
+  async #edit(path, value) {
     const place = JSON.stringify(path);
     try {
-      const answer = await api.editDeck({text: this.text, path, value}).finally(answered);
+      let [answer, sent] = [null, null];
+      // What is typed into the text meanwhile is not overwritten: the change is made in the later text, too.
+      while (this.text !== sent) {
+        sent = this.text;
+        answer = await api.editDeck({text: sent, path, value});
+      }
       this.unsent.delete(place);
       if (answer.tree === null) throw new Error(answer.mistakes[0]?.message ?? "this is no value of TOML");
       this.refusals.delete(place);
@@ -85,11 +90,14 @@ export class OpenDeck {
 
   /// Goes to the earlier (-1) or the later (1) text.
   step(by) {
-    this.text = this.history.step(by);
-    this.refusals.clear();
-    this.unsent.clear();
-    this.changed("text");
-    return this.save();
+    this.work = this.work.then(() => {
+      this.text = this.history.step(by);
+      this.refusals.clear();
+      this.unsent.clear();
+      this.changed("text");
+      return this.#save();
+    }).catch(() => {});
+    return this.work;
   }
 
   /// Saves what is not yet saved, and sends changes again that no server has taken.

@@ -32,7 +32,8 @@ export function packingPanel(context) {
       if (number !== call) return;
       seconds = (performance.now() - start) / 1000;
       packed = text;
-      show(answer);
+      await show(answer);
+      if (text !== context.deck.text) markOld();
     } catch (error) {
       if (number === call && error.status !== 409) state.textContent = error.message;
     } finally {
@@ -54,12 +55,18 @@ export function packingPanel(context) {
     if (drawn.length === 0) state.textContent = "These stages have no pictures.";
   }
 
+  function markOld() {
+    panel.classList.add("old");
+    state.textContent = "of an earlier text of the deck";
+  }
+
   return {
     element: panel,
     sound(plan) {
       clearTimeout(timer);
       if (packed === context.deck.savedText) {
-        panel.classList.remove("old");
+        ++call;  // the picture of a text between is of no use any more
+        panel.classList.remove("old", "busy");
         state.textContent = "";
         return;
       }
@@ -72,9 +79,7 @@ export function packingPanel(context) {
     },
     changed() {
       clearTimeout(timer);
-      if (packed === null || packed === context.deck.text) return;
-      panel.classList.add("old");
-      state.textContent = "of an earlier text of the deck";
+      if (packed !== null && packed !== context.deck.text) markOld();
     },
   };
 }

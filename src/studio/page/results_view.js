@@ -4,7 +4,7 @@ import {element} from "../../page/scripts/elements.js";
 import {duration} from "../../page/scripts/numbers.js";
 import * as api from "./api.js";
 import {commandLine} from "./command_line.js";
-import {moduliOf, textOfModulus} from "./result_moduli.js";
+import {moduliOf, recordsOf, textOfModulus} from "./result_moduli.js";
 import {command} from "./shell_command.js";
 
 /// The view. `update()` shows the results of the folder of the context, `open(path)` one of them.
@@ -22,6 +22,7 @@ export function resultsView(context) {
   const view = element("section", {className: "view results-view", ariaLabel: "results"}, element("h2", {}, "Results"), none,
     table, element("div", {className: "buttons"}, compareButton), comparison.element, opened, frame);
   const [rows, chosen, moduli] = [new Map(), new Set(), new Map()];
+  let reading = Promise.resolve();
 
   function update() {
     const {results} = context.folder;
@@ -69,16 +70,21 @@ export function resultsView(context) {
   }
 
   async function showModuli(result, first, last) {
-    if (result.is_sweep) return first.textContent = "several runs: see its page";
+    if (result.is_sweep) {
+      first.textContent = "several runs: see its page";
+      return;
+    }
+    if (view.closest("[hidden]") !== null) return;
     const state = `${result.date} ${result.complete}`;
     if (moduli.get(result.path)?.state !== state) {
-      moduli.set(result.path, {state, found: (async () => moduliOf(await api.fileText(`${result.path}/errors.csv`),
-        await api.fileText(`${result.path}/curves.csv`)))()});
+      // One result after the other, so that many do not hold up what else the page asks for.
+      reading = reading.then(() => readModuli(result.path)).catch(() => null);
+      moduli.set(result.path, {state, found: reading});
     }
     const found = await moduli.get(result.path).found;
     const ofSymbol = found === null || found.symbol === "G" ? "" : `${found.symbol} = `;
     first.textContent = found === null ? "" : ofSymbol + textOfModulus(found.first);
-    return last.textContent = found === null ? "" : ofSymbol + textOfModulus(found.last);
+    last.textContent = found === null ? "" : ofSymbol + textOfModulus(found.last);
   }
 
   function open(path) {
@@ -115,6 +121,12 @@ export function resultsView(context) {
   }
 
   return {element: view, update, open};
+}
+
+async function readModuli(path) {
+  const errors = await api.fileText(`${path}/errors.csv`);
+  const hasErrors = recordsOf(errors ?? "").length > 0;
+  return moduliOf(errors, hasErrors ? null : await api.fileText(`${path}/curves.csv`));
 }
 
 function comparisonPanel() {

@@ -20,38 +20,42 @@ export function runPanel(context, {openResult, finished}) {
   const bar = element("progress", {max: 1, hidden: true, ariaLabel: "progress of the run"});
   const state = element("p", {className: "state", role: "status"});
   const live = element("p", {className: "note live"});
+  const refusal = element("p", {className: "mistake", role: "alert"});
   const output = element("pre", {hidden: true});
   const line = commandLine();
   const panel = element("section", {className: "panel run", ariaLabel: "run"}, element("h3", {}, "Run"),
     element("div", {className: "buttons"}, runButton, stopButton, anewButton, open,
       element("label", {htmlFor: "seeds", title: "seeds: packings that differ by chance alone, for mean and spread"},
         "packings ", seeds)),
-    bar, state, live, output, line.element);
-  let [timer, job, ran] = [0, null, null];   // `ran`: the text of the deck that this page has run last
+    refusal, bar, state, live, output, line.element);
+  // `ran`: the text of the deck that this page has run last; `stopping`: the run that was asked to stop.
+  let [timer, job, ran, stopping] = [0, null, null, null];
   seeds.addEventListener("input", update);
 
   async function run(options = {}) {
     runButton.disabled = true;
+    refusal.textContent = "";
     try {
       await context.deck.save();
+      if (!context.deck.isSaved) throw new Error("the deck is not saved, so that another text of it would run");
       const number = Number(seeds.value);
       const text = context.deck.savedText;
       show(await api.run(context.deck.name, {...number > 1 ? {seeds: number} : {}, ...options}));
       ran = {id: job.id, text};
       context.showCommand(job.command, "the run");
     } catch (error) {
-      state.textContent = error.message;
+      refusal.textContent = error.message;
     }
     runButton.disabled = job?.state === "running";
   }
 
   async function stop() {
     stopButton.disabled = true;
-    state.textContent = "stopping; what is done is kept …";
+    stopping = job.id;
     try {
       show(await api.stop());
     } catch (error) {
-      state.textContent = error.message;
+      refusal.textContent = error.message;
     }
   }
 
@@ -87,7 +91,7 @@ export function runPanel(context, {openResult, finished}) {
     else bar.value = job.share;
     const elapsed = duration(Math.max(job.seconds, 0.1));
     const isOld = ran?.id === job.id && context.deck?.name === job.name && ran.text !== context.deck.text;
-    const words = isRunning ? `${job.name} is running`
+    const words = isRunning ? `${job.name} is ${stopping === job.id ? "stopping; what is done is kept" : "running"}`
       : `${job.name}: ${states[job.state]}, ${elapsed}${isOld ? "; of an earlier text of the deck" : ""}`;
     if (state.textContent !== words) state.textContent = words;
     live.textContent = isRunning ? [elapsed, job.live].filter((text) => text !== "").join("; ") : "";

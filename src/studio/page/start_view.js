@@ -44,7 +44,7 @@ export function startView(context, {openDeck, take}) {
       name.value = "";
       take(deck);
     } catch (error) {
-      complaint.textContent = `${error.message}${error.status === 409 ? ": give it another name above" : ""}`;
+      complaint.textContent = error.message;
       complaint.hidden = false;
       name.focus();
     }

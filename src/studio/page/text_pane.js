@@ -6,7 +6,8 @@ import {element} from "../../page/scripts/elements.js";
 export function textPane(typed) {
   const numbers = element("div", {className: "line-numbers", ariaHidden: "true"});
   const area = element("textarea", {spellcheck: false, wrap: "off", id: "deck-text", ariaLabel: "text of the deck, TOML"});
-  area.addEventListener("input", () => typed(area.value));
+  let lineEnd = "\n";   // of the deck; a text area has none but this
+  area.addEventListener("input", () => typed(area.value.replaceAll("\n", lineEnd)));
   area.addEventListener("scroll", () => { numbers.scrollTop = area.scrollTop; });
   let [shown, mistakes] = ["", []];
   function number() {
@@ -20,9 +21,11 @@ export function textPane(typed) {
   }
   return {
     element: element("div", {className: "text-pane"}, numbers, area),
-    /// Shows a text; the caret stays in its line and column.
-    show(text, newMistakes) {
+    /// Shows a text; the caret stays at its place.
+    show(deckText, newMistakes) {
       mistakes = newMistakes;
+      lineEnd = deckText.includes("\r\n") ? "\r\n" : "\n";
+      const text = deckText.replaceAll("\r\n", "\n");
       if (area.value !== text) {
         const [start, end, top] = [area.selectionStart, area.selectionEnd, area.scrollTop];
         area.value = text;

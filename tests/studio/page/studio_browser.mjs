@@ -125,12 +125,46 @@ test("mistakes stand at their fields, and what was typed stays", {timeout: 12000
   expectNoComplaints(page);
 });
 
+test("a slow answer overwrites nothing, and shows nothing of an earlier text", {timeout: 120000}, async () => {
+  const page = await openStarter("slow");
+  await page.until("document.querySelector('.right').innerText.includes('13 cells across')");
+  await page.value(`(() => { const fast = window.fetch; window.fetch = (address, options) => /api\\/(edit|check)/.test(address)
+    ? new Promise((done) => setTimeout(done, 700)).then(() => fast(address, options)) : fast(address, options); })()`);
+  await page.value("document.querySelector('#text').open = true");
+  await fill(page, ["stages", 0, "filler", "fraction"], "0.3");
+  await page.value("(() => { const area = document.getElementById('deck-text'); area.focus(); area.setSelectionRange(0, 0); })()");
+  await page.type("# typed meanwhile\n");
+  assert.match(await deckThat("slow.toml", /fraction = 0\.3,/), /^# typed meanwhile\n/);
+  // Undo while the plan of another text is under way.
+  await fill(page, ["stages", 0, "cells"], "[16, 32]");
+  await deckThat("slow.toml", /\[16, 32\]/);
+  await page.until("document.querySelector('.right').innerText.includes('checking')");
+  await page.value(`${button("Undo")}.click()`);
+  await deckThat("slow.toml", /\[64, 128\]/);
+  await page.until("!document.querySelector('.right').innerText.includes('checking')");
+  assert.match(await page.value("document.querySelector('.right').innerText"), /13 cells across/);
+});
+
 test("two windows do not overwrite each other", {timeout: 120000}, async () => {
   const page = await openStarter("shared");
   await writeFile(join(folder, "shared.toml"), (await deckOnDisk("shared.toml")).replace("20 mm", "21 mm"));
   await fill(page, ["stages", 0, "filler", "fraction"], "0.4");
   await page.until(button("Keep what is on this page"));
   assert.match(await deckOnDisk("shared.toml"), /21 mm/);  // nothing has been overwritten
+  // What is not saved is still there after another deck was open.
+  const open = async (name) => {
+    await page.value("document.getElementById('to-start').click()");
+    const ofDeck = `[...document.querySelectorAll("button.deck")].find((one) => one.innerText.endsWith("${name}"))`;
+    await page.until(ofDeck);
+    await page.value(`${ofDeck}.click()`);
+    await page.until(`document.getElementById("to-compose").textContent === "${name}"`);
+  };
+  await open("first.toml");
+  await open("shared.toml");
+  await page.until(button("Load what is on the disk"));
+  // Another text than the one that is shown does not run.
+  await page.value(`${button("Run")}.click()`);
+  await page.until("document.querySelector('.run .mistake').innerText.includes('not saved')");
   await page.value(`${button("Load what is on the disk")}.click()`);
   await page.until(`${field(["stages", 0, "box"])}.value === "21 mm"`);
   assert.match(await deckOnDisk("shared.toml"), /fraction = 0\.50/);
@@ -150,6 +184,13 @@ test("measured data become a binder", {timeout: 180000}, async () => {
   await page.until(button("Use it as shear of binder"));
   assert.match(await page.value(`${panel}.innerText`), /25 rows/);
   await look(page, "fit");
+  // What was chosen after the fit is not what was fitted.
+  await page.value(`(() => { const input = ${panel}.querySelector("input[type=text]"); input.value = "nonsense";
+    input.dispatchEvent(new Event("input")); })()`);
+  assert.ok(await page.value(`!${button("Use it as shear of binder")}`));
+  await page.value(`(() => { const input = ${panel}.querySelector("input[type=text]"); input.value = ""; })()`);
+  await page.value(`${button("Fit")}.click()`);
+  await page.until(button("Use it as shear of binder"));
   await page.value(`${button("Use it as shear of binder")}.click()`);
   await deckThat("measured.toml", /shear {3}= \{ measured = "rheometer\.csv" \}/);
   await page.until("document.querySelector('.right').innerText.includes('together about')");
