@@ -46,7 +46,7 @@ TEST_F(CrystalsOfADeck, OfCubicSymmetry) {
     EXPECT_EQ(constant(found, i, 4), 0.0);
   }
   EXPECT_TRUE(std::holds_alternative<RandomOrientations>(found.orientations));
-  const auto& material = directory.study(deck(cubic)).stages.at(0).fillers.at(0).material;
+  const auto material = directory.study(deck(cubic)).stages.at(0).fillers.at(0).material;
   EXPECT_NEAR(material.bulk.unrelaxed(), 16e9, 1.0);
   EXPECT_NEAR(material.shear.unrelaxed(), 0.5 * (8.4e9 + 60e9 / 11.0), 1.0);
 }
