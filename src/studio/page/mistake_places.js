@@ -3,7 +3,7 @@
 import {entry, nameOf, nodeAt, walk} from "./deck_tree.js";
 
 /// The path of the field to which a mistake {line, message} belongs, or null if it is of the deck as a whole. The
-/// message begins with the path of the deck, and the line tells what of it is meant: a key that is not known, or one
+/// message begins with the path of the deck, and the line shows what of it is meant: a key that is not known, or one
 /// value of several.
 export function placeOf(tree, {line, message}) {
   if (tree === null || tree === undefined) return null;

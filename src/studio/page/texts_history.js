@@ -11,7 +11,7 @@ export class TextsHistory {
     this.time = 0;
   }
 
-  /// Adds the text after a change at a place, which is any value that tells places apart.
+  /// Adds the text after a change at a place, which is any value that distinguishes places.
   add(text, place, time = Date.now()) {
     if (text === this.texts[this.at]) return;
     const isSameStep = place !== null && place === this.place && time - this.time < pause && this.at > 0
