@@ -12,7 +12,9 @@
 
 #include "breccia/error.hpp"
 
+#include "cli/model_deck.hpp"
 #include "io/text_file.hpp"
+#include "messages.hpp"
 #include "studio/studio_server.hpp"
 #include "temporary_directory.hpp"
 
@@ -21,25 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr auto deck = R"(title = "<script>alert(1)</script>"  # a comment
-[materials.binder]
-density = "1 g/cm^3"
-bulk    = "1 MPa"
-shear   = { terms = [{ time = "10 ms", modulus = "0.5 MPa" }] }
-[materials.particle]
-density = "1.5 g/cm^3"
-bulk    = "50 MPa"
-shear   = "18.8 MPa"
-[[stages]]
-name    = "A"
-matrix  = "binder"
-box     = "6 mm"
-cells   = 12
-filler  = { material = "particle", sizes = { diameter = "2 mm" } }
-packing = { method = "regular", columns = 2, rows = 2 }
-[tests]
-times   = ["1 ms", "50 ms"]
-)";
+/// The model composite under a title that a page must not run.
+const std::string deck = test::replaced(std::string(test::model_deck), "Model composite", "<script>alert(1)</script>");
 
 /// A studio in a folder of its own, and a browser in front of it.
 class Studio : public ::testing::Test {

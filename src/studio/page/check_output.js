@@ -28,13 +28,6 @@ function shortened(kind, text) {
   return text;
 }
 
-/// The seconds that the tests are estimated to take on one core, or null where the plan does not say it.
-export function secondsOf(output) {
-  const [, number, unit] = /^together about ([\d.e+]+) (ms|s|min|h|d)\b/m.exec(output) ?? [];
-  if (number === undefined) return null;
-  return Number(number) * {ms: 1e-3, s: 1, min: 60, h: 3600, d: 86400}[unit];
-}
-
 /// The largest number of particles that a stage has, as far as the plan says it.
 export function mostParticles(output) {
   const numbers = [...output.matchAll(/\b(\d+) particles\b/g)].map(([, number]) => Number(number));
