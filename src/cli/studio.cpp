@@ -52,8 +52,9 @@ void open_studio(const Arguments& arguments) {
   const studio::PrivateDirectory directory;
   watch_for_interruption();
   const auto greet = [&](const std::string& address) {
-    fmt::print("Breccia studio: {}\nThe address is for you alone: whoever knows it can use the studio. Ctrl-C ends it.\n",
-               address);
+    fmt::print(
+        "Breccia studio: {}\nThe address is for you alone: whoever knows it can use the studio. Ctrl-C ends it.\n",
+        address);
     std::fflush(stdout);
     if (!arguments.stays_closed) show_in_browser(address, directory.path());
   };
