@@ -20,7 +20,7 @@ class Tests(Table):
 
     times: first and last time of the curves [s]; frequencies: in their place, the first and the last of the dynamic
     moduli [Hz]; accuracy: 0.03 or "3 %", for which boxes and cells are chosen that stages leave out; budget: time that
-    this may take [s]; loads: "isotropic" (default), "shear", "bulk", ...; boundaries: "periodic" (default of random packings),
+    this may take [s]; loads: "isotropic" (default), "stiffness" (the whole), "shear", "bulk", ...; boundaries: "periodic" (default of random packings),
     "displacement" (KUBC), "traction" (SUBC); method: "quasistatic", "dynamic" or a list of both; fields: "none",
     "last" or times [s]; quasistatic, dynamic:
     tables of their settings. All other keys are those of [tests] in a deck.
@@ -38,7 +38,7 @@ class Tests(Table):
         self.frequencies = frequencies
         self.accuracy = accuracy
         self.budget = budget
-        self.loads = [loads] if isinstance(loads, str) else loads
+        self.loads = [loads] if isinstance(loads, str) and loads != "stiffness" else loads
         self.boundaries = [boundaries] if isinstance(boundaries, str) else boundaries
         self.method = method
         self.points_per_decade = points_per_decade

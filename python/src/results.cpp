@@ -225,6 +225,12 @@ void bind_stage(py::module_& module) {
                              "boundary and method: time [s], expansion [1/K] and its error [1/K], NaN where it is not "
                              "known; empty where the study gives no expansion of the materials, or the bulk moduli do "
                              "not determine that of the stage.")
+      .def_property_readonly("stiffness", &stiffness_of,
+                             "The whole stiffness where tests.loads is \"stiffness\", a dictionary for each boundary: "
+                             "time [s], stiffness [Pa] (times x 6 x 6 in Voigt's order xx, yy, zz, yz, zx, xy with "
+                             "engineering shears; times x 3 x 3 in plane strain, xx, yy, xy), bulk and shear of the "
+                             "nearest isotropic stiffness [Pa], anisotropy (universal index) and error [-], NaN where "
+                             "it is not known.")
       .def_property_readonly("solids", &solids_of,
                              "The stage as a solid, for each boundary condition, where it serves as a matrix.")
       .def_property_readonly(

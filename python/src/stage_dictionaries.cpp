@@ -80,4 +80,37 @@ py::list expansions_of(const SolvedStage& stage) {
   return expansions;
 }
 
+py::list stiffness_of(const SolvedStage& stage) {
+  py::list all;
+  for (const auto& [test, samples] : stage.result.stiffness) {
+    const py::ssize_t side = stage.result.dimensions == 3 ? 6 : 3;
+    py::array_t<double> stiffness({static_cast<py::ssize_t>(samples.size()), side, side});
+    auto values = stiffness.mutable_unchecked<3>();
+    std::vector<double> times, bulk, shear, anisotropy, errors;
+    for (py::ssize_t row = 0; row < values.shape(0); ++row) {
+      const auto& [time, constants, error] = samples[static_cast<std::size_t>(row)];
+      const auto part = isotropic_part(constants);
+      times.push_back(time);
+      bulk.push_back(part.bulk);
+      shear.push_back(part.shear);
+      anisotropy.push_back(number_or_nan(part.anisotropy));
+      errors.push_back(number_or_nan(error));
+      auto constant = constants.begin();
+      for (py::ssize_t i = 0; i < side; ++i) {
+        for (py::ssize_t j = i; j < side; ++j) values(row, i, j) = values(row, j, i) = *constant++;
+      }
+    }
+    py::dict one;
+    one["boundary"] = name_of(test.boundary);
+    one["time"] = array_of(times);
+    one["stiffness"] = stiffness;
+    one["bulk"] = array_of(bulk);
+    one["shear"] = array_of(shear);
+    one["anisotropy"] = array_of(anisotropy);
+    one["error"] = array_of(errors);
+    all.append(one);
+  }
+  return all;
+}
+
 }  // namespace breccia::python

@@ -12,4 +12,7 @@ pybind11::list comparisons_of(const SolvedStage& stage);
 /// The thermal expansion of a stage, a dictionary for each boundary and method.
 pybind11::list expansions_of(const SolvedStage& stage);
 
+/// The whole stiffness of a stage, a dictionary for each boundary.
+pybind11::list stiffness_of(const SolvedStage& stage);
+
 }  // namespace breccia::python

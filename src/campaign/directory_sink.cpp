@@ -19,6 +19,7 @@
 #include "results/provenance.hpp"
 #include "results/response_file.hpp"
 #include "results/stage_plot.hpp"
+#include "results/stiffness_file.hpp"
 #include "results/volume_field_files.hpp"
 
 namespace breccia {
@@ -152,6 +153,7 @@ void DirectorySink::write_finished_stage(const Stage& stage, const StudyResult& 
   write_curves(directory_, result, FrequencyRows::of(study_.tests));
   write_comparisons(directory_, result);
   write_expansions(directory_ / "thermal_expansion.csv", result);
+  write_stiffness(directory_ / stiffness_file, result);
   const auto record = write_record(result);
   write_plots(directory_ / stage.name, study_, stage, result);
   write_study_report(directory_, record);

@@ -289,7 +289,8 @@ std::string describe_loads(const Study& study) {
   const auto& asked = study.tests.loads;
   std::vector<std::string> names;
   for (const auto load : asked) names.push_back(name_of(load));
-  auto text = fmt::format("{}", fmt::join(names, ", "));
+  auto text = fmt::format("{}{}", fmt::join(names, ", "),
+                          study.tests.whole_stiffness ? ", pairs of loads for the whole stiffness" : "");
   for (const auto& stage : study.stages) {
     std::vector<std::string> added;
     for (const auto load : loads_of(study, stage)) {

@@ -69,6 +69,20 @@ std::string lines_on_expansion(const StageResult& stage) {
   return text;
 }
 
+/// A line for each boundary with the anisotropy of a stage whose whole stiffness was asked for.
+std::string lines_on_stiffness(const StageResult& stage) {
+  std::string text;
+  for (const auto& [test, samples] : stage.stiffness) {
+    const auto at = [](const StiffnessSample& sample) {
+      const auto index = isotropic_part(sample.constants).anisotropy;
+      return fmt::format("{} at {}", index ? fmt::format("{:.2g}", *index) : "unknown", display_time(sample.time));
+    };
+    text += fmt::format("{}, {}: universal index of anisotropy {}, {}; the stiffness is in stiffness.csv\n", stage.name,
+                        name_of(test.boundary), at(samples.front()), at(samples.back()));
+  }
+  return text;
+}
+
 /// The stages that the tables show, by their numbers.
 std::vector<std::size_t> shown_stages(const Study& study, const StudyResult& result, Detail detail) {
   std::vector<std::size_t> shown;
@@ -106,7 +120,9 @@ std::string closing_tables(const Study& study, const StudyResult& result, Detail
   std::vector<std::vector<FillerStatistics>> fillers;
   for (const auto& stage : result.stages) fillers.push_back(stage.microstructure.fillers);
   auto remarks = filler_summary(study, fillers);
-  for (const auto i : shown_stages(study, result, detail)) remarks += lines_on_expansion(result.stages[i]);
+  for (const auto i : shown_stages(study, result, detail)) {
+    remarks += lines_on_expansion(result.stages[i]) + lines_on_stiffness(result.stages[i]);
+  }
   for (const auto& stage : result.stages) {
     for (const auto& test : stage.tests) {
       const auto* dynamic = std::get_if<DynamicRecord>(&test.record);

@@ -133,11 +133,17 @@ FilmOptions read_films(const Section& section, const std::vector<Stage>& stages)
   return films;
 }
 
+/// Whether the loads of a section are those of the whole stiffness.
+bool asks_for_stiffness(const Section& section) {
+  return section.has("loads") && section.kind("loads") == Kind::text && section.text("loads") == "stiffness";
+}
+
 /// Reads the loads. Those that the box does not have are reported and left out.
 std::vector<TestLoad> read_loads(const Section& section, const std::vector<Stage>& stages) {
+  if (asks_for_stiffness(section)) return {TestLoad::isotropic(), Load::bulk};
   if (section.kind("loads") == Kind::text) {
     if (section.text("loads") != name_of(TestLoad::isotropic())) {
-      section.report("loads", R"(expected "isotropic" or an array, such as ["shear", "bulk"])");
+      section.report("loads", R"(expected "isotropic", "stiffness" or an array, such as ["shear", "bulk"])");
     }
     return {TestLoad::isotropic()};
   }
@@ -167,6 +173,7 @@ Tests read_tests(const Section& deck, const std::vector<Stage>& stages, const St
   tests.boundaries = defaults.boundaries.empty() ? default_boundaries(stages) : defaults.boundaries;
   tests.loads = {TestLoad::isotropic()};
   if (section.has("loads")) tests.loads = read_loads(section, stages);
+  tests.whole_stiffness = asks_for_stiffness(section);
   section.refuse({"bounds"}, R"(it is called boundaries now: "upper" is "displacement", "lower" is "traction" there)");
   if (section.has("boundaries")) {
     tests.boundaries = section.list_of_choices<Boundary>("boundaries");

@@ -6,6 +6,11 @@
 
 namespace breccia {
 
+std::string name_of(Load load) {
+  if (const auto pair = pair_of(load)) return fmt::format("{} + {}", name_of(pair->one), name_of(pair->other));
+  return name_of<Load>(load);
+}
+
 void require_loads(std::string_view calculation, int dimensions, std::span<const Load> loads) {
   for (const auto load : loads) {
     if (dimensions > 2 || has_load<2>(load)) continue;

@@ -104,6 +104,19 @@ inline constexpr auto fields<ExpansionSample> = std::tuple(field("time", &Expans
                                                            field("error", &ExpansionSample::error));
 
 template <>
+inline constexpr auto fields<StiffnessSample> = std::tuple(field("time", &StiffnessSample::time),
+                                                           field("constants", &StiffnessSample::constants),
+                                                           field("error", &StiffnessSample::error));
+
+template <>
+StageStiffness blank_value() {
+  return {blank_value<TestId>(), {}};
+}
+template <>
+inline constexpr auto fields<StageStiffness> = std::tuple(field("test", &StageStiffness::test),
+                                                          field("samples", &StageStiffness::samples));
+
+template <>
 StageExpansion blank_value() {
   return {blank_value<TestId>(), {}};
 }
@@ -127,8 +140,8 @@ inline constexpr auto fields<StageFindings> =
                field("dimensions", &StageFindings::dimensions), field("points", &StageFindings::points),
                field("point_fraction", &StageFindings::point_fraction), field("tests", &StageFindings::tests),
                field("materials", &StageFindings::materials), field("comparisons", &StageFindings::comparisons),
-               field("expansions", &StageFindings::expansions), field("accuracy", &StageFindings::accuracy),
-               field("warnings", &StageFindings::warnings));
+               field("expansions", &StageFindings::expansions), field("stiffness", &StageFindings::stiffness),
+               field("accuracy", &StageFindings::accuracy), field("warnings", &StageFindings::warnings));
 
 template <>
 inline constexpr auto fields<ShiftedMaterial> = std::tuple(field("material", &ShiftedMaterial::material),

@@ -14,6 +14,7 @@
 #include "results/best_tests.hpp"
 #include "results/error_file.hpp"
 #include "results/expansion_file.hpp"
+#include "results/stiffness_file.hpp"
 #include "results/stored_comparisons.hpp"
 #include "results/stored_composite.hpp"
 #include "results/stored_document.hpp"
@@ -101,6 +102,14 @@ void add_expansions(const fs::path& directory, std::vector<StageFindings>& stage
   }
 }
 
+void add_stiffness(const fs::path& directory, std::vector<StageFindings>& stages) {
+  for (auto& [name, stiffness] : read_stiffness(directory / stiffness_file)) {
+    const auto stage = std::ranges::find(stages, name, &StageFindings::name);
+    if (stage == stages.end()) refuse(directory.string(), ": a stiffness of a stage that study.json has not");
+    stage->stiffness = std::move(stiffness);
+  }
+}
+
 /// The complex moduli of a study whose deck gives frequencies.
 void add_dynamic_curves(const fs::path& file, std::vector<StageFindings>& stages) {
   if (!fs::exists(file)) return;
@@ -181,6 +190,7 @@ StoredStudy read_stored_study(const fs::path& directory) {
   add_errors(directory / "errors.csv", stages);
   add_comparisons(directory, stages);
   add_expansions(directory, stages);
+  add_stiffness(directory, stages);
   if (document.frequencies) add_dynamic_curves(directory / "dynamic.csv", stages);
   add_series(directory, stages);
   study.responses = read_stored_responses(directory, document);

@@ -46,6 +46,23 @@ std::vector<Load> loads_of(const Study& study, const Stage& stage) {
   return loads;
 }
 
+std::vector<Load> solved_loads(const Study& study, const Stage& stage, Boundary boundary) {
+  auto loads = loads_of(study, stage);
+  if (!study.tests.whole_stiffness || boundary == Boundary::traction) return loads;
+  for (const auto& pair : pairs_of_loads) {
+    if (has_test_load(pair.both, stage.dimensions())) loads.push_back(pair.both);
+  }
+  return loads;
+}
+
+std::size_t most_solved_loads(const Study& study, const Stage& stage) {
+  std::size_t most = 0;
+  for (const auto boundary : study.tests.boundaries) {
+    most = std::max(most, solved_loads(study, stage, boundary).size());
+  }
+  return most;
+}
+
 bool asks_for_isotropic(const Tests& tests) {
   return std::ranges::find(tests.loads, TestLoad::isotropic()) != tests.loads.end();
 }

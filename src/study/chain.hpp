@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <variant>
 #include <vector>
@@ -28,6 +29,13 @@ bool serves_as_matrix(const Stages& stages, const std::string& stage) {
 /// The loads under which a stage is tested, each once: those of the study, and also shear and bulk as far as its result
 /// as the matrix of a later stage, measured bulk or Young's moduli, or its thermal expansion need them.
 std::vector<Load> loads_of(const Study& study, const Stage& stage);
+
+/// The loads under which a stage is solved under a boundary by the quasi-static method: loads_of() and, where the whole
+/// stiffness is asked for and the boundary prescribes strains, the pairs of loads from which it follows.
+std::vector<Load> solved_loads(const Study& study, const Stage& stage, Boundary boundary);
+
+/// The largest number of loads under which a stage is solved at a time, of all boundaries.
+std::size_t most_solved_loads(const Study& study, const Stage& stage);
 
 /// Whether the tests ask for the isotropic mean of all shears.
 bool asks_for_isotropic(const Tests& tests);

@@ -286,11 +286,12 @@ class Content {
   }
 
   void add(const Tests& tests) {
-    const auto& [loads, boundaries, methods, model, films, mixing, volumetric, first_time, last_time, by_frequency,
-                 points_per_decade, accuracy, field_times, lists_field_times, fit_tolerance, quasistatic, varied,
-                 dynamic] = tests;
+    const auto& [loads, whole_stiffness, boundaries, methods, model, films, mixing, volumetric, first_time, last_time,
+                 by_frequency, points_per_decade, accuracy, field_times, lists_field_times, fit_tolerance, quasistatic,
+                 varied, dynamic] = tests;
     add_all(loads, boundaries, methods, model, films, mixing, volumetric, first_time, last_time, points_per_decade,
             accuracy, field_times, fit_tolerance, quasistatic, varied, dynamic);
+    if (whole_stiffness) add(std::string("whole stiffness"));
     // The two members hold the wording of the times in the deck, on which no result depends.
     static_cast<void>(by_frequency);
     static_cast<void>(lists_field_times);

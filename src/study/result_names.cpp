@@ -19,7 +19,7 @@ std::vector<std::string> comparison_files() {
 std::vector<std::string> files_of_a_study() {
   auto names = curve_files();
   std::ranges::copy(comparison_files(), std::back_inserter(names));
-  names.insert(names.end(), {"thermal_expansion.csv", "study.json", "report.html", "checksums.txt"});
+  names.insert(names.end(), {"thermal_expansion.csv", "stiffness.csv", "study.json", "report.html", "checksums.txt"});
   return names;
 }
 

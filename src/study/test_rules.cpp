@@ -238,6 +238,17 @@ std::optional<std::string> too_few_times(const Study& study) {
       fewest);
 }
 
+/// Why the whole stiffness that the tests ask for cannot be found; nothing where it can.
+std::optional<std::string> obstacle_to_stiffness(const Tests& tests) {
+  if (!tests.whole_stiffness) return std::nullopt;
+  if (!uses(tests, Method::quasistatic)) {
+    return R"(loads "stiffness" is for method "quasistatic")";
+  }
+  const auto is_traction = [](Boundary boundary) { return boundary == Boundary::traction; };
+  if (!std::ranges::all_of(tests.boundaries, is_traction)) return std::nullopt;
+  return R"(loads "stiffness" is for boundaries that prescribe strains: expected "periodic" or "displacement")";
+}
+
 }  // namespace
 
 bool is_rising(const std::vector<double>& values) {
@@ -317,6 +328,7 @@ std::vector<std::string> contradictions(const Study& study) {
     std::ranges::move(mistakes_of_loads(study.tests.loads, study.stages.front().dimensions()),
                       std::back_inserter(mistakes));
   }
+  if (auto obstacle = obstacle_to_stiffness(study.tests)) mistakes.push_back(*std::move(obstacle));
   if (study.tests.mixing == Mixing::flow) {
     for (const auto& obstacle : obstacles_to_flow(study)) {
       mistakes.push_back(

@@ -291,7 +291,8 @@ TEST_F(DeckTests, Mistakes) {
               HasSubstr("tests.times: expected times or frequencies, got both"));
   EXPECT_THAT(mistakes("times = [\"1 s\", \"2 m\"]"), HasSubstr("tests.times: expected a time, got \"2 m\""));
   EXPECT_THAT(with_times("loads = [\"sheer\"]"), HasSubstr("got \"sheer\", did you mean \"shear\"?"));
-  EXPECT_THAT(with_times("loads = \"shear\""), HasSubstr("tests.loads: expected \"isotropic\" or an array"));
+  EXPECT_THAT(with_times("loads = \"shear\""),
+              HasSubstr("tests.loads: expected \"isotropic\", \"stiffness\" or an array"));
   EXPECT_THAT(with_times("loads = [\"shear\", \"shear\"]"), HasSubstr("tests.loads: the same twice"));
   EXPECT_THAT(with_times("boundaries = [\"tracton\"]"), HasSubstr("got \"tracton\", did you mean \"traction\"?"));
   EXPECT_THAT(with_times("mixing = \"serial\""), HasSubstr("got \"serial\", did you mean \"series\"?"));

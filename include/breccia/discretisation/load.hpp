@@ -2,7 +2,9 @@
 
 #include <array>
 #include <numbers>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "breccia/discretisation/tensor.hpp"
@@ -10,9 +12,9 @@
 
 namespace breccia {
 
-/// The load of a virtual test. The modulus under a load is stress : unit_strain(load). The last four exist in 3
+/// The load of a virtual test. The modulus under a load is stress : unit_strain(load). Those along z exist in 3
 /// dimensions only. Three shears of axes, xx - yy, the axial shear and bulk are orthogonal to each other and span all
-/// strains.
+/// strains; two of them at once are a load, too, whose unit strain is the sum of theirs (pairs_of_loads).
 enum class Load {
   shear,              ///< pure shear of the axes, xy; the modulus is G
   diagonal_shear,     ///< pure shear of the diagonals, xx - yy; the modulus is G
@@ -20,7 +22,22 @@ enum class Load {
   shear_yz,           ///< pure shear of the axes y and z
   shear_zx,           ///< pure shear of the axes z and x
   diagonal_shear_yz,  ///< pure shear of the diagonals, yy - zz
-  axial_shear         ///< extension along z at constant volume, 2 zz - xx - yy; the modulus is G
+  axial_shear,        ///< extension along z at constant volume, 2 zz - xx - yy; the modulus is G
+  shear_and_diagonal_shear,
+  shear_and_bulk,
+  diagonal_shear_and_bulk,
+  shear_and_shear_yz,
+  shear_and_shear_zx,
+  shear_and_axial_shear,
+  diagonal_shear_and_shear_yz,
+  diagonal_shear_and_shear_zx,
+  diagonal_shear_and_axial_shear,
+  bulk_and_shear_yz,
+  bulk_and_shear_zx,
+  bulk_and_axial_shear,
+  shear_yz_and_shear_zx,
+  shear_yz_and_axial_shear,
+  shear_zx_and_axial_shear
 };
 
 template <>
@@ -32,9 +49,46 @@ inline constexpr auto words<Load> = std::to_array<Word<Load>>({{"shear", Load::s
                                                                {"shear-yy-zz", Load::diagonal_shear_yz},
                                                                {"shear-zz", Load::axial_shear}});
 
+/// Two loads at once.
+struct LoadPair {
+  Load both;
+  Load one, other;
+};
+
+/// The pairs of loads that span all strains, those of the plane first. With the moduli of the single loads, the moduli
+/// of the pairs give the whole stiffness (theory, Eq. 13c).
+inline constexpr std::array<LoadPair, 15> pairs_of_loads{
+    {{Load::shear_and_diagonal_shear, Load::shear, Load::diagonal_shear},
+     {Load::shear_and_bulk, Load::shear, Load::bulk},
+     {Load::diagonal_shear_and_bulk, Load::diagonal_shear, Load::bulk},
+     {Load::shear_and_shear_yz, Load::shear, Load::shear_yz},
+     {Load::shear_and_shear_zx, Load::shear, Load::shear_zx},
+     {Load::shear_and_axial_shear, Load::shear, Load::axial_shear},
+     {Load::diagonal_shear_and_shear_yz, Load::diagonal_shear, Load::shear_yz},
+     {Load::diagonal_shear_and_shear_zx, Load::diagonal_shear, Load::shear_zx},
+     {Load::diagonal_shear_and_axial_shear, Load::diagonal_shear, Load::axial_shear},
+     {Load::bulk_and_shear_yz, Load::bulk, Load::shear_yz},
+     {Load::bulk_and_shear_zx, Load::bulk, Load::shear_zx},
+     {Load::bulk_and_axial_shear, Load::bulk, Load::axial_shear},
+     {Load::shear_yz_and_shear_zx, Load::shear_yz, Load::shear_zx},
+     {Load::shear_yz_and_axial_shear, Load::shear_yz, Load::axial_shear},
+     {Load::shear_zx_and_axial_shear, Load::shear_zx, Load::axial_shear}}};
+
+/// The two loads of a pair; nothing for a single load.
+[[nodiscard]] constexpr std::optional<LoadPair> pair_of(Load load) noexcept {
+  for (const auto& pair : pairs_of_loads) {
+    if (pair.both == load) return pair;
+  }
+  return std::nullopt;
+}
+
+/// The name of a load: its word or, of a pair, both words, "shear + bulk".
+[[nodiscard]] std::string name_of(Load load);
+
 /// Whether a load exists in `dim` dimensions.
 template <int dim>
 [[nodiscard]] constexpr bool has_load(Load load) noexcept {
+  if (const auto pair = pair_of(load)) return has_load<dim>(pair->one) && has_load<dim>(pair->other);
   return dim > 2 || load == Load::shear || load == Load::diagonal_shear || load == Load::bulk;
 }
 
@@ -42,12 +96,19 @@ template <int dim>
 /// of dimensions.
 void require_loads(std::string_view calculation, int dimensions, std::span<const Load> loads);
 
-/// The unit strain of a load: its engineering shear, or its dilatation, is 1. A body of modulus M stores the energy M/2
-/// per volume under it. It is zero for a load that does not exist in this number of dimensions.
+/// The unit strain of a load: its engineering shear, or its dilatation, is 1; of a pair, both are. A body of modulus M
+/// stores the energy M/2 per volume under it. It is zero for a load that does not exist in this number of dimensions.
 template <int dim>
 [[nodiscard]] constexpr Strain<dim> unit_strain(Load load) noexcept {
   Strain<dim> strain;
   if (!has_load<dim>(load)) return strain;
+  if (const auto pair = pair_of(load)) {
+    const auto one = unit_strain<dim>(pair->one), other = unit_strain<dim>(pair->other);
+    for (int index = 0; index < tensor_components<dim>; ++index) {
+      component(strain, index) = component(one, index) + component(other, index);
+    }
+    return strain;
+  }
   constexpr int x = 0, y = 1, z = 2;
   const auto shear = [&strain](int i, int j) { component(strain, component_index<dim>(i, j)) = 0.5; };
   const auto diagonal_shear = [&strain](int i, int j) {
@@ -76,6 +137,8 @@ template <int dim>
     case Load::axial_shear:
       component(strain, x) = component(strain, y) = -0.5 / std::numbers::sqrt3;
       component(strain, z) = 1.0 / std::numbers::sqrt3;
+      break;
+    default:  // a pair
       break;
   }
   return strain;

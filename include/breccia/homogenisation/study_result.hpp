@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "breccia/homogenisation/stage_microstructure.hpp"
+#include "breccia/homogenisation/stage_stiffness.hpp"
 #include "breccia/quasistatic/linear_options.hpp"
 #include "breccia/quasistatic/reduced_response.hpp"
 #include "breccia/study/test_id.hpp"
@@ -207,8 +208,9 @@ struct StageFindings {
   /// The thermal expansion for each boundary and method where the deck gives those of the materials and the bulk moduli
   /// determine it.
   std::vector<StageExpansion> expansions = {};
-  StageAccuracy accuracy = {};        ///< of the complete stage
-  std::vector<std::string> warnings;  ///< reasons to doubt the results
+  std::vector<StageStiffness> stiffness = {};  ///< the whole stiffness for each boundary where the deck asks for it
+  StageAccuracy accuracy = {};                 ///< of the complete stage
+  std::vector<std::string> warnings;           ///< reasons to doubt the results
 };
 
 /// The results of one stage that was computed.

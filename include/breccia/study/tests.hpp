@@ -52,6 +52,8 @@ struct FilmOptions {
 /// The virtual tests of every stage.
 struct Tests {
   std::vector<TestLoad> loads{Load::shear};
+  /// Whether the whole stiffness is wanted, beside `loads`; these are then the isotropic mean and bulk.
+  bool whole_stiffness = false;
   std::vector<Boundary> boundaries{Boundary::displacement, Boundary::traction};
   std::vector<Method> methods{Method::quasistatic};
   Model model = Model::cells;

@@ -88,7 +88,7 @@ double vectors_of_stepping(const Study& study, const Stage& stage) {
   for (const auto& material : materials_of(stage, expected_matrix(study, stage))) {
     terms += material.bulk.terms().size() + material.shear.terms().size();
   }
-  return 2.0 * static_cast<double>(terms * loads_of(study, stage).size());
+  return 2.0 * static_cast<double>(terms * most_solved_loads(study, stage));
 }
 
 /// Bytes an unknown of a cube without the sparse factors. `strains` is the size, in bytes an unknown, of the strains of
@@ -105,7 +105,7 @@ double bytes_of_cube(const Study& study, const Stage& stage, double strains) {
   if (study.tests.quasistatic.solver == Solver::stepping) {
     bytes += whole * (1.0 + vectors_of_stepping(study, stage));
   } else {
-    const auto loads = static_cast<double>(loads_of(study, stage).size());
+    const auto loads = static_cast<double>(most_solved_loads(study, stage));
     bytes += vector * loads * (1.0 + expected_snapshots(study, stage));
   }
   if (study.tests.field_times.empty()) return bytes;
@@ -125,7 +125,7 @@ double bytes_of_square(const Study& study, const Stage& stage, double strains) {
   double bytes = 2.0 * whole * static_cast<double>(other_varying_phases(study.tests, stage).size());
   // Each snapshot under each load takes one, too; the snapshots for the matrix alone are among the dozen as well.
   constexpr double few_snapshots = 11.0;
-  bytes += whole * static_cast<double>(loads_of(study, stage).size()) *
+  bytes += whole * static_cast<double>(most_solved_loads(study, stage)) *
            std::max(0.0, expected_snapshots(study, stage) - few_snapshots);
   return bytes;
 }

@@ -17,9 +17,10 @@ namespace {
 
 /// Time of a solution on substructures, or by sparse factors [s]. Mixed cells are eliminated anew for each set of
 /// moduli.
-double time_with_factors(const Study& study, const Stage& stage, int cells, double unknowns, bool is_direct) {
+double time_with_factors(const Study& study, const Stage& stage, Boundary boundary, int cells, double unknowns,
+                         bool is_direct) {
   namespace costs = measured_costs;
-  const auto loads = static_cast<double>(loads_of(study, stage).size());
+  const auto loads = static_cast<double>(solved_loads(study, stage, boundary).size());
   const double size = std::max(1.0, unknowns / costs::unknowns_of_factorisation);
   const double set_up =
       is_direct ? costs::factorisation * std::pow(size, costs::power_of_factorisation) : costs::setup_of_substructures;
@@ -75,7 +76,7 @@ double time_of_minimal_residuals(int cells) {
 double time_of_cube(const Study& study, const Stage& stage, Boundary boundary, int cells, double unknowns) {
   const double solution = is_expected_to_have_flow(study, stage) ? time_of_minimal_residuals(cells)
                                                                  : time_of_conjugate_gradients(study, stage, boundary);
-  const auto loads = static_cast<double>(loads_of(study, stage).size());
+  const auto loads = static_cast<double>(solved_loads(study, stage, boundary).size());
   if (study.tests.quasistatic.solver == Solver::stepping) {
     return loads * unknowns * expected_steps(study.tests) *
            (solution + measured_costs::forces_of_step * measured_costs::forces_of_cube);
@@ -99,7 +100,7 @@ double quasistatic_time(const Study& study, const Stage& stage, Boundary boundar
     return crystals * time_of_cube(study, stage, boundary, cells, unknowns);
   }
   const double flow = is_expected_to_have_flow(study, stage) ? measured_costs::flow_in_plane : 1.0;
-  return flow * time_with_factors(study, stage, cells, unknowns, is_direct);
+  return flow * time_with_factors(study, stage, boundary, cells, unknowns, is_direct);
 }
 
 double discretisation_time(const Study& study, const Stage& stage, int cells) {

@@ -155,7 +155,7 @@ double film_unknowns(const Tests& tests, const FilmedGrains& grains) {
 double film_memory(const Study& study, const Stage& stage, const FilmedGrains& grains) {
   namespace costs = measured_costs;
   const double unknowns = film_unknowns(study.tests, grains);
-  const auto loads = static_cast<double>(loads_of(study, stage).size());
+  const auto loads = static_cast<double>(most_solved_loads(study, stage));
   const double system = grains.dimensions == 3 ? system_in_space(study.tests, unknowns) : system_in_the_plane(unknowns);
   // Displacements and two forces for each snapshot, or a vector for each term in fine and in coarse steps.
   const bool is_reduced = study.tests.quasistatic.solver == Solver::reduced;
@@ -179,7 +179,7 @@ double film_time(const Study& study, const Stage& stage, const FilmedGrains& gra
   // Each step has factors of its own.
   const double solutions = is_reduced ? expected_snapshots(study, stage) : expected_steps(study.tests);
   if (grains.dimensions == 3 && has_compressed_factors(unknowns)) {
-    const auto loads = static_cast<double>(loads_of(study, stage).size());
+    const auto loads = static_cast<double>(most_solved_loads(study, stage));
     return solutions * unknowns * (costs::compressed_snapshot + loads * costs::solution_by_compressed);
   }
   if (grains.dimensions == 3) {

@@ -23,6 +23,7 @@
 #include "homogenisation/run/stage_tests.hpp"
 #include "homogenisation/stage_materials.hpp"
 #include "homogenisation/varying_moduli.hpp"
+#include "homogenisation/whole_stiffness.hpp"
 #include "parallel/common_failure.hpp"
 #include "study/chain.hpp"
 #include "study/test_rules.hpp"
@@ -51,7 +52,10 @@ class StageSolution {
     for (auto& test : extrapolate_tests(stage_.name, stage_.side, stage_.dimensions(), done_.tests, mixing)) {
       add(std::move(test));
     }
+    auto pairs = extrapolate_tests(stage_.name, stage_.side, stage_.dimensions(), of_pairs_, mixing);
+    std::ranges::move(pairs, std::back_inserter(of_pairs_));
     add_errors(done_, error_rules_of(study_, stage_, done_.microstructure), stage_.matrix, result_.stages);
+    done_.stiffness = whole_stiffness(stage_.dimensions(), done_.tests, of_pairs_);
     const auto quality = quality_of(study_, stage_, done_);
     done_.accuracy = accuracy_of(quality);
     for (const auto& warning : warnings_on_bounds(quality)) {
@@ -98,7 +102,13 @@ class StageSolution {
 
   void add_all_loads(std::vector<TestResult> tests) {
     if (auto warning = warning_of_basis(study_.tests, stage_, tests)) done_.warnings.push_back(*std::move(warning));
-    for (auto& test : tests) add_of_load(std::move(test));
+    for (auto& test : tests) {
+      if (pair_of(*test.id.load.of_test())) {
+        of_pairs_.push_back(std::move(test));
+      } else {
+        add_of_load(std::move(test));
+      }
+    }
     sink_.happened(AllLoadsFinished{stage_, result_});
   }
 
@@ -122,6 +132,7 @@ class StageSolution {
   StudySink& sink_;
   StudyResult& result_;
   StageResult& done_;
+  std::vector<TestResult> of_pairs_ = {};  ///< tests under two loads at once, from which the whole stiffness follows
   std::optional<Load> last_shear_ = {};
 };
 

@@ -89,7 +89,7 @@ QuasistaticTest test_without_fields(const Study& study, const Stage& stage, cons
           .variants = variants_of(study.tests, varying, materials),
           .volumetric = study.tests.volumetric,
           .boundary = boundary,
-          .loads = loads_of(study, stage),
+          .loads = solved_loads(study, stage, boundary),
           .times = {study.tests.first_time, study.tests.last_time},
           .points_per_decade = study.tests.points_per_decade,
           .options = options};

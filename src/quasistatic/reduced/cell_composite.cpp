@@ -186,8 +186,11 @@ Forces CellSolver<dim>::held_back(Load load) const {
 template <int dim>
 std::optional<double> CellSolver<dim>::least_energy(Load load) const {
   if (composite_->boundary() == Boundary::traction) return std::nullopt;
-  const auto modulus = load == Load::bulk ? &Moduli::bulk : &Moduli::shear;
-  return least_of_solids(moduli_).*modulus * composite_->elastic_operator().volume();
+  const auto least = least_of_solids(moduli_);
+  const auto modulus = [&least](Load single) { return single == Load::bulk ? least.bulk : least.shear; };
+  // The strains of a pair are orthogonal, so that an isotropic body stores the sum of their energies.
+  const auto pair = pair_of(load);
+  return (pair ? modulus(pair->one) + modulus(pair->other) : modulus(load)) * composite_->elastic_operator().volume();
 }
 
 template class CellComposite<2>;
