@@ -53,6 +53,26 @@ def test_the_thermal_expansion_of_a_composite():
     assert len(found["error"]) == len(found["time"]) == len(bulk)
 
 
+def test_the_whole_stiffness_of_a_composite(tmp_path):
+    resin = breccia.Material("resin", density=1200, bulk="4 GPa", shear=breccia.PronySeries([(1.0, 1e9)], 1e8))
+    box = breccia.Stage("A", matrix=resin, box="1 mm", cells=4)
+    tests = breccia.Tests(times=("1 s", "10 s"), loads="stiffness", boundaries="periodic", fields="none")
+    for dimensions, normal in ((2, [0, 1]), (3, [0, 1, 2])):
+        study = breccia.Study([box], tests, dimensions=dimensions)
+        computed = breccia.run(study, tmp_path / str(dimensions))["A"]
+        for stage in (computed, breccia.read_results(tmp_path / str(dimensions))["A"]):
+            [found] = stage.stiffness
+            shear = 1e8 + 1e9 * np.exp(-found["time"])
+            expected = np.zeros_like(found["stiffness"])
+            expected[:, : len(normal), : len(normal)] = (4e9 - 2 / 3 * shear)[:, None, None]
+            for i in range(expected.shape[1]):
+                expected[:, i, i] += shear * (2 if i in normal else 1)
+            assert found["stiffness"] == pytest.approx(expected, rel=1e-7, abs=10.0)
+            assert found["bulk"] == pytest.approx(4e9, rel=1e-7) and found["shear"] == pytest.approx(shear, rel=1e-7)
+            assert found["anisotropy"] == pytest.approx(0.0, abs=1e-6)
+    assert breccia.solve(breccia.Study([box], {"times": (1.0, 10.0)}))["A"].stiffness == []
+
+
 def test_complex_moduli_at_the_frequencies_of_the_deck(tmp_path):
     study = maxwell_study(tmp_path)
     result = breccia.run(study, tmp_path / "run")

@@ -80,8 +80,10 @@ std::optional<std::string> warning_of_separation(const Study& study, const Stage
                                  display(own->smallest, "m"), how_wide, others, enough);
   const auto gaps =
       fmt::format("its smallest gap, {}, is narrower than {}", display(gap, "m"), is_near ? "those" : others);
-  return fmt::format("{}{}{}; the result may be tens of per cent off, and its bounds need not be bounds {}",
-                     is_near ? sizes : "", is_near && is_narrow ? ", and " : "", is_narrow ? gaps : "", where);
+  return fmt::format(
+      "{}{}{}; the result may be off by tens of per cent more than its error says, and its bounds need not be bounds "
+      "{}",
+      is_near ? sizes : "", is_near && is_narrow ? ", and " : "", is_narrow ? gaps : "", where);
 }
 
 }  // namespace breccia

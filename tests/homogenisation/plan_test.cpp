@@ -146,6 +146,25 @@ TEST(Plan, SaysWhereRoundingMayKeepTheToleranceFromBeingMet) {
   EXPECT_THAT(remarks(), testing::IsEmpty());
 }
 
+// Sizes of 20 to 1 with volumes that are even in log d make two stages of equal ratios, each with half of the 40 %: the
+// smaller half in the space that the larger one leaves, 0.2 / 0.8, then the larger one in the whole.
+TEST(Plan, AdvisesStagesForSizesThatOneBoxDoesNotResolve) {
+  auto study = box_to_plan(50);
+  auto& stage = study.stages.front();
+  auto& filler = stage.fillers.front();
+  filler.fraction = 0.4;
+  filler.gap = 1e-7;
+  filler.sizes = TabulatedSizes{{}, {5e-6, 1e-4}, {0.0, 1.0}};
+  stage.side = 2e-4;
+  const auto remarks = [&] { return plan_of(study).stages.front().remarks; };
+  ASSERT_EQ(remarks().size(), 1U);
+  EXPECT_THAT(remarks().front(), HasSubstr("its sizes span 20 to 1, and the smallest particle is 1.2 cells wide"));
+  EXPECT_THAT(remarks().front(), HasSubstr("5 um to 22.4 um with fraction = 0.25, then 22.4 um to 100 um with "
+                                           "fraction = 0.2 "));
+  filler.sizes = TabulatedSizes{{}, {1e-5, 1e-4}, {0.0, 1.0}};
+  EXPECT_THAT(remarks(), testing::IsEmpty()) << "ten to one";
+}
+
 TEST(PlanOfASweep, HasAllTasks) {
   const auto sweep = sweep_over_cells({40, 80, 400});
   const auto plan = plan_of(sweep);

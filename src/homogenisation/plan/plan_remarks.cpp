@@ -1,14 +1,19 @@
 #include "homogenisation/plan/plan_remarks.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "homogenisation/plan/cell_time.hpp"
 #include "homogenisation/plan/expected_snapshots.hpp"
+#include "homogenisation/staging.hpp"
 #include "io/display.hpp"
+#include "study/filler_sizes.hpp"
 
 namespace breccia {
 namespace {
@@ -50,10 +55,52 @@ std::optional<std::string> remark_on_rounding(const Study& study, const Stage& s
       softest);
 }
 
+/// Diameters [m] between which the particles of a wide distribution make stages of equal ratios, from the smallest to
+/// the largest.
+std::vector<double> bounds_of_stages(const DiameterRange& sizes) {
+  constexpr double most_in_a_stage = 8.0;
+  const double ratio = sizes.largest / sizes.smallest;
+  const double stages = std::ceil(std::log(ratio) / std::log(most_in_a_stage));
+  std::vector<double> bounds;
+  for (double below = 0.0; below <= stages; below += 1.0) {
+    bounds.push_back(sizes.smallest * std::pow(ratio, below / stages));
+  }
+  return bounds;
+}
+
+bool has_particles_in_all(const SizeDistribution& sizes, const std::vector<double>& bounds) {
+  const auto has_none = [&sizes](double from, double to) { return !(sizes.cumulative(to) > sizes.cumulative(from)); };
+  return std::ranges::adjacent_find(bounds, has_none) == bounds.end();
+}
+
+/// Advice to divide sizes between stages where they are so wide that the cells do not resolve the smallest particles.
+std::optional<std::string> remark_on_sizes(const Stage& stage) {
+  constexpr double wide = 12.0, resolved = 4.0;
+  if (stage.fillers.size() != 1 || !stage.fillers.front().fraction || stage.has_grains()) return std::nullopt;
+  const auto& filler = stage.fillers.front();
+  const auto sizes = diameters_of(filler);
+  const auto distribution = distribution_of(filler);
+  if (!sizes || !distribution || sizes->largest < wide * sizes->smallest) return std::nullopt;
+  const double cells_across = sizes->smallest / stage.side * stage.cells;
+  const auto bounds = bounds_of_stages(*sizes);
+  if (cells_across >= resolved || !has_particles_in_all(*distribution, bounds)) return std::nullopt;
+  std::vector<std::string> stages;
+  for (const auto& part : divide_into_stages(*distribution, bounds, *filler.fraction)) {
+    stages.push_back(fmt::format("{} to {} with fraction = {:.3g}", display(part.smallest, "m"),
+                                 display(part.largest, "m"), part.fraction));
+  }
+  return fmt::format(
+      "its sizes span {:.0f} to 1, and the smallest particle is {:.2g} cells wide; stages, each the matrix of the "
+      "next, "
+      "resolve all with far fewer cells: {} (docs/limitations.md, Separation of sizes, says what that leaves out)",
+      sizes->largest / sizes->smallest, cells_across, fmt::join(stages, ", then "));
+}
+
 }  // namespace
 
 std::vector<std::string> remarks_on_tests(const Study& study, const Stage& stage) {
   std::vector<std::string> remarks;
+  if (auto remark = remark_on_sizes(stage)) remarks.push_back(*std::move(remark));
   const bool is_quasistatic = std::ranges::count(study.tests.methods, Method::quasistatic) > 0;
   if (!is_quasistatic || study.tests.quasistatic.solver != Solver::reduced) return remarks;
   for (const auto& remark : {remark_on_range(study, stage), remark_on_rounding(study, stage)}) {
