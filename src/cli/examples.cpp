@@ -1,39 +1,11 @@
-#include <algorithm>
-#include <filesystem>
-#include <string>
-#include <vector>
-
 #include <fmt/format.h>
 
 #include "cli/command.hpp"
 #include "cli/installation.hpp"
-#include "io/text_file.hpp"
+#include "studio/example_decks.hpp"
 
 namespace breccia::cli {
 namespace {
-
-namespace fs = std::filesystem;
-
-/// The title in the line `title = "..."` of a deck; empty if there is no such line.
-std::string title_of(const std::string& deck) {
-  const auto line = deck.starts_with("title") ? 0 : deck.find("\ntitle");
-  const auto begin = deck.find('"', line);
-  const auto end = begin == std::string::npos ? begin : deck.find('"', begin + 1);
-  return line == std::string::npos || end == std::string::npos ? "" : deck.substr(begin + 1, end - begin - 1);
-}
-
-/// The decks in a directory and its subdirectories, in alphabetical order, those of the directory itself first.
-std::vector<fs::path> decks_below(const fs::path& directory) {
-  std::vector<fs::path> decks;
-  for (const auto& entry : fs::recursive_directory_iterator(directory)) {
-    if (entry.path().extension() == ".toml") decks.push_back(entry.path().lexically_relative(directory));
-  }
-  std::ranges::sort(decks, [](const fs::path& a, const fs::path& b) {
-    const bool a_is_deeper = a.has_parent_path(), b_is_deeper = b.has_parent_path();
-    return a_is_deeper != b_is_deeper ? b_is_deeper : a < b;
-  });
-  return decks;
-}
 
 constexpr auto pages = R"(  README.md               an overview of all pages
   tutorial.md             the first half hour
@@ -49,9 +21,7 @@ void print_examples() {
   const auto examples = installed_examples();
   const auto documentation = installed_documentation();
   fmt::print("Decks in {} (run one by its path, or copy it):\n", examples.string());
-  for (const auto& deck : decks_below(examples)) {
-    fmt::print("  {:<30}  {}\n", deck.string(), title_of(read_text(examples / deck)));
-  }
+  for (const auto& deck : studio::example_decks(examples)) fmt::print("  {:<30}  {}\n", deck.name, deck.title);
   fmt::print(
       "A copy of a deck that names files in ../data/ needs a copy of {}\n"
       "beside the folder of the deck; without it the deck is refused.\n",
