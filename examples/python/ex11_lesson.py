@@ -75,7 +75,7 @@ axes.legend()
 # %% [markdown]
 # ## 5. In frequency
 #
-# A forced vibration asks for the complex modulus. As long as the glass does not yield, the composite loses the same
+# A forced vibration asks for the complex modulus. As long as the glass is far stiffer than the binder, the composite loses the same
 # share of its energy in a cycle as the binder does: tan delta hardly changes where the modulus is several times higher.
 
 # %%

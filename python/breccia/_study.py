@@ -38,7 +38,7 @@ class Tests(Table):
         self.frequencies = frequencies
         self.accuracy = accuracy
         self.budget = budget
-        self.loads = [loads] if isinstance(loads, str) and loads != "stiffness" else loads
+        self.loads = [loads] if isinstance(loads, str) else loads
         self.boundaries = [boundaries] if isinstance(boundaries, str) else boundaries
         self.method = method
         self.points_per_decade = points_per_decade

@@ -13,9 +13,9 @@ EXAMPLES = sorted((ROOT / "examples" / "python").glob("ex*.py"))
 NOTEBOOKS = sorted((ROOT / "examples" / "python").glob("ex*.ipynb"))
 
 
-def test_there_are_ten_examples_and_three_notebooks():
-    assert [example.name[:4] for example in EXAMPLES] == [f"ex{number:02d}" for number in range(1, 11)]
-    assert len(NOTEBOOKS) == 3
+def test_there_are_eleven_examples_and_four_notebooks():
+    assert [example.name[:4] for example in EXAMPLES] == [f"ex{number:02d}" for number in range(1, 12)]
+    assert len(NOTEBOOKS) == 4
 
 
 @pytest.mark.parametrize("example", EXAMPLES, ids=lambda path: path.stem)

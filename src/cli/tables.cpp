@@ -13,6 +13,7 @@
 #include "cli/shown_tests.hpp"
 #include "homogenisation/quality.hpp"
 #include "io/display.hpp"
+#include "study/abscissa_words.hpp"
 
 namespace breccia::cli {
 namespace {
@@ -70,12 +71,13 @@ std::string lines_on_expansion(const StageResult& stage) {
 }
 
 /// A line for each boundary with the anisotropy of a stage whose whole stiffness was asked for.
-std::string lines_on_stiffness(const StageResult& stage) {
+std::string lines_on_stiffness(const StageResult& stage, Abscissa abscissa) {
   std::string text;
   for (const auto& [test, samples] : stage.stiffness) {
-    const auto at = [](const StiffnessSample& sample) {
+    const auto at = [abscissa](const StiffnessSample& sample) {
       const auto index = isotropic_part(sample.constants).anisotropy;
-      return fmt::format("{} at {}", index ? fmt::format("{:.2g}", *index) : "unknown", display_time(sample.time));
+      return fmt::format("{} at {}", index ? fmt::format("{:.2g}", *index) : "unknown",
+                         display_in(abscissa, sample.time));
     };
     text += fmt::format("{}, {}: universal index of anisotropy {}, {}; the stiffness is in stiffness.csv\n", stage.name,
                         name_of(test.boundary), at(samples.front()), at(samples.back()));
@@ -121,7 +123,7 @@ std::string closing_tables(const Study& study, const StudyResult& result, Detail
   for (const auto& stage : result.stages) fillers.push_back(stage.microstructure.fillers);
   auto remarks = filler_summary(study, fillers);
   for (const auto i : shown_stages(study, result, detail)) {
-    remarks += lines_on_expansion(result.stages[i]) + lines_on_stiffness(result.stages[i]);
+    remarks += lines_on_expansion(result.stages[i]) + lines_on_stiffness(result.stages[i], study.tests.abscissa());
   }
   for (const auto& stage : result.stages) {
     for (const auto& test : stage.tests) {

@@ -137,8 +137,9 @@ void require_alike(const Deck& document, const Sweep& sweep) {
                       "material and a mixing that are certain",
                       document.path().string(), varied.name));
     }
-    const bool has_same_curves = tests.loads == first.loads && tests.boundaries == first.boundaries &&
-                                 tests.first_time == first.first_time && tests.last_time == first.last_time &&
+    const bool has_same_curves = tests.loads == first.loads && tests.whole_stiffness == first.whole_stiffness &&
+                                 tests.boundaries == first.boundaries && tests.first_time == first.first_time &&
+                                 tests.last_time == first.last_time &&
                                  tests.points_per_decade == first.points_per_decade &&
                                  tests.by_frequency == first.by_frequency;
     if (has_same_curves) continue;

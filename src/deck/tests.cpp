@@ -133,27 +133,40 @@ FilmOptions read_films(const Section& section, const std::vector<Stage>& stages)
   return films;
 }
 
-/// Whether the loads of a section are those of the whole stiffness.
-bool asks_for_stiffness(const Section& section) {
-  return section.has("loads") && section.kind("loads") == Kind::text && section.text("loads") == "stiffness";
-}
+/// The word for the loads of the whole stiffness.
+constexpr std::string_view word_of_stiffness = "stiffness";
 
-/// Reads the loads. Those that the box does not have are reported and left out.
-std::vector<TestLoad> read_loads(const Section& section, const std::vector<Stage>& stages) {
-  if (asks_for_stiffness(section)) return {TestLoad::isotropic(), Load::bulk};
+/// The words among the loads of a deck; nothing stands for the whole stiffness.
+std::vector<std::optional<TestLoad>> read_words_of_loads(const Section& section) {
   if (section.kind("loads") == Kind::text) {
-    if (section.text("loads") != name_of(TestLoad::isotropic())) {
+    const auto word = section.text("loads");
+    if (word == word_of_stiffness) return {std::nullopt};
+    if (word != name_of(TestLoad::isotropic())) {
       section.report("loads", R"(expected "isotropic", "stiffness" or an array, such as ["shear", "bulk"])");
     }
     return {TestLoad::isotropic()};
   }
-  auto loads = section.list_of_choices<TestLoad>("loads");
-  refuse_repeats(section, "loads", loads);
-  if (stages.empty()) return loads;
+  std::vector<Choice<std::optional<TestLoad>>> choices(words<TestLoad>.begin(), words<TestLoad>.end());
+  choices.emplace_back(word_of_stiffness, std::nullopt);
+  return section.list_of_choices<std::optional<TestLoad>>("loads", choices);
+}
+
+/// Reads the loads into the tests. Those that the box does not have are reported and left out. The whole stiffness
+/// takes the isotropic mean and bulk.
+void read_loads(const Section& section, const std::vector<Stage>& stages, Tests& tests) {
+  const auto named = read_words_of_loads(section);
+  refuse_repeats(section, "loads", named);
+  auto& loads = tests.loads;
+  loads.clear();
+  tests.whole_stiffness = std::ranges::any_of(named, [](const auto& load) { return !load; });
+  if (tests.whole_stiffness) loads = {TestLoad::isotropic(), Load::bulk};
+  for (const auto& load : named) {
+    if (load && std::ranges::find(loads, *load) == loads.end()) loads.push_back(*load);
+  }
+  if (stages.empty()) return;
   const int dimensions = stages.front().dimensions();
   for (const auto& mistake : mistakes_of_loads(loads, dimensions)) section.report("loads", mistake);
   std::erase_if(loads, [dimensions](TestLoad load) { return !has_test_load(load, dimensions); });
-  return loads;
 }
 
 }  // namespace
@@ -172,8 +185,7 @@ Tests read_tests(const Section& deck, const std::vector<Stage>& stages, const St
   }
   tests.boundaries = defaults.boundaries.empty() ? default_boundaries(stages) : defaults.boundaries;
   tests.loads = {TestLoad::isotropic()};
-  if (section.has("loads")) tests.loads = read_loads(section, stages);
-  tests.whole_stiffness = asks_for_stiffness(section);
+  if (section.has("loads")) read_loads(section, stages, tests);
   section.refuse({"bounds"}, R"(it is called boundaries now: "upper" is "displacement", "lower" is "traction" there)");
   if (section.has("boundaries")) {
     tests.boundaries = section.list_of_choices<Boundary>("boundaries");

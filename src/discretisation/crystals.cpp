@@ -59,13 +59,18 @@ StiffnessTensor<3> rotated(const StiffnessTensor<3>& stiffness, const Eigen::Mat
 }
 
 template <int dim>
-double least_stiffness(const StiffnessTensor<dim>& stiffness) {
+StiffnessTensor<dim> in_orthonormal_basis(StiffnessTensor<dim> stiffness) {
   // Engineering shears are root 2 times the coordinates in an orthonormal basis.
-  auto orthonormal = stiffness;
   constexpr int shears = tensor_components<dim> - dim;
-  orthonormal.template bottomRows<shears>() *= std::sqrt(2.0);
-  orthonormal.template rightCols<shears>() *= std::sqrt(2.0);
-  const Eigen::SelfAdjointEigenSolver<StiffnessTensor<dim>> solver(orthonormal, Eigen::EigenvaluesOnly);
+  stiffness.template bottomRows<shears>() *= std::sqrt(2.0);
+  stiffness.template rightCols<shears>() *= std::sqrt(2.0);
+  return stiffness;
+}
+
+template <int dim>
+double least_stiffness(const StiffnessTensor<dim>& stiffness) {
+  const Eigen::SelfAdjointEigenSolver<StiffnessTensor<dim>> solver(in_orthonormal_basis<dim>(stiffness),
+                                                                   Eigen::EigenvaluesOnly);
   return solver.eigenvalues().minCoeff();
 }
 
@@ -96,6 +101,8 @@ Moduli softer_moduli(const StiffnessTensor<dim>& stiffness) {
 
 template StiffnessTensor<2> isotropic_stiffness<2>(const Moduli&);
 template StiffnessTensor<3> isotropic_stiffness<3>(const Moduli&);
+template StiffnessTensor<2> in_orthonormal_basis<2>(StiffnessTensor<2>);
+template StiffnessTensor<3> in_orthonormal_basis<3>(StiffnessTensor<3>);
 template double least_stiffness<2>(const StiffnessTensor<2>&);
 template double least_stiffness<3>(const StiffnessTensor<3>&);
 template Moduli softer_moduli<2>(const StiffnessTensor<2>&);

@@ -100,10 +100,9 @@ std::vector<std::string> warnings_of_debonding(const Stage& stage, const StageMi
   if (!bonds.normal.empty()) {
     warnings.push_back(fmt::format(
         "films are {} across one direction, so that the composite is not isotropic: the mean of the shears, "
-        "Young's modulus, Poisson's ratio and exported cards hold for no direction of it; tests.loads = [{}] have the "
-        "shears by themselves",
-        state_of(bonds.kind),
-        stage.dimensions() == 3 ? R"("shear", "shear-yz", "shear-zx", "shear-zz")" : R"("shear", "shear-xx-yy")"));
+        "Young's modulus, Poisson's ratio and exported cards hold for no direction of it; tests.loads = "
+        "\"stiffness\" has the whole stiffness",
+        state_of(bonds.kind)));
   }
   return warnings;
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numbers>
 
 #include <Eigen/Cholesky>
 #include <fmt/format.h>
@@ -30,9 +29,7 @@ Matrix<dim> strains_of_loads() {
   Matrix<dim> strains;
   int row = 0;
   for (const auto load : single_loads(dim)) {
-    const auto strain = unit_strain<dim>(load);
-    for (int i = 0; i < tensor_components<dim>; ++i) strains(row, i) = (i < dim ? 1.0 : 2.0) * component(strain, i);
-    ++row;
+    strains.row(row++) = engineering_strain<dim>(unit_strain<dim>(load)).transpose();
   }
   return strains;
 }
@@ -114,13 +111,10 @@ std::vector<StiffnessSample> samples_of(const StiffnessCurves& curves) {
 template <int dim>
 IsotropicPart isotropic_part_of(const Matrix<dim>& stiffness) {
   constexpr int shears = tensor_components<dim> - 1;
-  // In an orthonormal basis of the strains a shear has the factor sqrt(2).
-  Eigen::Vector<double, tensor_components<dim>> scale, dilatation;
-  for (int i = 0; i < tensor_components<dim>; ++i) {
-    scale(i) = i < dim ? 1.0 : std::numbers::sqrt2;
-    dilatation(i) = i < dim ? 1.0 : 0.0;
-  }
-  const Matrix<dim> orthonormal = scale.asDiagonal() * stiffness * scale.asDiagonal();
+  const auto orthonormal = in_orthonormal_basis<dim>(stiffness);
+  Eigen::Vector<double, tensor_components<dim>> dilatation;
+  dilatation.setZero();
+  dilatation.template head<dim>().setOnes();
   const double volumetric = dilatation.dot(orthonormal * dilatation) / dim;
   const double deviatoric = (orthonormal.trace() - volumetric) / shears;
   IsotropicPart part = {.bulk = volumetric / dim, .shear = 0.5 * deviatoric};

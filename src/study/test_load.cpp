@@ -4,6 +4,10 @@
 
 namespace breccia {
 
+std::string name_of(TestLoad load) {
+  return load.is_isotropic() ? name_of<TestLoad>(load) : name_of(*load.of_test());
+}
+
 std::span<const Load> isotropic_shears(int dimensions) {
   static constexpr std::array in_space = {Load::shear, Load::diagonal_shear, Load::shear_yz, Load::shear_zx,
                                           Load::axial_shear};

@@ -244,6 +244,11 @@ std::optional<std::string> obstacle_to_stiffness(const Tests& tests) {
   if (!uses(tests, Method::quasistatic)) {
     return R"(loads "stiffness" is for method "quasistatic")";
   }
+  for (const auto& load : {TestLoad::isotropic(), TestLoad(Load::bulk)}) {
+    if (std::ranges::find(tests.loads, load) == tests.loads.end()) {
+      return fmt::format(R"(loads "stiffness" takes "{}": expected it among the loads)", name_of(load));
+    }
+  }
   const auto is_traction = [](Boundary boundary) { return boundary == Boundary::traction; };
   if (!std::ranges::all_of(tests.boundaries, is_traction)) return std::nullopt;
   return R"(loads "stiffness" is for boundaries that prescribe strains: expected "periodic" or "displacement")";

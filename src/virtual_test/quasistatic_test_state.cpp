@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "checkpoint/enumeration.hpp"
 #include "checkpoint/pairs.hpp"
 #include "quasistatic/reduced/reduced_response_state.hpp"
 #include "quasistatic/solvers/linear_effort_state.hpp"
@@ -37,7 +36,7 @@ void save_response(StateWriter& state, const std::string& group, const Quasistat
 
 QuasistaticResponse read_response_to_load(const StateReader& state, const std::string& group) {
   QuasistaticResponse response;
-  response.load = read_enumeration<Load>(state, group + "/load");
+  response.load = read_load(state, group + "/load");
   response.modulus = read_group<Sample>(state, group + "/modulus");
   response.compliance = read_group<CreepSample>(state, group + "/compliance");
   response.series =

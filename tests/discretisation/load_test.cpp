@@ -52,10 +52,8 @@ TEST(PairsOfLoads, AreNamedByBoth) {
 TEST(PairsOfLoads, OfAnIsotropicBodyHaveTheSumOfTheModuli) {
   const auto stiffness = isotropic_stiffness<3>({.bulk = 5.0, .shear = 2.0});
   const auto modulus = [&](Load load) {
-    const auto strain = unit_strain<3>(load);
-    Eigen::Vector<double, 6> engineering;
-    for (int i = 0; i < 6; ++i) engineering(i) = (i < 3 ? 1.0 : 2.0) * component(strain, i);
-    return engineering.dot(stiffness * engineering);
+    const auto strain = engineering_strain<3>(unit_strain<3>(load));
+    return strain.dot(stiffness * strain);
   };
   for (const auto& pair : pairs_of_loads) {
     EXPECT_NEAR(modulus(pair.both), modulus(pair.one) + modulus(pair.other), 1e-14) << name_of(pair.both);

@@ -36,10 +36,8 @@ std::vector<double> constants_of(const StiffnessTensor<dim>& stiffness) {
 /// The test of a body of this stiffness under a load. At the second of two times the body has half the stiffness.
 template <int dim>
 TestResult test_of(const StiffnessTensor<dim>& stiffness, Load load) {
-  const auto strain = unit_strain<dim>(load);
-  Eigen::Vector<double, tensor_components<dim>> engineering;
-  for (int i = 0; i < tensor_components<dim>; ++i) engineering(i) = (i < dim ? 1.0 : 2.0) * component(strain, i);
-  const double modulus = engineering.dot(stiffness * engineering);
+  const auto strain = engineering_strain<dim>(unit_strain<dim>(load));
+  const double modulus = strain.dot(stiffness * strain);
   TestResult test{.id = {.load = load, .boundary = Boundary::periodic, .grid = TestGrid(20)}};
   test.modulus = {{1.0, modulus}, {2.0, 0.5 * modulus}};
   const ModulusError error{.grid = load == Load::bulk ? 0.03 : 0.01, .sample = 0.0, .solver = 0.0, .matrix = 0.0};

@@ -61,10 +61,7 @@ StiffnessTensor<dim> laminate(const StiffnessTensor<dim>& first, const Stiffness
 /// Stress under the unit strain of a load, as the modulus of the load.
 template <int dim>
 double modulus_under(Load load, const StiffnessTensor<dim>& stiffness) {
-  Eigen::Matrix<double, tensor_components<dim>, 1> strain;
-  for (int i = 0; i < tensor_components<dim>; ++i) {
-    strain[i] = (i < dim ? 1.0 : 2.0) * component(unit_strain<dim>(load), i);
-  }
+  const auto strain = engineering_strain<dim>(unit_strain<dim>(load));
   return strain.dot(stiffness * strain);
 }
 

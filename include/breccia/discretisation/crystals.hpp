@@ -17,6 +17,14 @@ namespace breccia {
 template <int dim>
 using StiffnessTensor = Eigen::Matrix<double, tensor_components<dim>, tensor_components<dim>>;
 
+/// A strain in Voigt's order with engineering shears.
+template <int dim>
+[[nodiscard]] Eigen::Vector<double, tensor_components<dim>> engineering_strain(const Strain<dim>& strain) {
+  Eigen::Vector<double, tensor_components<dim>> engineering;
+  for (int i = 0; i < tensor_components<dim>; ++i) engineering(i) = (i < dim ? 1.0 : 2.0) * component(strain, i);
+  return engineering;
+}
+
 /// A phase that is not isotropic.
 struct CrystalPhase {
   /// In the axes of the box [Pa]. In plane strain its part for the strains in the plane acts, and the stress out of the
@@ -72,6 +80,11 @@ struct IsotropicMeans {
 
 /// The isotropic means of a stiffness that is positive definite.
 [[nodiscard]] IsotropicMeans isotropic_means(const StiffnessTensor<3>& stiffness);
+
+/// A stiffness in an orthonormal basis of the strains, whose shears are root 2 times those of the tensor. Instantiated
+/// for 2 and 3 dimensions.
+template <int dim>
+[[nodiscard]] StiffnessTensor<dim> in_orthonormal_basis(StiffnessTensor<dim> stiffness);
 
 /// The least eigenvalue of a symmetric stiffness in an orthonormal basis of the strains [Pa]: positive for a stable
 /// solid. Instantiated for 2 and 3 dimensions.

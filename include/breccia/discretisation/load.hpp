@@ -138,8 +138,22 @@ template <int dim>
       component(strain, x) = component(strain, y) = -0.5 / std::numbers::sqrt3;
       component(strain, z) = 1.0 / std::numbers::sqrt3;
       break;
-    default:  // a pair
-      break;
+    case Load::shear_and_diagonal_shear:
+    case Load::shear_and_bulk:
+    case Load::diagonal_shear_and_bulk:
+    case Load::shear_and_shear_yz:
+    case Load::shear_and_shear_zx:
+    case Load::shear_and_axial_shear:
+    case Load::diagonal_shear_and_shear_yz:
+    case Load::diagonal_shear_and_shear_zx:
+    case Load::diagonal_shear_and_axial_shear:
+    case Load::bulk_and_shear_yz:
+    case Load::bulk_and_shear_zx:
+    case Load::bulk_and_axial_shear:
+    case Load::shear_yz_and_shear_zx:
+    case Load::shear_yz_and_axial_shear:
+    case Load::shear_zx_and_axial_shear:
+      break;  // pairs, see above
   }
   return strain;
 }

@@ -15,7 +15,7 @@ struct StiffnessSample {
   /// to the stress: 21 numbers in space (xx, yy, zz, yz, zx, xy), 6 in plane strain (xx, yy, xy).
   std::vector<double> constants = {};
   /// Largest whole error of the moduli under the single loads [-]; nothing where one of them is not known. An error
-  /// delta of every modulus leaves C_ij uncertain by delta sqrt(C_ii C_jj) at most (theory, Eq. 13e).
+  /// delta of every modulus leaves C_ij uncertain by delta sqrt(C_ii C_jj) (theory, Eq. 13e).
   std::optional<double> error = {};
 };
 

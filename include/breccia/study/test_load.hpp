@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -45,6 +46,9 @@ constexpr std::array<Word<TestLoad>, sizeof...(index) + 1> words_of_test_loads(
 
 template <>
 inline constexpr auto words<TestLoad> = detail::words_of_test_loads(std::make_index_sequence<words<Load>.size()>());
+
+/// The name of a load, also of a pair of loads.
+[[nodiscard]] std::string name_of(TestLoad load);
 
 /// The shears of a box of so many dimensions whose mean modulus is isotropic: two in the plane, five in space, each
 /// orthogonal to the others.

@@ -123,10 +123,13 @@ double bytes_of_square(const Study& study, const Stage& stage, double strains) {
   if (study.tests.quasistatic.solver == Solver::stepping) return whole * vectors_of_stepping(study, stage);
   // The residual of a reduced basis takes a nodal vector for each modulus that varies, among a dozen for the matrix.
   double bytes = 2.0 * whole * static_cast<double>(other_varying_phases(study.tests, stage).size());
-  // Each snapshot under each load takes one, too; the snapshots for the matrix alone are among the dozen as well.
-  constexpr double few_snapshots = 11.0;
-  bytes += whole * static_cast<double>(most_solved_loads(study, stage)) *
-           std::max(0.0, expected_snapshots(study, stage) - few_snapshots);
+  // Each snapshot under each load takes one, too; the snapshots for the matrix alone, of up to three loads, are among
+  // the dozen as well.
+  constexpr double few_snapshots = 11.0, few_loads = 3.0;
+  const double snapshots = expected_snapshots(study, stage);
+  const auto loads = static_cast<double>(most_solved_loads(study, stage));
+  bytes += whole * loads * std::max(0.0, snapshots - few_snapshots);
+  bytes += whole * std::max(0.0, loads - few_loads) * std::min(snapshots, few_snapshots);
   return bytes;
 }
 

@@ -12,12 +12,17 @@
 namespace breccia {
 namespace {
 
-/// The loads whose moduli are results: those of the study, and those of the stage as a material.
+/// The loads whose moduli are results: those of the study and those of the stage as a material; of the whole stiffness
+/// each shear by itself.
 std::vector<TestLoad> reported_loads(const Study& study, const Stage& stage) {
   auto loads = study.tests.loads;
   if (serves_as_matrix(study.stages, stage.name)) {
     loads.push_back(shear_of_material(study.tests));
     loads.emplace_back(Load::bulk);
+  }
+  if (study.tests.whole_stiffness) {
+    const auto shears = isotropic_shears(stage.dimensions());
+    loads.insert(loads.end(), shears.begin(), shears.end());
   }
   return loads;
 }

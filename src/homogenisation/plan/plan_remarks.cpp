@@ -92,7 +92,8 @@ std::optional<std::string> remark_on_sizes(const Stage& stage) {
   return fmt::format(
       "its sizes span {:.0f} to 1, and the smallest particle is {:.2g} cells wide; stages, each the matrix of the "
       "next, "
-      "resolve all with far fewer cells: {} (docs/limitations.md, Separation of sizes, says what that leaves out)",
+      "take far fewer cells: {}; a stage takes smaller particles as uniform, an error of up to tens of per cent where "
+      "sizes touch (docs/limitations.md, Separation of sizes)",
       sizes->largest / sizes->smallest, cells_across, fmt::join(stages, ", then "));
 }
 

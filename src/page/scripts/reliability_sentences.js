@@ -172,6 +172,6 @@ function onSeparation(record, stage) {
   const factor = shortNumber(ratio, 2);
   return `The stages: the smallest particle of ${stage.name} is ${factor === "1" ? "" : `${factor} times `}as large as the ` +
     `largest of its matrix, ${matrix.name}, which the stage takes as uniform. ` +
-    (ratio >= 5 ? "That holds well." : "That holds well for ratios above five; here it adds an error, up to tens of " +
+    (ratio > 5 * (1 - 1e-9) ? "That holds well." : "That holds well for ratios above five; here it adds an error, up to tens of " +
       "per cent, which is not part of the errors above.");
 }

@@ -24,6 +24,14 @@ Eigen::MatrixXd read_square(const StateReader& state, const std::string& name, s
 
 }  // namespace
 
+Load read_load(const StateReader& state, const std::string& name) {
+  const auto number = state.integer(name);
+  for (const auto& pair : pairs_of_loads) {
+    if (static_cast<std::int64_t>(pair.both) == number) return pair.both;
+  }
+  return read_enumeration<Load>(state, name);
+}
+
 void save(StateWriter& state, const std::string& group, const ReducedResponse& response) {
   state.write(group + "/load", static_cast<std::int64_t>(response.load));
   state.write(group + "/boundary", static_cast<std::int64_t>(response.boundary));
@@ -54,7 +62,7 @@ void save(StateWriter& state, const std::string& group, const ReducedResponse& r
 
 ReducedResponse read_response(const StateReader& state, const std::string& group) {
   ReducedResponse response;
-  response.load = read_enumeration<Load>(state, group + "/load");
+  response.load = read_load(state, group + "/load");
   response.boundary = read_enumeration<Boundary>(state, group + "/boundary");
   const auto forces = state.numbers(group + "/load_forces");
   const auto size = forces.size();
