@@ -2,10 +2,12 @@
 
 import {element} from "../../page/scripts/elements.js";
 import {hasForm, labelOf} from "./form_labels.js";
-import {describe, isModulus} from "./key_reference.js";
+import {describe, isModulus, sectionOf} from "./key_reference.js";
 import {firstSentence} from "./markdown.js";
-import {materialNames} from "./deck_tree.js";
-import {startingValue} from "./starting_values.js";
+import {goesWith} from "./choice_changes.js";
+import {fileQuestion} from "./file_question.js";
+import {excludes} from "./key_conflicts.js";
+import {filesFor, isFile, startingValue} from "./starting_values.js";
 
 let count = 0;
 
@@ -13,19 +15,24 @@ let count = 0;
 export function addKey({path, except, context}) {
   const id = `add-${++count}`;
   const list = element("select", {id});
+  list.dataset.focus = JSON.stringify([...path, "add"]);
+  const question = fileQuestion(context);
   const button = element("button", {type: "button", className: "quiet", onclick: () => {
     const key = keys.find((one) => one.key === list.value);
     if (key === undefined) return;
-    context.focusAfterwards([...path, key.key]);
-    const names = materialNames(context.deck.tree);
-    context.edit([...path, key.key], startingValue(context.reference, key, {folder: context.folder, names}));
+    const write = (file) => {
+      context.focusAfterwards([...path, key.key]);
+      const {tree} = context.deck;
+      context.edit([...path, key.key], startingValue(context.reference, key, {tree, path, file}));
+    };
+    if (isFile(key)) question.ask({files: filesFor(key, context.folder), take: write});
+    else write(null);
   }}, "Add");
-  const line = element("div", {className: "add"}, element("label", {htmlFor: id}, titleOf(path)), list, button);
+  const line = element("div", {className: "add"}, element("label", {htmlFor: id}, titleOf(path)), list, button,
+    question.element);
   let [keys, shown] = [[], ""];
-  return {element: line, update({section, node}) {
-    const forms = path.length === 0 ? [] : describe(context.reference, path)?.forms ?? [];
-    keys = missingKeys(context.reference, section, node)
-      .filter(({key}) => !except.includes(key) && suitsForm(forms, node, key));
+  return {element: line, update({node}) {
+    keys = offeredKeys(context.reference, context.deck.tree, path, node).filter(({key}) => !except.includes(key));
     line.hidden = keys.length === 0;
     const state = keys.map(({key}) => key).join(" ");
     if (state === shown) return;
@@ -41,6 +48,22 @@ function titleOf(path) {
   if (path.length === 0) return "Add to the study";
   const name = path.findLast((part) => typeof part === "string");
   return `Add to ${name === "stages" ? "the stage" : name === "measurements" ? "it" : labelOf(name)}`;
+}
+
+/// The keys that can be added to the table at a path of a deck, as the reference and the rest of the deck have it.
+export function offeredKeys(reference, tree, path, node) {
+  const forms = path.length === 0 ? [] : describe(reference, path)?.forms ?? [];
+  return missingKeys(reference, sectionOf(reference, path), node)
+    .filter((key) => suitsForm(forms, node, key.key) && suitsWords(reference, path, node, key) && !excludes(tree, path, key.key));
+}
+
+/// Whether a key goes with the words that other keys of the table have, such as `law = "wlf"`.
+function suitsWords(reference, path, node, key) {
+  const decisive = path[0] === "tests" ? [] : node.entries.map((one) => [describe(reference, [...path, one.key]), one.value]);
+  return decisive.filter(([known]) => known !== null && known.section === key.section).every(([{choices}, {value}]) => {
+    const chosen = choices.find(({source}) => source === `"${value}"`);
+    return chosen === undefined || goesWith(key, chosen, choices);
+  });
 }
 
 /// The keys that a table can have besides those that it has; of a packing, or of a law, those that belong to it.

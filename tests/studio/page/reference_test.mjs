@@ -10,7 +10,7 @@ import {describe, formsOfKey, sectionOf} from "../../../src/studio/page/key_refe
 import {blocksOf, firstSentence, plain} from "../../../src/studio/page/markdown.js";
 import {readReference} from "../../../src/studio/page/reference_reader.js";
 import {labelOfForm} from "../../../src/studio/page/form_labels.js";
-import {valueOfForm} from "../../../src/studio/page/starting_values.js";
+import {isFileForm, valueOfForm} from "../../../src/studio/page/starting_values.js";
 import {keyPaths} from "./deck_keys.mjs";
 
 const root = fileURLToPath(new URL("../../../", import.meta.url));
@@ -62,9 +62,9 @@ test("the forms of a modulus, and values for them", () => {
   const forms = formsOfKey(reference, shear);
   assert.deepEqual(forms.map(labelOfForm), ["elastic: one value", "Prony series in a file", "Prony series, term by term",
     "measured data, fitted", "2S2P1D (bitumen)", "fractional Zener", "creep by a power law", "logarithmic creep (concrete)"]);
-  const folder = {tables: ["dma.csv"]};
-  assert.equal(valueOfForm(reference, forms[3], {folder}), '{ measured = "dma.csv" }');
-  assert.equal(valueOfForm(reference, forms[5], {folder}),
+  assert.deepEqual(forms.map(isFileForm), [false, true, false, true, false, false, false, false]);
+  assert.equal(valueOfForm(reference, forms[3], "dma.csv"), '{ measured = "dma.csv" }');
+  assert.equal(valueOfForm(reference, forms[5]),
     '{ law = "fractional-zener", equilibrium = "1 MPa", unrelaxed = "1 GPa", time = "1 s", exponent = 0.5 }');
   assert.equal(sectionOf(reference, ["materials", "binder", "shear", "terms", 0]), "modulus.terms");
 });
