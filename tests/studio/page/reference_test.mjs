@@ -69,6 +69,20 @@ test("the forms of a modulus, and values for them", () => {
   assert.equal(sectionOf(reference, ["materials", "binder", "shear", "terms", 0]), "modulus.terms");
 });
 
+test("keys that are named in passing have a few words of their own", () => {
+  const words = (...path) => firstSentence(describe(reference, path).meaning);
+  const filler = ["stages", 0, "filler"];
+  assert.equal(words("materials", "a", "shear", "equilibrium"), "modulus at infinite time.");
+  assert.match(describe(reference, ["materials", "a", "shear", "equilibrium"]).meaning, /^modulus at infinite time\. The first two/);
+  assert.equal(words("materials", "a", "young", "glassy"), "modulus at time zero, E0");
+  assert.equal(words("materials", "a", "factors", "times"), "multiplies all relaxation times");
+  assert.equal(words("materials", "a", "stiffness", "symmetry"), "symmetry of the crystal");
+  assert.equal(words(...filler, "sizes", "d50"), "half of the volume is smaller");
+  assert.equal(words(...filler, "coating", "material"), "material of the layer");
+  assert.equal(words("stages", 0, "packing", "method"), "how the particles are placed.");
+  assert.match(words("stages", 0, "packing", "walls"), /^false: a periodic box; true: all particles inside; "cut"/);
+});
+
 /// Keys of the examples for which the reference has no table: the keys of a sweep are paths.
 const exceptions = [/^sweep\./];
 
