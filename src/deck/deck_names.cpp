@@ -184,16 +184,20 @@ class References {
   std::vector<ChangedKey> keys_;
 };
 
-/// The table and the present name to which a path leads.
-Renaming renaming_at(const DeckTable& root, std::span<const DeckStep> path, const std::string& name) {
+/// The table in which a path leads to a material or a stage.
+std::string table_of(const DeckTable& root, std::span<const DeckStep> path) {
   const bool is_there = path.size() == 2 && detail::present_steps(root, path) == 2;
-  if (is_there && path.front() == DeckStep(std::string(materials_key))) {
-    return {std::string(materials_key), std::get<std::string>(path.back()), name};
-  }
-  if (is_there && path.front() == DeckStep(std::string(stages_key))) {
-    return {std::string(stages_key), name_of(*detail::value_at(root, path)), name};
+  for (const auto table : {materials_key, stages_key}) {
+    if (is_there && path.front() == DeckStep(std::string(table))) return std::string(table);
   }
   throw InputError(fmt::format("{} is no material and no stage", detail::path_text(path)));
+}
+
+/// The present name of the material or the stage at a path, and the one that it is to have.
+Renaming renaming_at(const DeckTable& root, std::span<const DeckStep> path, const std::string& name) {
+  const auto table = table_of(root, path);
+  const bool is_material = table == materials_key;
+  return {table, is_material ? std::get<std::string>(path.back()) : name_of(*detail::value_at(root, path)), name};
 }
 
 void refuse_used_name(const DeckTable& root, const Renaming& renaming) {
@@ -232,9 +236,8 @@ std::string deck_with_name(const std::string& text, std::span<const DeckStep> pa
 
 std::string deck_with_order(const std::string& text, std::span<const DeckStep> one, std::span<const DeckStep> other) {
   const auto root = detail::parse_deck("deck", text);
-  const auto renaming = renaming_at(root, one, "");
   const auto* sweep = table_in(find(root, sweep_key));
-  if (renaming.table == stages_key && sweep != nullptr && counts_stages(*sweep)) {
+  if (table_of(root, one) == stages_key && sweep != nullptr && counts_stages(*sweep)) {
     throw InputError("the sweep of the deck counts the stages: name them there before they change places");
   }
   return deck_with_exchange(text, one, other);

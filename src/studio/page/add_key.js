@@ -1,12 +1,14 @@
 /// The line below a table of the form with which keys are added that the deck lacks.
 
 import {element} from "../../page/scripts/elements.js";
+import {goesWith} from "./choice_changes.js";
+import {entry, nodeAt} from "./deck_tree.js";
+import {fileQuestion} from "./file_question.js";
 import {hasForm, labelOf} from "./form_labels.js";
+import {excludes} from "./key_conflicts.js";
 import {describe, isModulus, sectionOf} from "./key_reference.js";
 import {firstSentence} from "./markdown.js";
-import {goesWith} from "./choice_changes.js";
-import {fileQuestion} from "./file_question.js";
-import {excludes} from "./key_conflicts.js";
+import {pictureSize} from "./picture_size.js";
 import {filesFor, isFile, startingValue} from "./starting_values.js";
 
 let count = 0;
@@ -20,10 +22,11 @@ export function addKey({path, except, context}) {
   const button = element("button", {type: "button", className: "quiet", onclick: () => {
     const key = keys.find((one) => one.key === list.value);
     if (key === undefined) return;
-    const write = (file) => {
-      context.focusAfterwards([...path, key.key]);
+    const write = async (file) => {
       const {tree} = context.deck;
-      context.edit([...path, key.key], startingValue(context.reference, key, {tree, path, file}));
+      const picture = key.key === "crop" ? await pictureSize(entry(nodeAt(tree, path), "file")?.value ?? "") : null;
+      context.focusAfterwards([...path, key.key]);
+      context.edit([...path, key.key], startingValue(context.reference, key, {tree, path, file, picture}));
     };
     if (isFile(key)) question.ask({files: filesFor(key, context.folder), take: write});
     else write(null);

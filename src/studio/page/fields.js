@@ -45,7 +45,7 @@ function fieldOf(kind, options) {
 /// The name of the material at a path, which is no value of its table but the key of it.
 export function nameField(path, context) {
   const field = singleField("rename", {path: [...path, "name"], name: "name", context});
-  const key = {section: "materials.*", key: "name", type: "", default: "", meaning: "all that refer to it follow",
+  const key = {section: "materials.*", key: "name", type: "", default: "", meaning: "a new one is written wherever the deck refers to it",
     choices: [], forms: [], example: null};
   return {element: field.element, update: (name) => field.update({node: {type: "text", value: name}, key})};
 }

@@ -15,7 +15,7 @@ const ofKeys = {
   times: '["1 ms", "1 s"]', frequencies: '["0.01 Hz", "100 Hz"]', accuracy: '"3 %"', budget: '"10 min"',
   fields: '"last"', loads: '["isotropic", "bulk"]', boundaries: '["periodic"]', mass_scaling_factors: '"auto"',
   vary: "{}", quasistatic: '{ range = "times" }', dynamic: "{ courant = 0.9 }", films: "{ face_share = 0.3 }",
-  crop: "{ left = 0, top = 0, width = 400, height = 400 }", pixel: '"1 um"', smooth: "3", page: "1",
+  crop: "{ left = 0, top = 0, width = 100, height = 100 }", pixel: '"1 um"', smooth: "3", page: "1",
   threshold: '"otsu"', normal: "[1, 0]", pairs: "[]", ramp: '"1 ms"', sweep: '{ "stages.*.packing.seed" = [1, 2, 3] }',
   static: '"1 MPa"', glassy: '"1 GPa"', unrelaxed: '"1 GPa"', equilibrium: '"1 MPa"', delta: "2.2", k: "0.2", h: "0.6",
   beta: "50", exponent: "0.5", time: '"1 s"', instantaneous: '"40e-6 /MPa"', creep: '"20e-6 /MPa"',
@@ -24,11 +24,12 @@ const ofKeys = {
 };
 
 /// The source of the value that a key begins with in the table at `path` of a deck; `file` is the name of the file that
-/// the value names, if it names one.
-export function startingValue(sections, key, {tree, path, file = null}) {
+/// the value names, if it names one, and `picture` the size of the picture of the table, if it is known.
+export function startingValue(sections, key, {tree, path, file = null, picture = null}) {
   const suited = suitedValue(key, tree, path);
   if (suited !== null) return suited;
   if (isModulus(key)) return '"1 GPa"';
+  if (key.key === "crop" && picture !== null) return largestSquare(picture);
   if (isFile(key)) return quoted(file);
   if (ofKeys[key.key] !== undefined) return ofKeys[key.key];
   const [form] = formsOfKey(sections, key);
@@ -39,6 +40,12 @@ export function startingValue(sections, key, {tree, path, file = null}) {
   if (/integer/.test(key.type)) return "1";
   if (/number/.test(key.type)) return "0.5";
   return key.type === "boolean" ? "true" : '""';
+}
+
+/// The largest square of a picture, of an even number of pixels.
+function largestSquare({width, height}) {
+  const side = 2 * Math.floor(Math.min(width, height) / 2);
+  return `{ left = 0, top = 0, width = ${side}, height = ${side} }`;
 }
 
 /// A form as the value of a key, such as `{ law = "2s2p1d", static = "1 MPa", … }`; `file` is the name of that of a form

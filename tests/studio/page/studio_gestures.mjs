@@ -69,6 +69,10 @@ test("an image asks for its file first, and says where it cannot be a stack", {t
   const model = field(["dimensions"]);
   assert.ok(await page.value(`${model}.disabled`));
   assert.match(await page.value(`${model}.closest(".field").innerText`), /A PNG is one picture/);
+  // The part of the picture begins with all of it.
+  await choose(page, field(["stages", 0, "packing", "add"]), "crop");
+  await page.value(`${field(["stages", 0, "packing", "add"])}.nextElementSibling.click()`);
+  await session.deckThat("picture.toml", /crop = \{ left = 0, top = 0, width = 400, height = 400 \}/);
   await look(page, "image");
   expectNoComplaints(page);
 });

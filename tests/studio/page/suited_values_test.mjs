@@ -51,6 +51,12 @@ test("a shift of temperature begins with what changes nothing", () => {
   assert.equal(value("factors", "binder"), "{ times = 1, modulus = 1 }");
 });
 
+test("a part of a picture begins with its largest square", () => {
+  const path = ["stages", 0, "packing"];
+  assert.equal(startingValue(reference, describe(reference, [...path, "crop"]), {tree, path, picture: {width: 301, height: 512}}),
+    "{ left = 0, top = 0, width = 300, height = 300 }");
+});
+
 test("keys that the rest of the deck excludes are not offered", () => {
   const filler = ["stages", 0, "filler"];
   assert.deepEqual(["amount", "fraction", "from"].map((key) => excludes(tree, filler, key)), [true, false, false]);
