@@ -7,6 +7,8 @@
 #include "breccia/error.hpp"
 
 #include "deckfile/deck_text_change.hpp"
+#include "deckfile/deck_text_exchange.hpp"
+#include "deckfile/deck_text_key.hpp"
 #include "deckfile/deck_text_scan.hpp"
 #include "deckfile/deck_text_value.hpp"
 #include "deckfile/deck_tree_edit.hpp"
@@ -74,6 +76,13 @@ void require_same(const detail::DeckTable& expected, const detail::DeckTable& re
   throw std::logic_error(fmt::format("an edit of {} changes more or less than this value", detail::path_text(path)));
 }
 
+/// Refuses a path that leads to no value of the deck.
+void refuse_missing(const detail::DeckTable& root, std::span<const DeckStep> path) {
+  refuse_bad_path(path);
+  if (detail::present_steps(root, path) == path.size()) return;
+  throw InputError(fmt::format("the deck has no {}", detail::path_text(path)));
+}
+
 }  // namespace
 
 std::string deck_with_value(const std::string& text, std::span<const DeckStep> path, const std::string& value) {
@@ -104,6 +113,40 @@ std::string deck_without(const std::string& text, std::span<const DeckStep> path
     detail::erase(expected, around);
   }
   require_same(expected, result, path);
+  return edited;
+}
+
+std::string deck_with_key(const std::string& text, std::span<const DeckStep> path, const std::string& key) {
+  auto expected = detail::parse_deck(deck_name, text);
+  refuse_missing(expected, path);
+  if (path.back() == DeckStep(key)) return text;
+  if (!std::holds_alternative<std::string>(path.back())) {
+    throw InputError(fmt::format("{} is an element of an array: it has no key", detail::path_text(path)));
+  }
+  const auto renamed = detail::extended(path.first(path.size() - 1), DeckStep(key));
+  if (detail::value_at(expected, renamed) != nullptr) {
+    throw InputError(fmt::format("the deck has a {} already", detail::path_text(renamed)));
+  }
+  refuse_bad_keys(renamed);
+  auto edited = detail::text_with_key(text, path, key);
+  detail::rename(expected, path, key);
+  require_same(expected, parsed_result(edited, path), path);
+  return edited;
+}
+
+std::string deck_with_exchange(const std::string& text, std::span<const DeckStep> one,
+                               std::span<const DeckStep> other) {
+  auto expected = detail::parse_deck(deck_name, text);
+  refuse_missing(expected, one);
+  refuse_missing(expected, other);
+  const auto around = one.first(one.size() - 1);
+  if (one.size() != other.size() || !detail::is_within(other, around) || one.back() == other.back()) {
+    throw InputError(fmt::format("{} and {} cannot change places: they are not two of one table or array",
+                                 detail::path_text(one), detail::path_text(other)));
+  }
+  auto edited = detail::text_with_exchange(text, one, other);
+  detail::exchange(expected, one, other);
+  require_same(expected, parsed_result(edited, one), one);
   return edited;
 }
 

@@ -27,15 +27,6 @@ std::optional<std::size_t> last_statement(const DeckSource& source, const Condit
   return std::nullopt;
 }
 
-/// The number of leading steps that a path has in common with the keys of an item: all of the shorter one, or 0.
-std::size_t common_steps(const SourceItem& item, DeckSteps path) {
-  const auto shorter = std::min(item.keys.size(), path.size());
-  for (std::size_t i = 0; i < shorter; ++i) {
-    if (path[i] != DeckStep(item.keys[i])) return 0;
-  }
-  return shorter;
-}
-
 /// Goes along a path by one item of an array.
 ItemPlace enter_array(const SourceValue& array, DeckSteps& path) {
   const auto index = std::get<std::size_t>(path.front());
@@ -60,6 +51,14 @@ ItemPlace enter_table(const SourceValue& table, DeckSteps& path) {
 }
 
 }  // namespace
+
+std::size_t common_steps(const SourceItem& item, DeckSteps path) {
+  const auto shorter = std::min(item.keys.size(), path.size());
+  for (std::size_t i = 0; i < shorter; ++i) {
+    if (path[i] != DeckStep(item.keys[i])) return 0;
+  }
+  return shorter;
+}
 
 const DeckStatement* line_of_value(const DeckSource& source, DeckSteps path) {
   const auto holds = [&](const DeckStatement& one) { return is_entry(one) && is_within(path, one.path); };

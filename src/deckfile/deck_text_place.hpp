@@ -16,6 +16,9 @@ struct ItemPlace {
   DeckSteps dotted;                        ///< the steps to such a table from its container
 };
 
+/// The number of leading steps that a path has in common with the keys of an item: all of the shorter one, or 0.
+std::size_t common_steps(const SourceItem& item, DeckSteps path);
+
 /// The entry in whose value a path ends, or nullptr if it leads to a table or an array that several lines give.
 const DeckStatement* line_of_value(const DeckSource& source, DeckSteps path);
 

@@ -17,6 +17,12 @@ std::string unquoted(const std::string& quoted) {
   return std::get<std::string>(table.entries.at(0).value.content);
 }
 
+/// The parts of a key, and where they are written.
+struct DottedKey {
+  std::vector<std::string> names;
+  std::vector<TextSpan> spans;
+};
+
 /// Reads TOML that the parser has accepted, from a place on.
 class TomlScanner {
  public:
@@ -35,11 +41,13 @@ class TomlScanner {
   void pass_line() { at_ = std::min(text_.find('\n', at_), text_.size() - 1) + 1; }
 
   /// A key, dotted or not.
-  std::vector<std::string> keys() {
-    std::vector<std::string> keys;
+  DottedKey keys() {
+    DottedKey keys;
     while (true) {
       pass_blanks();
-      keys.push_back(key());
+      const auto begin = at_;
+      keys.names.push_back(key());
+      keys.spans.push_back({begin, at_});
       pass_blanks();
       if (!is_at(".")) return keys;
       pass(".");
@@ -50,7 +58,9 @@ class TomlScanner {
   SourceItem entry() {
     SourceItem item;
     item.span.begin = at_;
-    item.keys = keys();
+    auto key = keys();
+    item.keys = std::move(key.names);
+    item.key_spans = std::move(key.spans);
     item.equals = at_;
     pass("=");
     pass_blanks();
@@ -201,11 +211,15 @@ DeckSource scanned(const std::string& text) {
     if (scanner.is_at("[[")) {
       statement.form = DeckStatement::Form::element_header;
       scanner.pass("[[");
-      statement.path = section = headers.of_element(scanner.keys());
+      auto keys = scanner.keys();
+      statement.path = section = headers.of_element(keys.names);
+      statement.header_spans = std::move(keys.spans);
     } else if (scanner.is_at("[")) {
       statement.form = DeckStatement::Form::table_header;
       scanner.pass("[");
-      statement.path = section = headers.of_table(scanner.keys());
+      auto keys = scanner.keys();
+      statement.path = section = headers.of_table(keys.names);
+      statement.header_spans = std::move(keys.spans);
     } else if (is_statement) {
       statement.entry = scanner.entry();
       statement.path = section;

@@ -30,6 +30,7 @@ struct SourceValue {
 struct SourceItem {
   TextSpan span;                     ///< from the key, in an array from the value, to the end of the value
   std::vector<std::string> keys;     ///< several for a dotted key, none in an array
+  std::vector<TextSpan> key_spans;   ///< the places of the keys, with their quotes
   std::size_t equals = 0;            ///< place of `=`
   std::optional<std::size_t> comma;  ///< place of the comma after the item
   SourceValue value;
@@ -43,6 +44,7 @@ struct DeckStatement {
   TextSpan lines;    ///< whole lines, with the line break and a comment at the end
   DeckPath section;  ///< of an entry, the path of the table whose header it follows; of a header, its own path
   DeckPath path;
+  std::vector<TextSpan> header_spans;  ///< of a header, the places of its keys
   SourceItem entry;
 };
 

@@ -23,6 +23,16 @@ DeckValue& made(DeckValue& value, const DeckStep& step) {
   return elements.at(index);
 }
 
+/// Calls an action with the value at a path, which may be empty; what is missing on the path is added.
+template <class Action>
+void change_at(DeckTable& root, DeckSteps path, const Action& action) {
+  DeckValue deck{{}, std::move(root)};
+  auto* place = &deck;
+  for (const auto& step : path) place = &made(*place, step);
+  action(*place);
+  root = std::move(std::get<DeckTable>(deck.content));
+}
+
 void remove_step(DeckValue& value, const DeckStep& step) {
   if (const auto* key = std::get_if<std::string>(&step)) {
     std::erase_if(std::get<DeckTable>(value.content).entries,
@@ -62,19 +72,26 @@ bool is_empty(const DeckValue& value) {
 }
 
 void assign(DeckTable& root, DeckSteps path, const DeckValue& value) {
-  DeckValue deck{{}, std::move(root)};
-  auto* place = &deck;
-  for (const auto& step : path) place = &made(*place, step);
-  *place = value;
-  root = std::move(std::get<DeckTable>(deck.content));
+  change_at(root, path, [&](DeckValue& place) { place = value; });
 }
 
 void erase(DeckTable& root, DeckSteps path) {
-  DeckValue deck{{}, std::move(root)};
-  auto* place = &deck;
-  for (const auto& step : path.first(path.size() - 1)) place = &made(*place, step);
-  remove_step(*place, path.back());
-  root = std::move(std::get<DeckTable>(deck.content));
+  change_at(root, path.first(path.size() - 1), [&](DeckValue& around) { remove_step(around, path.back()); });
+}
+
+void rename(DeckTable& root, DeckSteps path, const std::string& key) {
+  change_at(root, path.first(path.size() - 1), [&](DeckValue& around) {
+    auto& entries = std::get<DeckTable>(around.content).entries;
+    std::ranges::find(entries, std::get<std::string>(path.back()), &DeckEntry::key)->key = key;
+  });
+}
+
+void exchange(DeckTable& root, DeckSteps one, DeckSteps other) {
+  if (std::holds_alternative<std::string>(one.back())) return;
+  change_at(root, one.first(one.size() - 1), [&](DeckValue& around) {
+    auto& elements = std::get<DeckArray>(around.content).values;
+    std::swap(elements.at(std::get<std::size_t>(one.back())), elements.at(std::get<std::size_t>(other.back())));
+  });
 }
 
 }  // namespace breccia::detail

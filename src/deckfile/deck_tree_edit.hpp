@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "deckfile/deck_path.hpp"
 
 namespace breccia::detail {
@@ -16,5 +18,11 @@ void assign(DeckTable& root, DeckSteps path, const DeckValue& value);
 
 /// Removes the value at a path that is there.
 void erase(DeckTable& root, DeckSteps path);
+
+/// Gives the value at a path that is there another key.
+void rename(DeckTable& root, DeckSteps path, const std::string& key);
+
+/// Exchanges two elements of an array; two entries of a table stay, since a table has no order.
+void exchange(DeckTable& root, DeckSteps one, DeckSteps other);
 
 }  // namespace breccia::detail

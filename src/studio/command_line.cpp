@@ -37,6 +37,14 @@ std::string shown(const Command& command) {
   return line;
 }
 
+std::string copying_command(std::string_view from, std::string_view to) {
+  return fmt::format("cp {} {}", shell_word(from), shell_word(to));
+}
+
+std::string opening_command(std::string_view file) {
+  return fmt::format("xdg-open {}", shell_word(file));
+}
+
 std::string failure_in(std::string_view output) {
   const auto is_of_plan = [](const std::string& line) {
     constexpr std::array<std::string_view, 4> beginnings = {" ", "plan, ", "together ", "warning: "};

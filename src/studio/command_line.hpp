@@ -15,6 +15,12 @@ struct Command {
 /// The line that a user would type: `breccia check 'my deck.toml'`.
 std::string shown(const Command& command);
 
+/// The line with which a user copies a file.
+std::string copying_command(std::string_view from, std::string_view to);
+
+/// The line with which a user opens a file in the program that is there for it.
+std::string opening_command(std::string_view file);
+
 /// A word as a shell takes it, in quotes where it needs them.
 std::string shell_word(std::string_view word);
 

@@ -46,11 +46,16 @@ Json list_of(const std::vector<ExampleDeck>& decks) {
 Json list_of(const std::vector<ListedResult>& results, const std::string& results_at) {
   auto json = Json::array();
   for (const auto& result : results) {
-    Json one = {{"path", result.path},           {"title", result.title}, {"deck", result.deck},
-                {"deck_text", result.deck_text}, {"date", result.date},   {"complete", result.is_complete},
-                {"is_sweep", result.is_sweep},   {"seconds", nullptr},    {"report", nullptr}};
+    Json one = {{"path", result.path},         {"title", result.title},
+                {"deck", result.deck},         {"deck_text", result.deck_text},
+                {"date", result.date},         {"complete", result.is_complete},
+                {"is_sweep", result.is_sweep}, {"seconds", nullptr},
+                {"report", nullptr},           {"command", nullptr}};
     if (result.seconds) one["seconds"] = *result.seconds;
-    if (result.has_page) one["report"] = fmt::format("{}files/{}/report.html", results_at, result.path);
+    if (result.has_page) {
+      one["report"] = fmt::format("{}files/{}/report.html", results_at, result.path);
+      one["command"] = opening_command(result.path + "/report.html");
+    }
     json.push_back(std::move(one));
   }
   return json;
@@ -102,8 +107,12 @@ Json Session::deck(const std::string& name) const {
 
 Json Session::add_deck(const Json& request) {
   const auto example = optional_text(request, "example");
-  return json_of(copy_example(places_.examples, example.empty() ? "starter.toml" : example, folder_,
-                              required_text(request, "name")));
+  const auto deck = copy_example(places_.examples, example.empty() ? "starter.toml" : example, folder_,
+                                 required_text(request, "name"));
+  auto json = json_of(deck);
+  json["command"] = example.empty() ? shown({.arguments = {"new", deck.name}})
+                                    : copying_command((places_.examples / example).string(), deck.name);
+  return json;
 }
 
 Json Session::save_deck(const Json& request) {
@@ -113,7 +122,7 @@ Json Session::save_deck(const Json& request) {
 
 Json Session::upload(const std::string& name, std::string_view bytes) {
   folder_.add_data(name, bytes);
-  return {{"name", name}};
+  return {{"name", name}, {"command", copying_command(name, folder_.path().string())}};
 }
 
 Json Session::check(const Json& request) {
@@ -179,19 +188,29 @@ Json Session::compare(const Json& request) {
   return json;
 }
 
-Json Session::start_run(const Json& request) {
+Session::PlannedRun Session::planned_run(const Json& request) const {
   const auto deck = folder_.deck(required_text(request, "name"));
   const auto options = request.value("options", Json::object());
   const int seeds = options.value("seeds", 0);
   const auto stem = without_suffix(deck.name);
   const auto name = seeds > 0 ? fmt::format("{}-{}-seeds", stem, seeds) : stem;
-  const auto results =
+  PlannedRun run = {.deck = deck.name};
+  run.results =
       options.value("anew", false) ? new_directory_for(folder_, name) : directory_for(folder_, name, deck.text);
-  Command command = {.arguments = {"run", deck.name}};
-  if (seeds > 0) add_option(command, "--seeds", std::to_string(seeds));
-  if (results != "results/" + stem) add_option(command, "--out", results);
-  command.arguments.emplace_back("--resume");
-  if (!run_.start(command, deck.name, results)) throw Conflict("a run is under way: wait for it, or stop it");
+  run.command.arguments = {"run", deck.name};
+  if (seeds > 0) add_option(run.command, "--seeds", std::to_string(seeds));
+  if (run.results != "results/" + stem) add_option(run.command, "--out", run.results);
+  run.command.arguments.emplace_back("--resume");
+  return run;
+}
+
+Json Session::run_command(const Json& request) {
+  return {{"command", shown(planned_run(request).command)}};
+}
+
+Json Session::start_run(const Json& request) {
+  const auto run = planned_run(request);
+  if (!run_.start(run.command, run.deck, run.results)) throw Conflict("a run is under way: wait for it, or stop it");
   return run_status();
 }
 

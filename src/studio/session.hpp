@@ -45,6 +45,8 @@ class Session {
   Json fit(const Json& request);
   Json compare(const Json& request);
 
+  /// The command that start_run() would run.
+  Json run_command(const Json& request);
   /// Starts `breccia run`. Throws Conflict if a run is under way.
   Json start_run(const Json& request);
   [[nodiscard]] Json run_status() const;
@@ -58,7 +60,15 @@ class Session {
   void end();
 
  private:
+  /// A run of a deck as it is asked for.
+  struct PlannedRun {
+    std::string deck = {};
+    std::string results = {};
+    Command command = {};
+  };
+
   [[nodiscard]] Program program() const;
+  [[nodiscard]] PlannedRun planned_run(const Json& request) const;
   /// The addresses of the pictures below a preview, in alphabetical order.
   [[nodiscard]] std::vector<std::string> pictures_below(const std::filesystem::path& place) const;
 

@@ -1,13 +1,11 @@
 #include "studio/session_json.hpp"
 
-#include <cstddef>
 #include <optional>
 
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
 
-#include "deckfile/deck_text_edit.hpp"
 #include "studio/deck_json.hpp"
 #include "studio/terminal_text.hpp"
 
@@ -40,22 +38,6 @@ void add_tree(Json& deck, const std::string& text) {
   }
 }
 
-std::vector<DeckStep> path_in(const Json& request) {
-  const auto path = request.find("path");
-  std::vector<DeckStep> steps;
-  if (path == request.end() || !path->is_array() || path->empty()) throw InputError("path: expected keys and indices");
-  for (const auto& step : *path) {
-    if (step.is_string()) {
-      steps.emplace_back(step.get<std::string>());
-    } else if (step.is_number_unsigned()) {
-      steps.emplace_back(step.get<std::size_t>());
-    } else {
-      throw InputError("path: expected keys and indices");
-    }
-  }
-  return steps;
-}
-
 }  // namespace
 
 std::string required_text(const Json& request, const std::string& key) {
@@ -74,6 +56,12 @@ std::string optional_text(const Json& request, const std::string& key) {
 Json json_of(const DeckText& deck) {
   Json json = {{"name", deck.name}, {"text", deck.text}, {"version", deck.version}};
   add_tree(json, deck.text);
+  return json;
+}
+
+Json json_of_text(const std::string& text) {
+  Json json = {{"text", text}};
+  add_tree(json, text);
   return json;
 }
 
@@ -99,16 +87,6 @@ Json json_of(const RunStatus& run) {
                {"report", nullptr}};
   if (run.exit_code) json["exit"] = *run.exit_code;
   if (share) json["share"] = *share;
-  return json;
-}
-
-Json edited_deck(const Json& request) {
-  const auto text = required_text(request, "text");
-  const auto path = path_in(request);
-  const bool removes = request.contains("value") && request["value"].is_null();
-  const auto edited = removes ? deck_without(text, path) : deck_with_value(text, path, required_text(request, "value"));
-  Json json = {{"text", edited}};
-  add_tree(json, edited);
   return json;
 }
 

@@ -23,11 +23,10 @@ std::string required_text(const Json& request, const std::string& key);
 std::string optional_text(const Json& request, const std::string& key);
 
 Json json_of(const DeckText& deck);
+/// What the text of a deck means: {"text", "tree", "mistakes"}; the tree is null where the text is not TOML.
+Json json_of_text(const std::string& text);
 Json json_of(const std::vector<ShownMistake>& mistakes);
 Json json_of(const Command& command, const FinishedCommand& finished);
 Json json_of(const RunStatus& run);
-
-/// The text of a deck with one value replaced, added or removed, as the page has it: {"text", "tree", "mistakes"}.
-Json edited_deck(const Json& request);
 
 }  // namespace breccia::studio

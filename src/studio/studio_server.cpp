@@ -13,6 +13,7 @@
 #include "breccia/error.hpp"
 
 #include "io/text_file.hpp"
+#include "studio/deck_changes.hpp"
 #include "studio/request_guard.hpp"
 #include "studio/studio_page.hpp"
 
@@ -104,9 +105,10 @@ class Answers {
   bool post(const std::string& path, const httplib::Request& request, httplib::Response& response) const {
     using Action = Json (Session::*)(const Json&);
     static const std::map<std::string, Action, std::less<>> actions = {
-        {"api/new", &Session::add_deck},   {"api/deck", &Session::save_deck}, {"api/check", &Session::check},
-        {"api/pack", &Session::pack},      {"api/fit", &Session::fit},        {"api/run", &Session::start_run},
-        {"api/compare", &Session::compare}};
+        {"api/new", &Session::add_deck},    {"api/deck", &Session::save_deck},
+        {"api/check", &Session::check},     {"api/pack", &Session::pack},
+        {"api/fit", &Session::fit},         {"api/run", &Session::start_run},
+        {"api/compare", &Session::compare}, {"api/run-command", &Session::run_command}};
     if (const auto action = actions.find(path); action != actions.end()) {
       send_json(response, (session_.*action->second)(body_of(request)));
     } else if (path == "api/edit") {

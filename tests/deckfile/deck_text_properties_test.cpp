@@ -142,6 +142,29 @@ TEST(DeckTextProperties, AValueRemovedAndAddedAgainIsTheSame) {
   });
 }
 
+TEST(DeckTextProperties, AKeyRenamedAndRenamedBackLeavesTheValues) {
+  for_all_values([](const std::string& text, const DeckTable& root, const DeckPath& path) {
+    if (!std::holds_alternative<std::string>(path.back())) return;
+    const auto around = detail::DeckSteps(path).first(path.size() - 1);
+    const auto renamed = deck_with_key(text, path, "another key");
+    const auto back =
+        deck_with_key(renamed, detail::extended(around, DeckStep("another key")), std::get<std::string>(path.back()));
+    EXPECT_TRUE(detail::is_same(detail::parse_deck("deck", back), root)) << back;
+  });
+}
+
+TEST(DeckTextProperties, ElementsExchangedTwiceLeaveTheText) {
+  std::size_t count = 0;
+  for_all_values([&](const std::string& text, const DeckTable&, const DeckPath& path) {
+    const auto* index = std::get_if<std::size_t>(&path.back());
+    if (index == nullptr || *index == 0) return;
+    const auto before = detail::extended(detail::DeckSteps(path).first(path.size() - 1), DeckStep(*index - 1));
+    EXPECT_EQ(deck_with_exchange(deck_with_exchange(text, path, before), before, path), text);
+    ++count;
+  });
+  EXPECT_GT(count, 100U);
+}
+
 TEST(DeckTextProperties, ANewEntryIsAllThatIsNew) {
   for_all_values([](const std::string& text, const DeckTable& root, const DeckPath& path) {
     if (detail::kind_of(*detail::value_at(root, path)) != Kind::table) return;

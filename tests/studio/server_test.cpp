@@ -181,8 +181,10 @@ TEST_F(Studio, MakesADeckChecksAndRunsIt) {
   EXPECT_GT(before["examples"].size(), 20U);
 
   auto deck_now = Json::parse(get("api/deck?name=a.toml")->body);
-  const auto edited =
-      answer("api/edit", {{"text", deck_now["text"]}, {"path", {"stages", 0, "box"}}, {"value", "\"6.2 mm\""}});
+  const auto edited = answer("api/edit", {{"text", deck_now["text"]},
+                                          {"name", "a.toml"},
+                                          {"changes", {{{"path", {"stages", 0, "box"}}, {"value", "\"6.2 mm\""}}}}});
+  EXPECT_EQ(edited["command"], "breccia run a.toml --set 'stages.A.box=\"6.2 mm\"'");
   EXPECT_NE(edited["text"].get<std::string>().find("box     = \"6.2 mm\"\n"), std::string::npos);
   deck_now["text"] = edited["text"];
   const auto saved = answer("api/deck", deck_now);
@@ -205,6 +207,9 @@ TEST_F(Studio, MakesADeckChecksAndRunsIt) {
   EXPECT_EQ(picture->get_header_value("Content-Type"), "image/svg+xml");
   EXPECT_FALSE(fs::exists(folder_ / "results"));
 
+  EXPECT_EQ(answer("api/run-command", {{"name", "a.toml"}, {"options", {{"seeds", 3}}}})["command"],
+            "breccia run a.toml --seeds 3 --out results/a-3-seeds --resume");
+  EXPECT_TRUE(session_->run_status().is_null());
   EXPECT_EQ(answer("api/run", {{"name", "a.toml"}})["command"], "breccia run a.toml --resume");
   Json run;
   do {
@@ -220,6 +225,7 @@ TEST_F(Studio, MakesADeckChecksAndRunsIt) {
   ASSERT_EQ(after["results"].size(), 1U);
   EXPECT_EQ(after["results"][0]["path"], "results/a");
   EXPECT_EQ(after["results"][0]["complete"], true);
+  EXPECT_EQ(after["results"][0]["command"], "xdg-open results/a/report.html");
 }
 
 TEST_F(Studio, ShowsMistakesWithTheirLines) {

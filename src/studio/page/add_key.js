@@ -1,11 +1,15 @@
 /// The line below a table of the form with which keys are added that the deck lacks.
 
 import {element} from "../../page/scripts/elements.js";
+import {goesWith} from "./choice_changes.js";
+import {entry, nodeAt} from "./deck_tree.js";
+import {fileQuestion} from "./file_question.js";
 import {hasForm, labelOf} from "./form_labels.js";
-import {describe, isModulus} from "./key_reference.js";
+import {excludes} from "./key_conflicts.js";
+import {describe, isModulus, sectionOf} from "./key_reference.js";
 import {firstSentence} from "./markdown.js";
-import {materialNames} from "./deck_tree.js";
-import {startingValue} from "./starting_values.js";
+import {pictureSize} from "./picture_size.js";
+import {filesFor, isFile, startingValue} from "./starting_values.js";
 
 let count = 0;
 
@@ -13,19 +17,25 @@ let count = 0;
 export function addKey({path, except, context}) {
   const id = `add-${++count}`;
   const list = element("select", {id});
+  list.dataset.focus = JSON.stringify([...path, "add"]);
+  const question = fileQuestion(context);
   const button = element("button", {type: "button", className: "quiet", onclick: () => {
     const key = keys.find((one) => one.key === list.value);
     if (key === undefined) return;
-    context.focusAfterwards([...path, key.key]);
-    const names = materialNames(context.deck.tree);
-    context.edit([...path, key.key], startingValue(context.reference, key, {folder: context.folder, names}));
+    const write = async (file) => {
+      const {tree} = context.deck;
+      const picture = key.key === "crop" ? await pictureSize(entry(nodeAt(tree, path), "file")?.value ?? "") : null;
+      context.focusAfterwards([...path, key.key]);
+      context.edit([...path, key.key], startingValue(context.reference, key, {tree, path, file, picture}));
+    };
+    if (isFile(key)) question.ask({files: filesFor(key, context.folder), take: write});
+    else write(null);
   }}, "Add");
-  const line = element("div", {className: "add"}, element("label", {htmlFor: id}, titleOf(path)), list, button);
+  const line = element("div", {className: "add"}, element("label", {htmlFor: id}, titleOf(path)), list, button,
+    question.element);
   let [keys, shown] = [[], ""];
-  return {element: line, update({section, node}) {
-    const forms = path.length === 0 ? [] : describe(context.reference, path)?.forms ?? [];
-    keys = missingKeys(context.reference, section, node)
-      .filter(({key}) => !except.includes(key) && suitsForm(forms, node, key));
+  return {element: line, update({node}) {
+    keys = offeredKeys(context.reference, context.deck.tree, path, node).filter(({key}) => !except.includes(key));
     line.hidden = keys.length === 0;
     const state = keys.map(({key}) => key).join(" ");
     if (state === shown) return;
@@ -41,6 +51,22 @@ function titleOf(path) {
   if (path.length === 0) return "Add to the study";
   const name = path.findLast((part) => typeof part === "string");
   return `Add to ${name === "stages" ? "the stage" : name === "measurements" ? "it" : labelOf(name)}`;
+}
+
+/// The keys that can be added to the table at a path of a deck, as the reference and the rest of the deck have it.
+export function offeredKeys(reference, tree, path, node) {
+  const forms = path.length === 0 ? [] : describe(reference, path)?.forms ?? [];
+  return missingKeys(reference, sectionOf(reference, path), node)
+    .filter((key) => suitsForm(forms, node, key.key) && suitsWords(reference, path, node, key) && !excludes(tree, path, key.key));
+}
+
+/// Whether a key goes with the words that other keys of the table have, such as `law = "wlf"`.
+function suitsWords(reference, path, node, key) {
+  const decisive = path[0] === "tests" ? [] : node.entries.map((one) => [describe(reference, [...path, one.key]), one.value]);
+  return decisive.filter(([known]) => known !== null && known.section === key.section).every(([{choices}, {value}]) => {
+    const chosen = choices.find(({source}) => source === `"${value}"`);
+    return chosen === undefined || goesWith(key, chosen, choices);
+  });
 }
 
 /// The keys that a table can have besides those that it has; of a packing, or of a law, those that belong to it.

@@ -50,6 +50,7 @@ export const check = (name) => post("api/check", {name});
 export const pack = (name) => post("api/pack", {name});
 export const fit = (file, options) => post("api/fit", {file, options});
 export const run = (name, options) => post("api/run", {name, options});
+export const runCommand = (name, options) => post("api/run-command", {name, options});
 export const stop = () => post("api/stop", {});
 export const getJob = () => call("api/job");
 export const compare = (results) => post("api/compare", {results});

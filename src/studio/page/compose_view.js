@@ -17,6 +17,7 @@ export function composeView(context, run) {
     onclick: () => context.deck.step(by)}, text);
   const [undo, redo] = [step("Undo", "Ctrl+Z", -1), step("Redo", "Ctrl+Shift+Z", 1)];
   const conflict = element("div", {className: "notice", role: "alert", hidden: true});
+  const failure = element("div", {className: "notice", role: "alert", hidden: true});
   const form = deckForm(context);
   const text = textPane((typed) => context.deck.type(typed));
   const goToLine = (line) => {
@@ -32,7 +33,7 @@ export function composeView(context, run) {
   const noForm = element("p", {className: "notice", hidden: true},
     "The text is not TOML at the moment, so that the form shows the last one that was. Mend the text of the deck.");
   const view = element("section", {className: "view compose", ariaLabel: "deck"},
-    element("header", {className: "deck-header"}, title, state, element("div", {className: "buttons"}, undo, redo)), conflict,
+    element("header", {className: "deck-header"}, title, state, element("div", {className: "buttons"}, undo, redo)), conflict, failure,
     element("nav", {className: "jump", ariaLabel: "parts of this view"}, ...[["#form", "Form"],
       ["#side", "Packing, plan and run"], ["#text", "Text"]].map(([href, words]) => element("a", {href}, words)), toMistakes),
     element("div", {className: "columns"},
@@ -72,10 +73,11 @@ export function composeView(context, run) {
     redo.disabled = !deck.history.canRedo;
     noForm.hidden = deck.isToml;
     showConflict();
+    showFailure();
     showMistakes();
     if (what === "text") packing.changed();
     if (what !== "text" && deck.tree !== null) form.update();
-    if (what === "tree" || what === "saved") planCheck();
+    if (["made", "tree", "saved"].includes(what)) planCheck();
     run.update();
   }
 
@@ -113,6 +115,18 @@ export function composeView(context, run) {
     plan.element.classList.remove("old");
     plan.show(answer);
     if (answer.exit === 0) packing.sound(answer.output);
+  }
+
+  /// A text that could not be saved is tried again by the button, or with the next change.
+  function showFailure() {
+    const {deck} = context;
+    const words = deck.failure === null ? "" : `${deck.name} could not be saved: ${deck.failure}. `
+      + "What you have typed is on this page alone.";
+    if (failure.dataset.words === words) return;
+    failure.dataset.words = words;
+    failure.hidden = words === "";
+    failure.replaceChildren(element("p", {}, words), element("div", {className: "buttons"},
+      element("button", {type: "button", onclick: () => deck.save()}, "Try again")));
   }
 
   function showConflict() {

@@ -3,13 +3,14 @@
 import {isFile} from "./starting_values.js";
 
 /// "group" for a table, "list" for an array of tables, "rows" for one of small equal tables, and for single values
-/// "check", "many", "choice", "name", "file", "pair" (from … to) or "typed".
+/// "check", "many", "choice", "name", "rename", "file", "pair" (from … to) or "typed".
 export function controlKind(node, key) {
   if (node.type === "table") return "group";
   if (node.type === "array" && node.items.length > 0 && node.items.every(({type}) => type === "table")) {
     return node.items.every(isSmallTable) && key?.key !== "filler" ? "rows" : "list";
   }
   if (key === null) return node.type === "boolean" ? "check" : "typed";
+  if (key.section === "stages.*" && key.key === "name") return "rename";
   if (/^two increasing/.test(key.type) && node.type === "array" && node.items.length === 2) return "pair";
   if (key.choices.length > 0 && /^of |array of/.test(key.type)) return "many";
   if (["material", "matrix", "stage", "dark", "bright"].includes(key.key) && node.type === "text") return "name";

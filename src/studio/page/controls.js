@@ -2,7 +2,9 @@
 /// `element`, an `input` to which the label belongs, and `update(node, key)`.
 
 import {element} from "../../page/scripts/elements.js";
+import {changesOfChoice, filesOfChoice, whyNotChoice} from "./choice_changes.js";
 import {materialNames, nameOf, stagesOf} from "./deck_tree.js";
+import {fileQuestion} from "./file_question.js";
 import {filesFor} from "./starting_values.js";
 import {quoted, sourceOf, sourceOfList, sourceOfTyped, typedOf} from "./toml_source.js";
 import {dropTarget} from "./upload.js";
@@ -90,7 +92,7 @@ export function checkControl({path, commit}) {
 }
 
 /// A list to choose from: words of the reference, names of materials and stages, files. A value that is not in the list
-/// is added to it.
+/// is added to it. `optionsOf` lists [source, text, why it cannot be chosen].
 export function choiceControl({path, commit, context}, optionsOf) {
   const input = element("select", {onchange: () => commit(input.value)});
   input.dataset.focus = JSON.stringify(path);
@@ -102,14 +104,35 @@ export function choiceControl({path, commit, context}, optionsOf) {
     const state = JSON.stringify([all, source]);
     if (state === shown) return;
     shown = state;
-    input.replaceChildren(...all.map(([value, text]) => element("option", {value}, text)));
+    input.replaceChildren(...all.map(([value, text, whyNot = ""]) => element("option",
+      {value, disabled: whyNot !== "" && value !== source}, whyNot === "" ? text : `${text} (${whyNot})`)));
     input.value = source;
   }};
 }
 
 /// The words that a key may be.
-export function wordsOf(key) {
-  return key.choices.map(({source}) => [source, source.replaceAll('"', "")]);
+export function wordsOf(key, {deck}, path) {
+  return key.choices.map(({source}) => [source, source.replaceAll('"', ""), whyNotChoice(deck.tree, path, source)]);
+}
+
+/// A list of words to choose from, with what a word asks for besides; of one that needs a file the file is asked for
+/// first.
+export function wordControl(options) {
+  const {path, context} = options;
+  const question = fileQuestion(context);
+  const change = (source, file) => context.change(changesOfChoice(context.reference, context.deck.tree, path, source, file), path);
+  let node = null;
+  const list = choiceControl({...options, commit: (source) => {
+    const files = filesOfChoice(context.reference, context.deck.tree, path, source, context.folder);
+    if (files === null) return change(source, null);
+    list.input.value = sourceOf(node);
+    return question.ask({files, take: (file) => change(source, file)});
+  }}, wordsOf);
+  const whole = element("div", {className: "form-choice"}, list.element, question.element);
+  return {element: whole, input: list.input, update(newNode, key) {
+    node = newNode;
+    list.update(newNode, key);
+  }};
 }
 
 /// The names that `material`, `matrix` and `stage` may be.

@@ -35,15 +35,3 @@ export function nameOf(table, otherwise) {
   const name = entry(table, "name");
   return name?.type === "text" && name.value !== "" ? name.value : otherwise;
 }
-
-/// A path as `--set` and the messages of the program have it: "stages.composite.filler.fraction".
-export function dottedPath(tree, path) {
-  let node = tree;
-  const parts = path.map((part) => {
-    const isArray = node?.type === "array";
-    node = isArray ? node.items[part] : entry(node, part);
-    const text = isArray ? nameOf(node, String(part)) : part;
-    return /^[\w-]+$/.test(text) ? text : `"${text}"`;
-  });
-  return parts.join(".");
-}

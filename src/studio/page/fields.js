@@ -2,16 +2,20 @@
 
 import {element} from "../../page/scripts/elements.js";
 import {addKey} from "./add_key.js";
-import {checkControl, choiceControl, fileControl, manyControl, namesFor, pairControl, typedControl, wordsOf}
+import {checkControl, choiceControl, fileControl, manyControl, namesFor, pairControl, typedControl, wordControl}
   from "./controls.js";
 import {controlKind, ordered} from "./control_kind.js";
-import {materialNames, nodeAt} from "./deck_tree.js";
+import {nodeAt} from "./deck_tree.js";
+import {fileQuestion} from "./file_question.js";
+import {changesOfForm, whyNotForm} from "./form_changes.js";
 import {hasForm, labelOf, labelOfForm} from "./form_labels.js";
 import {helpLine} from "./help_line.js";
 import {describe, formsOfKey, sectionOf} from "./key_reference.js";
 import {reconcile} from "./reconcile.js";
 import {rowsControl} from "./rows_control.js";
-import {newFiller, valueOfForm} from "./starting_values.js";
+import {renameControl} from "./rename_control.js";
+import {isFileForm} from "./starting_values.js";
+import {newFiller} from "./suited_values.js";
 
 let count = 0;
 
@@ -29,13 +33,21 @@ export function fieldsOf({path, context, except = []}) {
       const kind = controlKind(child, key);
       return {id: name, kind, make: () => fieldOf(kind, {path: at, name, context}), value: {node: child, key}};
     }));
-    adding.update({section, node: whole});
+    adding.update({node: whole});
   }};
 }
 
 function fieldOf(kind, options) {
   if (kind === "group") return groupField(options);
   return kind === "list" ? listField(options) : singleField(kind, options);
+}
+
+/// The name of the material at a path, which is no value of its table but the key of it.
+export function nameField(path, context) {
+  const field = singleField("rename", {path: [...path, "name"], name: "name", context});
+  const key = {section: "materials.*", key: "name", type: "", default: "", meaning: "a new one is written wherever the deck refers to it",
+    choices: [], forms: [], example: null};
+  return {element: field.element, update: (name) => field.update({node: {type: "text", value: name}, key})};
 }
 
 /// A value with its label, its help and its mistakes.
@@ -58,7 +70,7 @@ function singleField(kind, {path, name, context}) {
   const help = element("div", {className: "help-place"});
   const value = element("div", {className: "value"}, forms.element, control.element);
   const field = element("div", {className: `field kind-${kind}`}, title, element("div", {className: "content"}, value, help),
-    removeButton(path, label, context), complaint);
+    ...kind === "rename" ? [] : [removeButton(path, label, context)], complaint);
   field.dataset.path = JSON.stringify(path);
   function showMistakes() {
     const found = [...own === null ? [] : [own], ...context.mistakesAt(path, kind === "rows")];
@@ -82,10 +94,11 @@ function controlOf(kind, options) {
   switch (kind) {
     case "check": return checkControl(options);
     case "many": return manyControl(options);
-    case "choice": return choiceControl(options, wordsOf);
+    case "choice": return wordControl(options);
     case "name": return choiceControl(options, namesFor);
     case "file": return fileControl(options);
     case "rows": return rowsControl(options);
+    case "rename": return renameControl(options);
     case "pair": return pairControl(options);
     default: return typedControl(options);
   }
@@ -115,8 +128,10 @@ function listField({path, name, context}) {
   const items = element("div", {});
   const add = element("button", {type: "button", className: "quiet", onclick: () => {
     const node = nodeAt(context.deck.tree, path);
-    context.edit([...path, node.items.length], newFiller(materialNames(context.deck.tree)));
+    context.focusAfterwards([...path, node.items.length]);
+    context.edit([...path, node.items.length], newFiller(context.deck.tree, path[1]));
   }}, "Add another filler");
+  add.dataset.focus = JSON.stringify([...path, "add"]);
   const list = element("div", {className: "list"}, items, name === "filler" ? add : "");
   return {element: list, update({node, key}) {
     reconcile(items, node.items.map((item, i) => ({
@@ -126,31 +141,47 @@ function listField({path, name, context}) {
   }};
 }
 
-/// Which form a value has, where it may have several: one number, a series, a law.
+/// Which form a value has, where it may have several: one number, a series, a law. Of a form that is a file the file is
+/// asked for first.
 function formChoice({path, name, context}) {
   const list = element("select", {className: "form", ariaLabel: `how ${labelOf(name)} is given`});
   list.dataset.focus = JSON.stringify([...path, "form"]);
-  let forms = [];
+  const question = fileQuestion(context);
+  const whole = element("div", {className: "form-choice"}, list, question.element);
+  let [forms, ofKey, shown] = [[], null, "other"];
   list.addEventListener("change", () => {
-    context.focusAfterwards([...path, "form"]);
-    context.edit(path, valueOfForm(context.reference, forms[Number(list.value)], {folder: context.folder}));
+    const form = forms[Number(list.value)];
+    const write = (file) => {
+      context.focusAfterwards([...path, "form"]);
+      context.change(changesOfForm(context.reference, context.deck.tree, {path, key: ofKey, form, file}), path);
+    };
+    if (!isFileForm(form)) return write(null);
+    list.value = shown;
+    return question.ask({files: context.folder.tables, take: write});
   });
-  return {element: list, update(node, key) {
+  return {element: whole, update(node, key) {
     if (forms.length === 0) {
       forms = formsOfKey(context.reference, key);
+      ofKey = key;
       list.replaceChildren(...forms.map((form, i) => element("option", {value: String(i)}, labelOfForm(form))),
         element("option", {value: "other", hidden: true}, "otherwise"));
     }
-    list.hidden = forms.length < 2;
+    whole.hidden = forms.length < 2;
+    forms.forEach((form, i) => {
+      const reason = whyNotForm(context.deck.tree, path, form);
+      list.options[i].disabled = reason !== "";
+      list.options[i].title = reason;
+    });
     const at = forms.findIndex((form) => hasForm(node, form));
-    list.value = at < 0 ? "other" : String(at);
+    shown = at < 0 ? "other" : String(at);
+    list.value = shown;
   }};
 }
 
 /// A small cross that removes a key or a table.
 function removeButton(path, label, context) {
   return element("button", {type: "button", className: "remove", ariaLabel: `remove ${label}`, title: `remove ${label}`,
-    onclick: () => context.edit(path, null)}, "×");
+    onclick: () => context.remove(path)}, "×");
 }
 
 /// Shows messages in a paragraph, which is hidden without any.

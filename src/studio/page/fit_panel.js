@@ -5,7 +5,6 @@ import * as api from "./api.js";
 import {commandLine} from "./command_line.js";
 import {entry} from "./deck_tree.js";
 import {columnsOf, entriesOfFit, kindOfFit} from "./measured_source.js";
-import {fitCommand} from "./shell_command.js";
 import {dropTarget} from "./upload.js";
 
 const kinds = [["", "as the file says"], ["shear", "shear modulus"], ["young", "Young's modulus"],
@@ -70,7 +69,7 @@ export function fitPanel({material, context}) {
     const number = ++call;
     const asked = {file: file.value, options: chosenOptions()};
     state.textContent = `fitting ${file.value} …`;
-    line.show(fitCommand(file.value, chosenOptions()));
+    line.show("");
     try {
       const answer = await api.fit(asked.file, asked.options);
       if (number === call) show({...answer, ...asked});
@@ -99,17 +98,14 @@ export function fitPanel({material, context}) {
     use.forEach((button, i) => button.classList.toggle("main", moduli[i] === likely));
   }
 
-  async function take(key) {
+  function take(key) {
     const entries = entriesOfFit(key, fitted.file, fitted.options, fitted);
     const table = entry(entry(context.deck.tree, "materials"), material);
-    const has = (name) => entry(table, name) !== undefined;
-    context.focusAfterwards(["materials", material, key, "form"]);
-    for (const [name, source] of entries) {
-      if (!await context.edit(["materials", material, name], source)) return;
-    }
     // Two of the moduli define a material: the other one of G and E gives way.
     const other = {shear: "young", young: "shear"}[key];
-    if (other !== undefined && has(other)) await context.edit(["materials", material, other], null);
+    if (entry(table, other) !== undefined) entries.push([other, null]);
+    context.focusAfterwards(["materials", material, key, "form"]);
+    context.change(entries.map(([name, value]) => ({path: ["materials", material, name], value})));
   }
 
   return {element: panel, update: showFiles};

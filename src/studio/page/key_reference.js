@@ -59,8 +59,8 @@ export function describe(sections, path) {
 export function formsOfKey(sections, key) {
   if (key === null) return [];
   const forms = isModulus(key) ? formsOf(sections, "modulus") : key.forms;
-  const ofKey = isModulus(key) && key.section.startsWith("materials")
-    ? forms.filter(({example}) => !example.table?.has("curve")) : forms;
+  const ofKey = isModulus(key) ? forms.filter(({example}) => key.section.startsWith("materials") ? !example.table?.has("curve")
+    : ["measured", "curve", "prony", "law"].includes(firstKey(example))) : forms;
   return ofKey.flatMap((form) => form.example.table?.has("law") ? formsOfLaws(sections) : [form]);
 }
 

@@ -4,12 +4,11 @@ import {element} from "../../page/scripts/elements.js";
 import * as api from "./api.js";
 import {commandLog} from "./command_line.js";
 import {composeView} from "./compose_view.js";
-import {dottedPath} from "./deck_tree.js";
+import {FocusAfterChange} from "./focus_after_change.js";
 import {readReference} from "./reference_reader.js";
 import {OpenDeck} from "./open_deck.js";
 import {resultsView} from "./results_view.js";
 import {runPanel} from "./run_panel.js";
-import {overrideCommand} from "./shell_command.js";
 import {startView} from "./start_view.js";
 
 const at = (id) => document.getElementById(id);
@@ -22,19 +21,28 @@ const context = {
   folder: {decks: [], tables: [], pictures: [], examples: [], results: [], folder: "", version: ""},
   reference: new Map(),
   mistakesAt: () => [],
-  focusPath: null,
   showCommand: (command, about) => log.add(command, about),
-  focusAfterwards(path) {
-    context.focusPath = path;
+  /// Replaces the value at a path by a source of TOML, as it is typed or chosen; null removes it.
+  edit: (path, source) => changing(path, context.deck.edit(path, source)),
+  /// Makes several changes as one step of undo.
+  change: (changes, path = changes[0].path) => changing(path, context.deck.change(changes, path)),
+  /// Removes the value at a path; the focus goes to what takes its place.
+  remove(path) {
+    focus.afterRemovalOf(path);
+    return context.change([{path, value: null}]);
   },
-  async edit(path, source) {
-    const {deck} = context;
-    const shellPath = dottedPath(deck.tree, path);
-    const isDone = await deck.edit(path, source);
-    const about = "this change alone, without writing it into the deck";
-    if (isDone) log.add(overrideCommand(deck.name, shellPath, source), about);
-    return isDone;
+  /// Gives the material or the stage at a path another name; a material has another path by it.
+  rename(path, name) {
+    const renamed = [path[0], name];
+    if (path[0] === "materials") {
+      context.renamedPath = (one) => one[0] === path[0] && one[1] === path[1] ? [...renamed, ...one.slice(2)] : one;
+    }
+    return context.change([{path, name}], [...path, "name"]);
   },
+  /// The path, after the last renaming, of what had another path before.
+  renamedPath: (path) => path,
+  /// The places to one of which the focus goes after the next change: the first that is there.
+  focusAfterwards: (...paths) => focus.goesTo(paths),
   async refreshFolder() {
     context.folder = {...context.folder, ...await api.getState()};
     // A run that another window has started.
@@ -42,6 +50,17 @@ const context = {
     showFolder();
   },
 };
+
+const focus = new FocusAfterChange();
+
+/// Waits for a change of the deck at a path, and shows the command that does the same. Resolves to whether it was made.
+async function changing(path, change) {
+  focus.waitsFor(path);
+  const answer = await change;
+  if (answer === null) focus.stays();
+  else if (answer.command) log.add(answer.command, "this change alone, without writing it into the deck");
+  return answer !== null;
+}
 
 const start = startView(context, {openDeck, take});
 const run = runPanel(context, {
@@ -105,8 +124,8 @@ async function openDeck(name) {
 }
 
 function take(deck) {
-  const taken = new OpenDeck(deck, (what) => {
-    if (context.deck === taken) changed(what);
+  const taken = new OpenDeck(deck, (what, path) => {
+    if (context.deck === taken) changed(what, path);
   });
   opened.set(deck.name, taken);
   showDeck(taken);
@@ -123,19 +142,10 @@ function showDeck(deck) {
   show("compose");
 }
 
-function changed(what) {
+function changed(what, path = null) {
   compose.update(what);
   if (what === "saved") results.update();
-  if (context.focusPath !== null && what === "tree") {
-    const name = CSS.escape(JSON.stringify(context.focusPath));
-    const found = document.querySelector(`[data-focus="${name}"]`)
-      ?? document.querySelector(`[data-path="${name}"]`)?.querySelector("[data-focus]:not([hidden])");
-    if (found) {
-      found.focus();
-      found.select?.();
-      context.focusPath = null;
-    }
-  }
+  if (what === "made") focus.goAfter(path);
 }
 
 function show(name) {
@@ -159,12 +169,15 @@ function undoByKey(event) {
 
 let retry = 0;
 
-/// Shows whether the studio answers; while it does not, it is asked again, and what was typed is then saved.
+/// Shows whether the studio answers; while it does not, it is asked again, and what was typed is then saved. A text that
+/// the studio has refused to save is not sent again.
 function showReached(isReached) {
   at("ended").hidden = isReached;
   clearTimeout(retry);
+  const {deck} = context;
+  const isToSave = deck !== null && !deck.isSaved && deck.conflict === null && deck.failure === null;
   if (!isReached) retry = setTimeout(() => api.getState().catch(() => {}), 3000);
-  else if (context.deck?.isSaved === false && context.deck.conflict === null) retry = setTimeout(() => context.deck.save(), 800);
+  else if (isToSave) retry = setTimeout(() => deck.save(), 800);
 }
 
 function say(message) {

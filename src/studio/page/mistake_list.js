@@ -3,7 +3,7 @@
 import {element} from "../../page/scripts/elements.js";
 import {placeOf} from "./mistake_places.js";
 
-/// The list. `goToLine(line)` is called where a mistake has no field.
+/// The list. `goToLine(line)` is called where a mistake has no field. What was refused has the path of its field.
 export function mistakeList(goToLine) {
   const items = element("ul", {});
   const heading = element("h3", {});
@@ -18,7 +18,7 @@ export function mistakeList(goToLine) {
     items.replaceChildren(...mistakes.map((mistake) => {
       const where = mistake.line > 0 ? `line ${mistake.line}: ` : "";
       return element("li", {}, element("button", {type: "button", className: "link", onclick: () => {
-        if (!goToField(placeOf(tree, mistake)) && mistake.line > 0) goToLine(mistake.line);
+        if (!goToField(mistake.path ?? placeOf(tree, mistake)) && mistake.line > 0) goToLine(mistake.line);
       }}, where + mistake.message));
     }));
   }};

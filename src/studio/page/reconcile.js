@@ -40,11 +40,12 @@ export function isTyping(element) {
 }
 
 /// Calls change(), and gives the focus back to the control that has taken the place of the one that had it. Controls are
-/// told apart by data-focus.
-export function keepingFocus(change) {
+/// told apart by the path in their data-focus; `pathNow(path)` is the path that it has after the change.
+export function keepingFocus(change, pathNow = (path) => path) {
   const active = document.activeElement;
   const name = active?.dataset?.focus;
   change();
   if (name === undefined || document.contains(active)) return;
-  document.querySelector(`[data-focus="${CSS.escape(name)}"]`)?.focus();
+  const now = JSON.stringify(pathNow(JSON.parse(name)));
+  document.querySelector(`[data-focus="${CSS.escape(now)}"]`)?.focus();
 }

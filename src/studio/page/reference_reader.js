@@ -63,6 +63,7 @@ function readTable(sections, {section, table, heading}, {heads, rows}) {
   const [first] = heads.map(plain);
   const code = codesIn(heads[0])[0];
   if (heading === "Three dimensions") readCube(sections, rows);
+  else if (first.startsWith("key of ")) readMeanings(sections, code === "modulus" ? code : section, rows);
   else if (code !== undefined) readChoices(sections, {section, table, key: code}, heads, rows);
   else if (first === "key") readKeys(sections, table, heads.map(plain), rows);
   else if (first === "value" || first === "form") readForms(sections, section === "uncertain" ? section : "modulus", rows);
@@ -91,6 +92,18 @@ function readKeys(sections, section, heads, rows) {
         const child = keyOf(sections, `${section}.${name}${type.startsWith("a table for each") ? ".*" : ""}`, key);
         if (child.meaning === "") child.meaning = sentencesWith(meaning, key);
       }
+    }
+  }
+}
+
+/// A table of what keys mean in a few words that the tables above name in passing: | key of `filler` | meaning |. A key
+/// may be that of a table within, `sizes.diameter`. What is said elsewhere stands behind these words.
+function readMeanings(sections, section, rows) {
+  for (const [cell, meaning] of rows) {
+    for (const path of codesIn(cell).map((code) => code.split("."))) {
+      const key = keyOf(sections, [section, ...path.slice(0, -1)].join("."), path.at(-1));
+      const elsewhere = key.meaning.charAt(0).toUpperCase() + key.meaning.slice(1);
+      key.meaning = [plain(meaning), elsewhere].filter((text) => text !== "").join(". ");
     }
   }
 }

@@ -5,7 +5,6 @@ import {duration} from "../../page/scripts/numbers.js";
 import * as api from "./api.js";
 import {commandLine} from "./command_line.js";
 import {moduliOf, recordsOf, textOfModulus} from "./result_moduli.js";
-import {command} from "./shell_command.js";
 
 /// The view. `update()` shows the results of the folder of the context, `open(path)` one of them.
 export function resultsView(context) {
@@ -104,7 +103,7 @@ export function resultsView(context) {
     if (!hasPage) return;
     if (frame.getAttribute("src") !== result.report || frame.dataset.date !== result.date) frame.src = result.report;
     frame.dataset.date = result.date;
-    context.showCommand(command("xdg-open", `${path}/report.html`), "the page of the result");
+    context.showCommand(result.command, "the page of the result");
     opened.scrollIntoView({block: "start"});
   }
 

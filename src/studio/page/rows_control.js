@@ -11,9 +11,13 @@ export function rowsControl({path, label, context}) {
   const body = element("tbody", {});
   const table = element("table", {ariaLabel: label}, element("thead", {}, head), body);
   const add = element("button", {type: "button", className: "quiet"}, "Add a row");
+  add.dataset.focus = JSON.stringify([...path, "add"]);
   const whole = element("div", {className: "rows-table"}, table, add);
   let [shape, items] = ["", []];
-  add.addEventListener("click", () => context.edit([...path, items.length], sourceOf(items.at(-1))));
+  add.addEventListener("click", () => {
+    context.focusAfterwards([...path, items.length]);
+    context.edit([...path, items.length], sourceOf(items.at(-1)));
+  });
   return {element: whole, input: null, update(node) {
     items = node.items;
     const keys = [...new Set(items.flatMap(({entries}) => entries.map(({key}) => key)))];
@@ -44,7 +48,9 @@ export function rowsControl({path, label, context}) {
       return element("td", {}, input);
     });
     const remove = element("button", {type: "button", className: "remove", ariaLabel: `remove row ${i + 1}`,
-      title: "remove this row", onclick: () => context.edit([...path, i], null)}, "×");
-    return element("tr", {}, ...inputs, element("td", {}, remove));
+      title: "remove this row", onclick: () => context.remove([...path, i])}, "×");
+    const row = element("tr", {}, ...inputs, element("td", {}, remove));
+    row.dataset.path = JSON.stringify([...path, i]);
+    return row;
   }
 }

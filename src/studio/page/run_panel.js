@@ -4,7 +4,6 @@ import {element} from "../../page/scripts/elements.js";
 import {duration} from "../../page/scripts/numbers.js";
 import * as api from "./api.js";
 import {commandLine} from "./command_line.js";
-import {runCommand} from "./shell_command.js";
 
 const states = {running: "running", done: "complete", failed: "failed",
   stopped: "stopped; running it again goes on from there"};
@@ -28,8 +27,9 @@ export function runPanel(context, {openResult, finished}) {
       element("label", {htmlFor: "seeds", title: "seeds: packings that differ by chance alone, for mean and spread"},
         "packings ", seeds)),
     refusal, bar, state, live, output, line.element);
-  // `ran`: the text of the deck that this page has run last; `stopping`: the run that was asked to stop.
-  let [timer, job, ran, stopping] = [0, null, null, null];
+  // `ran`: the text of the deck that this page has run last; `stopping`: the run that was asked to stop; `asked`: for
+  // what the command was asked last.
+  let [timer, job, ran, stopping, asked] = [0, null, null, null, ""];
   seeds.addEventListener("input", update);
 
   async function run(options = {}) {
@@ -38,9 +38,8 @@ export function runPanel(context, {openResult, finished}) {
     try {
       await context.deck.save();
       if (!context.deck.isSaved) throw new Error("the deck is not saved, so that another text of it would run");
-      const number = Number(seeds.value);
       const text = context.deck.savedText;
-      show(await api.run(context.deck.name, {...number > 1 ? {seeds: number} : {}, ...options}));
+      show(await api.run(context.deck.name, {...chosenOptions(), ...options}));
       ran = {id: job.id, text};
       context.showCommand(job.command, "the run");
     } catch (error) {
@@ -82,7 +81,20 @@ export function runPanel(context, {openResult, finished}) {
     open.hidden = !isShown || isRunning || job.report === null;
     if (isShown) showJob();
     if (isRunning) line.show(job.command);
-    else if (context.deck !== null) line.show(runCommand(context.deck.name, Number(seeds.value)));
+    else if (context.deck !== null) showCommand();
+  }
+
+  const chosenOptions = () => Number(seeds.value) > 1 ? {seeds: Number(seeds.value)} : {};
+
+  /// Shows the command that the button would run, which the studio knows: another text of the deck has results of its
+  /// own.
+  async function showCommand() {
+    const {name, savedText, isSaved} = context.deck;
+    const state = JSON.stringify([name, savedText, chosenOptions(), job?.state]);
+    if (!isSaved || state === asked) return;
+    asked = state;
+    const {command} = await api.runCommand(name, chosenOptions()).catch(() => ({command: ""}));
+    if (state === asked && job?.state !== "running") line.show(command);
   }
 
   function showJob() {

@@ -2,7 +2,6 @@
 
 import {element} from "../../page/scripts/elements.js";
 import * as api from "./api.js";
-import {command} from "./shell_command.js";
 
 /// What most begin with: an example (null: the starter deck), the words of its button, and what it is about.
 const beginnings = [
@@ -39,8 +38,7 @@ export function startView(context, {openDeck, take}) {
       : example.split("/").at(-1).replace(/\.toml$/, ""));
     try {
       const deck = await api.newDeck(`${stem}.toml`, example);
-      if (example === null) context.showCommand(command("breccia", "new", deck.name), "a new deck");
-      else context.showCommand(command("cp", `examples/${example}`, deck.name), "the example, with the files it names");
+      context.showCommand(deck.command, example === null ? "a new deck" : "the example, with the files it names");
       name.value = "";
       take(deck);
     } catch (error) {

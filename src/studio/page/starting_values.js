@@ -2,6 +2,7 @@
 
 import {sourceWithoutDots} from "./inline_table.js";
 import {firstKey, formsOfKey, isModulus} from "./key_reference.js";
+import {suitedValue} from "./suited_values.js";
 import {isNumber, quoted} from "./toml_source.js";
 
 const ofKeys = {
@@ -14,7 +15,7 @@ const ofKeys = {
   times: '["1 ms", "1 s"]', frequencies: '["0.01 Hz", "100 Hz"]', accuracy: '"3 %"', budget: '"10 min"',
   fields: '"last"', loads: '["isotropic", "bulk"]', boundaries: '["periodic"]', mass_scaling_factors: '"auto"',
   vary: "{}", quasistatic: '{ range = "times" }', dynamic: "{ courant = 0.9 }", films: "{ face_share = 0.3 }",
-  crop: "{ left = 0, top = 0, width = 400, height = 400 }", pixel: '"1 um"', smooth: "3", page: "1",
+  crop: "{ left = 0, top = 0, width = 100, height = 100 }", pixel: '"1 um"', smooth: "3", page: "1",
   threshold: '"otsu"', normal: "[1, 0]", pairs: "[]", ramp: '"1 ms"', sweep: '{ "stages.*.packing.seed" = [1, 2, 3] }',
   static: '"1 MPa"', glassy: '"1 GPa"', unrelaxed: '"1 GPa"', equilibrium: '"1 MPa"', delta: "2.2", k: "0.2", h: "0.6",
   beta: "50", exponent: "0.5", time: '"1 s"', instantaneous: '"40e-6 /MPa"', creep: '"20e-6 /MPa"',
@@ -22,18 +23,17 @@ const ofKeys = {
   c1: "8", c2: '"100 K"', reference: '"20 degC"', temperature: '"40 degC"', sd: '"0.1 GPa"', factor: "2",
 };
 
-/// The source of the value that a key begins with. `folder` has the files that may be meant, `names` the materials.
-export function startingValue(sections, key, {folder, names}) {
-  if (key.key === "material" || key.key === "matrix") return quoted(names[0] ?? "binder");
-  if (key.key === "filler") return newFiller(names);
-  if (key.key === "measurements") return '[{ name = "our laboratory", shear = { curve = "measured.csv" } }]';
+/// The source of the value that a key begins with in the table at `path` of a deck; `file` is the name of the file that
+/// the value names, if it names one, and `picture` the size of the picture of the table, if it is known.
+export function startingValue(sections, key, {tree, path, file = null, picture = null}) {
+  const suited = suitedValue(key, tree, path);
+  if (suited !== null) return suited;
   if (isModulus(key)) return '"1 GPa"';
-  if (isFile(key)) return quoted(filesFor(key, folder)[0] ?? key.example?.source.replaceAll('"', "") ?? "file.csv");
-  if (key.key === "sizes") return '{ diameter = "1 mm" }';
-  if (/^C\d\d$/.test(key.key)) return '"1 GPa"';
+  if (key.key === "crop" && picture !== null) return largestSquare(picture);
+  if (isFile(key)) return quoted(file);
   if (ofKeys[key.key] !== undefined) return ofKeys[key.key];
   const [form] = formsOfKey(sections, key);
-  if (form !== undefined) return sourceWithoutDots(form.example);
+  if (form !== undefined) return valueOfForm(sections, form, file);
   if (key.choices.length > 0) return /^of |array of/.test(key.type) ? `[${key.choices[0].source}]` : key.choices[0].source;
   if (key.example !== null && key.example !== undefined) return sourceWithoutDots(key.example);
   if (isNumber(key.default) || /^"[^"]*"$/.test(key.default)) return key.default;
@@ -42,8 +42,15 @@ export function startingValue(sections, key, {folder, names}) {
   return key.type === "boolean" ? "true" : '""';
 }
 
-/// A form as the value of a key, such as `{ law = "2s2p1d", static = "1 MPa", … }`; files are those of the folder.
-export function valueOfForm(sections, form, {folder}) {
+/// The largest square of a picture, of an even number of pixels.
+function largestSquare({width, height}) {
+  const side = 2 * Math.floor(Math.min(width, height) / 2);
+  return `{ left = 0, top = 0, width = ${side}, height = ${side} }`;
+}
+
+/// A form as the value of a key, such as `{ law = "2s2p1d", static = "1 MPa", … }`; `file` is the name of that of a form
+/// which is one.
+export function valueOfForm(sections, form, file = null) {
   if (form.keys !== undefined) {
     const law = form.example.table.get("law").source;
     const entries = form.keys.map((key) => `${key} = ${ofKeys[key] ?? '""'}`);
@@ -54,8 +61,14 @@ export function valueOfForm(sections, form, {folder}) {
     const rows = [["1 mm", "0 %"], ["2 mm", "40 %"], ["4 mm", "100 %"]];
     return `{ passing = [${rows.map(([size, share]) => `{ size = "${size}", passing = "${share}" }`).join(", ")}] }`;
   }
-  const [table] = folder.tables ?? [];
-  return sourceWithoutDots(form.example).replace(/"[\w-]+\.csv"/, (name) => table === undefined ? name : quoted(table));
+  return sourceWithoutDots(form.example).replace(patternOfFile, () => quoted(file));
+}
+
+const patternOfFile = /"[\w-]+\.csv"/;
+
+/// Whether the value of a key in this form names a file.
+export function isFileForm(form) {
+  return form.keys === undefined && patternOfFile.test(form.example.source);
 }
 
 /// Whether the value of a key is the name of a file.
@@ -68,10 +81,4 @@ export function isFile(key) {
 /// The files of the folder that a key may mean: pictures for the file of an image, tables for all else.
 export function filesFor(key, folder) {
   return key.section === "stages.*.packing" && key.key === "file" ? folder.pictures ?? [] : folder.tables ?? [];
-}
-
-/// A filler with which a stage can be tried at once.
-export function newFiller(names) {
-  const material = quoted(names.at(-1) ?? "particle");
-  return `{ material = ${material}, fraction = 0.2, sizes = { diameter = "1 mm" }, gap = "0.1 mm" }`;
 }

@@ -2,25 +2,32 @@
 
 import {element} from "../../page/scripts/elements.js";
 import {entry, stagesOf} from "./deck_tree.js";
+import {dimensionsChanges, dimensionsWords, isInSpace, whyNotInSpace} from "./dimensions.js";
 
 let count = 0;
 
-/// Discs in two dimensions, the default, or spheres in three.
+/// A cross-section in two dimensions, the default, or the body itself in three, where the deck can be either.
 export function dimensionsChoice(context) {
   const id = `dimensions-${++count}`;
-  const list = element("select", {id, onchange: () => context.edit(["dimensions"], list.value === "3" ? "3" : null)},
-    element("option", {value: "2"}, "in two dimensions: discs, cross-sections of cylinders"),
-    element("option", {value: "3"}, "in three dimensions: spheres, ellipsoids, grains"));
+  const list = element("select", {id,
+    onchange: () => context.change(dimensionsChanges(context.deck.tree, list.value === "3"), ["dimensions"])},
+  element("option", {value: "2"}), element("option", {value: "3"}));
   list.dataset.focus = JSON.stringify(["dimensions"]);
   const note = element("span", {className: "note"});
   const field = element("div", {className: "field"}, element("label", {className: "key", htmlFor: id}, "model"),
     element("div", {className: "content"}, element("div", {className: "value"}, list), note));
   field.dataset.path = JSON.stringify(["dimensions"]);
   return {element: field, update() {
-    const isSpace = entry(context.deck.tree, "dimensions")?.value === 3;
-    list.value = isSpace ? "3" : "2";
-    note.textContent = isSpace ? "takes longer, and is what a composite of particles is"
-      : "quick; spheres of the same fraction are stiffer, and the result says by how much where a rule is known";
+    const {tree} = context.deck;
+    const reason = whyNotInSpace(tree);
+    const words = dimensionsWords(tree);
+    const texts = [words.plane, words.space];
+    [...list.options].forEach((option, i) => {
+      if (option.textContent !== texts[i]) option.textContent = texts[i];
+    });
+    list.value = isInSpace(tree) ? "3" : "2";
+    list.disabled = reason !== "" && !isInSpace(tree);
+    note.textContent = reason !== "" ? reason : isInSpace(tree) ? words.ofSpace : words.ofPlane;
   }};
 }
 
@@ -52,14 +59,9 @@ function moduliOffer(context) {
 function accuracyOffer(context) {
   return offer("Choose boxes and grids for an error of 5 %", "In place of box, particles and cells of the stages.",
     () => entry(entry(context.deck.tree, "tests"), "accuracy") === undefined,
-    async () => {
-      const {length} = stagesOf(context.deck.tree);
-      for (let stage = 0; stage < length; ++stage) {
-        for (const key of ["box", "particles", "cells", "resolution"]) {
-          const isThere = entry(stagesOf(context.deck.tree)[stage], key) !== undefined;
-          if (isThere && !await context.edit(["stages", stage, key], null)) return;
-        }
-      }
-      await context.edit(["tests", "accuracy"], '"5 %"');
+    () => {
+      const given = stagesOf(context.deck.tree).flatMap((stage, i) => ["box", "particles", "cells", "resolution"]
+        .filter((key) => entry(stage, key) !== undefined).map((key) => ({path: ["stages", i, key], value: null})));
+      return context.change([...given, {path: ["tests", "accuracy"], value: '"5 %"'}], ["tests", "accuracy"]);
     });
 }

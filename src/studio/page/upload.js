@@ -2,7 +2,6 @@
 
 import {element} from "../../page/scripts/elements.js";
 import * as api from "./api.js";
-import {command} from "./shell_command.js";
 
 let count = 0;
 
@@ -16,8 +15,8 @@ export function dropTarget({label, context, taken}) {
     if (file === undefined) return;
     words.textContent = `copying ${file.name} …`;
     try {
-      const {name} = await api.upload(file);
-      context.showCommand(command("cp", file.name, context.folder.folder), `copied ${name} into the folder`);
+      const {name, command} = await api.upload(file);
+      context.showCommand(command, `copied ${name} into the folder`);
       await context.refreshFolder();
       words.textContent = label;
       taken(name);

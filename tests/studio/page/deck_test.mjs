@@ -1,15 +1,13 @@
-/// What the page makes of a deck and of what the program says: values, places of mistakes, plans, commands.
+/// What the page makes of a deck and of what the program says: values, places of mistakes, plans.
 
 import assert from "node:assert/strict";
 import {test} from "node:test";
 
 import {controlKind, ordered} from "../../../src/studio/page/control_kind.js";
 import {highlights, mostParticles} from "../../../src/studio/page/check_output.js";
-import {dottedPath} from "../../../src/studio/page/deck_tree.js";
 import {columnsOf, entriesOfFit, kindOfFit} from "../../../src/studio/page/measured_source.js";
 import {mistakesByPlace, placeOf} from "../../../src/studio/page/mistake_places.js";
 import {moduliOf, textOfModulus} from "../../../src/studio/page/result_moduli.js";
-import {command, fitCommand, overrideCommand, runCommand, word} from "../../../src/studio/page/shell_command.js";
 import {TextsHistory} from "../../../src/studio/page/texts_history.js";
 import {sourceOf, sourceOfTyped, typedOf} from "../../../src/studio/page/toml_source.js";
 
@@ -65,20 +63,6 @@ test("a plan by what matters first", () => {
     "warning: composite: the smallest gap is narrow"]);
   assert.equal(mostParticles(plan), 64);
   assert.deepEqual([highlights(""), mostParticles("")], [[], 0]);
-});
-
-test("commands as they are typed", () => {
-  assert.equal(word("it's"), "'it'\\''s'");
-  assert.equal(command("breccia", "check", "my deck.toml"), "breccia check 'my deck.toml'");
-  assert.equal(overrideCommand("a.toml", dottedPath(tree, ["stages", 0, "filler", "fraction"]), "0.5"),
-    "breccia run a.toml --set stages.HB-1.filler.fraction=0.5");
-  assert.equal(overrideCommand("a.toml", "tests.times", '["1 ms", "1 s"]'),
-    `breccia run a.toml --set 'tests.times=["1 ms", "1 s"]'`);
-  assert.equal(overrideCommand("a.toml", "tests.times", null), "breccia run a.toml --set tests.times=");
-  assert.equal(fitCommand("dma.csv", {modulus: "young", reference_temperature: "20 degC", columns: ["storage=E1 [MPa]"]}),
-    "breccia fit dma.csv --modulus young --reference-temperature '20 degC' --columns 'storage=E1 [MPa]'");
-  assert.equal(runCommand("a.toml", 1), "breccia run a.toml --resume");
-  assert.equal(runCommand("a.toml", 3), "breccia run a.toml --resume --seeds 3");
 });
 
 test("values as they are typed and as a deck has them", () => {

@@ -10,7 +10,7 @@ import {describe, formsOfKey, sectionOf} from "../../../src/studio/page/key_refe
 import {blocksOf, firstSentence, plain} from "../../../src/studio/page/markdown.js";
 import {readReference} from "../../../src/studio/page/reference_reader.js";
 import {labelOfForm} from "../../../src/studio/page/form_labels.js";
-import {valueOfForm} from "../../../src/studio/page/starting_values.js";
+import {isFileForm, valueOfForm} from "../../../src/studio/page/starting_values.js";
 import {keyPaths} from "./deck_keys.mjs";
 
 const root = fileURLToPath(new URL("../../../", import.meta.url));
@@ -62,11 +62,25 @@ test("the forms of a modulus, and values for them", () => {
   const forms = formsOfKey(reference, shear);
   assert.deepEqual(forms.map(labelOfForm), ["elastic: one value", "Prony series in a file", "Prony series, term by term",
     "measured data, fitted", "2S2P1D (bitumen)", "fractional Zener", "creep by a power law", "logarithmic creep (concrete)"]);
-  const folder = {tables: ["dma.csv"]};
-  assert.equal(valueOfForm(reference, forms[3], {folder}), '{ measured = "dma.csv" }');
-  assert.equal(valueOfForm(reference, forms[5], {folder}),
+  assert.deepEqual(forms.map(isFileForm), [false, true, false, true, false, false, false, false]);
+  assert.equal(valueOfForm(reference, forms[3], "dma.csv"), '{ measured = "dma.csv" }');
+  assert.equal(valueOfForm(reference, forms[5]),
     '{ law = "fractional-zener", equilibrium = "1 MPa", unrelaxed = "1 GPa", time = "1 s", exponent = 0.5 }');
   assert.equal(sectionOf(reference, ["materials", "binder", "shear", "terms", 0]), "modulus.terms");
+});
+
+test("keys that are named in passing have a few words of their own", () => {
+  const words = (...path) => firstSentence(describe(reference, path).meaning);
+  const filler = ["stages", 0, "filler"];
+  assert.equal(words("materials", "a", "shear", "equilibrium"), "modulus at infinite time.");
+  assert.match(describe(reference, ["materials", "a", "shear", "equilibrium"]).meaning, /^modulus at infinite time\. The first two/);
+  assert.equal(words("materials", "a", "young", "glassy"), "modulus at time zero, E0");
+  assert.equal(words("materials", "a", "factors", "times"), "multiplies all relaxation times");
+  assert.equal(words("materials", "a", "stiffness", "symmetry"), "symmetry of the crystal");
+  assert.equal(words(...filler, "sizes", "d50"), "half of the volume is smaller");
+  assert.equal(words(...filler, "coating", "material"), "material of the layer");
+  assert.equal(words("stages", 0, "packing", "method"), "how the particles are placed.");
+  assert.match(words("stages", 0, "packing", "walls"), /^false: a periodic box; true: all particles inside; "cut"/);
 });
 
 /// Keys of the examples for which the reference has no table: the keys of a sweep are paths.

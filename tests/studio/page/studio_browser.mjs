@@ -1,78 +1,23 @@
 /// What a user does with the studio in a browser, against the program itself.
 
 import assert from "node:assert/strict";
-import {mkdtemp, readFile, rm, writeFile} from "node:fs/promises";
-import {tmpdir} from "node:os";
+import {writeFile} from "node:fs/promises";
 import {join} from "node:path";
 import {after, before, test} from "node:test";
 
-import {Browser} from "./browser.mjs";
-import {Studio} from "./studio_process.mjs";
+import {button, expectNoComplaints, field, fill, look, StudioSession} from "./studio_session.mjs";
 
-const program = process.env.BRECCIA;
-let [browser, studio, folder] = [];
-
-before(async () => {
-  folder = await mkdtemp(join(tmpdir(), "breccia-studio-test-"));
-  browser = await Browser.start("chromium");
-  studio = await Studio.start(program, folder);
-});
-
-after(async () => {
-  await browser.end();
-  await studio.end("SIGKILL");
-  await rm(folder, {recursive: true, force: true, maxRetries: 5});
-});
-
-/// Keeps a picture of the page where the caller of the test wants them.
-async function look(page, name) {
-  if (process.env.PICTURES) await writeFile(join(process.env.PICTURES, `${name}.png`), await page.picture());
-}
-
-const field = (path) => `document.querySelector(${JSON.stringify(`[data-focus='${JSON.stringify(path)}']`)})`;
-const button = (text, within = "document") =>
-  `[...${within}.querySelectorAll("button")].find((one) => one.textContent === ${JSON.stringify(text)} && one.offsetParent)`;
-/// A check that a later one has overtaken is answered by 409, which the browser notes.
-const expectNoComplaints = (page) => assert.deepEqual(page.complaints.filter((one) => !one.includes("409")), []);
-
-const deckOnDisk = (name) => readFile(join(folder, name), "utf8");
-
-/// Types a value into a field as a user does, and leaves the field.
-async function fill(page, path, value) {
-  await page.until(field(path));
-  await page.value(`${field(path)}.focus(), ${field(path)}.select()`);
-  await page.type(value);
-  await page.press("Tab");
-}
-
-/// Waits until the deck on the disk is as expected, and returns it.
-async function deckThat(name, expected) {
-  for (let tries = 0; tries < 600; ++tries) {
-    const text = await deckOnDisk(name);
-    if (expected.test(text)) return text;
-    await new Promise((resolve) => setTimeout(resolve, 50));
-  }
-  return assert.match(await deckOnDisk(name), expected);
-}
-
-async function openStarter(name) {
-  const page = await browser.open(studio.address);
-  await page.resize(1400, 1000);
-  await page.until("document.getElementById('new-name')?.offsetParent");
-  await page.value("document.getElementById('new-name').focus()");
-  await page.type(name);
-  await page.value(`${button("Begin with the starter deck")}.click()`);
-  await page.until(field(["stages", 0, "box"]));
-  return page;
-}
+let session = null;
+before(async () => { session = await StudioSession.start(); });
+after(() => session.end());
 
 test("from nothing to a result", {timeout: 300000}, async () => {
-  const page = await openStarter("first");
+  const page = await session.openStarter("first");
   await look(page, "start");
   await fill(page, ["stages", 0, "filler", "fraction"], "0.3");
   await fill(page, ["stages", 0, "box"], "8 mm");
   await fill(page, ["stages", 0, "cells"], "[16, 32]");
-  const text = await deckThat("first.toml", /^cells {3}= \[16, 32\]/m);
+  const text = await session.deckThat("first.toml", /^cells {3}= \[16, 32\]/m);
   assert.match(text, /fraction = 0\.3,/);
   assert.match(text, /^box {5}= "8 mm" +# side of the box/m);
   assert.match(text, /# A deck to begin with/);
@@ -93,21 +38,21 @@ test("from nothing to a result", {timeout: 300000}, async () => {
 });
 
 test("boxes and grids are chosen for an error, in three dimensions and with E", {timeout: 120000}, async () => {
-  const page = await openStarter("chosen");
+  const page = await session.openStarter("chosen");
   await page.value(`${button("Choose boxes and grids for an error of 5 %")}.click()`);
-  const text = await deckThat("chosen.toml", /^accuracy = "5 %"/m);
+  const text = await session.deckThat("chosen.toml", /^accuracy = "5 %"/m);
   assert.doesNotMatch(text, /^(box|cells) /m);
   await page.until("document.querySelector('.right').innerText.includes('together about')");
   await page.value(`${button("Also E, K and Poisson's ratio")}.click()`);
-  await deckThat("chosen.toml", /^loads += \["isotropic", "bulk"\]/m);
+  await session.deckThat("chosen.toml", /^loads += \["isotropic", "bulk"\]/m);
   await page.value(`(() => { const list = ${field(["dimensions"])}; list.value = "3";
     list.dispatchEvent(new Event("change")); })()`);
-  await deckThat("chosen.toml", /^dimensions = 3/m);
+  await session.deckThat("chosen.toml", /^dimensions = 3/m);
   expectNoComplaints(page);
 });
 
 test("mistakes stand at their fields, and what was typed stays", {timeout: 120000}, async () => {
-  const page = await openStarter("mistakes");
+  const page = await session.openStarter("mistakes");
   await fill(page, ["stages", 0, "box"], "8 kg");
   const mistake = "document.querySelector('.field.wrong .mistake:not([hidden])')";
   await page.until(mistake);
@@ -121,12 +66,12 @@ test("mistakes stand at their fields, and what was typed stays", {timeout: 12000
   await page.value("(() => { const area = document.getElementById('deck-text'); area.focus(); area.setSelectionRange(0, 0); })()");
   await page.type("foo = 1\n");
   await page.until("document.querySelector('.mistakes').innerText.includes('foo')");
-  await deckThat("mistakes.toml", /^foo = 1\n/);
+  await session.deckThat("mistakes.toml", /^foo = 1\n/);
   expectNoComplaints(page);
 });
 
 test("a slow answer overwrites nothing, and shows nothing of an earlier text", {timeout: 120000}, async () => {
-  const page = await openStarter("slow");
+  const page = await session.openStarter("slow");
   await page.until("document.querySelector('.right').innerText.includes('13 cells across')");
   await page.value(`(() => { const fast = window.fetch; window.fetch = (address, options) => /api\\/(edit|check)/.test(address)
     ? new Promise((done) => setTimeout(done, 700)).then(() => fast(address, options)) : fast(address, options); })()`);
@@ -134,23 +79,23 @@ test("a slow answer overwrites nothing, and shows nothing of an earlier text", {
   await fill(page, ["stages", 0, "filler", "fraction"], "0.3");
   await page.value("(() => { const area = document.getElementById('deck-text'); area.focus(); area.setSelectionRange(0, 0); })()");
   await page.type("# typed meanwhile\n");
-  assert.match(await deckThat("slow.toml", /fraction = 0\.3,/), /^# typed meanwhile\n/);
+  assert.match(await session.deckThat("slow.toml", /fraction = 0\.3,/), /^# typed meanwhile\n/);
   // Undo while the plan of another text is under way.
   await fill(page, ["stages", 0, "cells"], "[16, 32]");
-  await deckThat("slow.toml", /\[16, 32\]/);
+  await session.deckThat("slow.toml", /\[16, 32\]/);
   await page.until("document.querySelector('.right').innerText.includes('checking')");
   await page.value(`${button("Undo")}.click()`);
-  await deckThat("slow.toml", /\[64, 128\]/);
+  await session.deckThat("slow.toml", /\[64, 128\]/);
   await page.until("!document.querySelector('.right').innerText.includes('checking')");
   assert.match(await page.value("document.querySelector('.right').innerText"), /13 cells across/);
 });
 
 test("two windows do not overwrite each other", {timeout: 120000}, async () => {
-  const page = await openStarter("shared");
-  await writeFile(join(folder, "shared.toml"), (await deckOnDisk("shared.toml")).replace("20 mm", "21 mm"));
+  const page = await session.openStarter("shared");
+  await writeFile(join(session.folder, "shared.toml"), (await session.deckOnDisk("shared.toml")).replace("20 mm", "21 mm"));
   await fill(page, ["stages", 0, "filler", "fraction"], "0.4");
   await page.until(button("Keep what is on this page"));
-  assert.match(await deckOnDisk("shared.toml"), /21 mm/);  // nothing has been overwritten
+  assert.match(await session.deckOnDisk("shared.toml"), /21 mm/);  // nothing has been overwritten
   // What is not saved is still there after another deck was open.
   const open = async (name) => {
     await page.value("document.getElementById('to-start').click()");
@@ -167,15 +112,15 @@ test("two windows do not overwrite each other", {timeout: 120000}, async () => {
   await page.until("document.querySelector('.run .mistake').innerText.includes('not saved')");
   await page.value(`${button("Load what is on the disk")}.click()`);
   await page.until(`${field(["stages", 0, "box"])}.value === "21 mm"`);
-  assert.match(await deckOnDisk("shared.toml"), /fraction = 0\.50/);
+  assert.match(await session.deckOnDisk("shared.toml"), /fraction = 0\.50/);
 });
 
 test("measured data become a binder", {timeout: 180000}, async () => {
   const rows = Array.from({length: 25}, (_, i) => 10 ** (-3 + i / 4))
     .map((omega) => `${omega},${2e6 * omega ** 2 / (1 + omega ** 2) + 1e5},${2e6 * omega / (1 + omega ** 2)}`);
-  await writeFile(join(folder, "rheometer.csv"),
+  await writeFile(join(session.folder, "rheometer.csv"),
     ["angular_frequency_rad_per_s,storage_modulus_Pa,loss_modulus_Pa", ...rows].join("\n"));
-  const page = await openStarter("measured");
+  const page = await session.openStarter("measured");
   const panel = "document.querySelector('details.fit')";
   await page.value(`${panel}.open = true`);
   await page.until(`[...${panel}.querySelectorAll("option")].some((one) => one.value === "rheometer.csv")`);
@@ -192,12 +137,12 @@ test("measured data become a binder", {timeout: 180000}, async () => {
   await page.value(`${button("Fit")}.click()`);
   await page.until(button("Use it as shear of binder"));
   await page.value(`${button("Use it as shear of binder")}.click()`);
-  await deckThat("measured.toml", /shear {3}= \{ measured = "rheometer\.csv" \}/);
+  await session.deckThat("measured.toml", /shear {3}= \{ measured = "rheometer\.csv" \}/);
   await page.until("document.querySelector('.right').innerText.includes('together about')");
 });
 
 test("by keyboard alone, and in a narrow window", {timeout: 120000}, async () => {
-  const page = await browser.open(studio.address);
+  const page = await session.browser.open(session.studio.address);
   await page.resize(500, 900);
   await page.until("document.getElementById('new-name')?.offsetParent");
   const reach = async (expression) => {
@@ -216,16 +161,16 @@ test("by keyboard alone, and in a narrow window", {timeout: 120000}, async () =>
   await page.press("a", 2);
   await page.type("9 mm");
   await page.press("Tab");
-  await deckThat("keyboard.toml", /^box +=\s"9 mm"/m);
+  await session.deckThat("keyboard.toml", /^box +=\s"9 mm"/m);
   assert.ok(await page.value("document.documentElement.scrollWidth <= 500"));
   await look(page, "narrow");
 });
 
 test("the end of the studio is said, and nothing is lost", {timeout: 120000}, async () => {
-  const page = await openStarter("lost");
-  await studio.end("SIGKILL");
+  const page = await session.openStarter("lost");
+  await session.studio.end("SIGKILL");
   await fill(page, ["stages", 0, "box"], "7 mm");
   await page.until("!document.getElementById('ended').hidden");
   assert.equal(await page.value(`${field(["stages", 0, "box"])}.value`), "7 mm");
-  studio = await Studio.start(program, folder);
+  await session.restart();
 });
