@@ -75,6 +75,7 @@ void add_export(CLI::App& application);
 void add_find(CLI::App& application);
 void add_fit(CLI::App& application);
 void add_help(CLI::App& application);
+void add_mesh(CLI::App& application);
 void add_new(CLI::App& application);
 void add_pack(CLI::App& application);
 void add_report(CLI::App& application);

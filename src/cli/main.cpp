@@ -62,6 +62,7 @@ void add_commands(CLI::App& application) {
   cli::add_stages(application);
   cli::add_fit(application);
   cli::add_export(application);
+  cli::add_mesh(application);
   cli::add_bench(application);
   cli::add_examples(application);
   cli::add_completion(application);

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
+
+#include "breccia/words.hpp"
 
 #include "results/json_fields.hpp"
 
@@ -93,9 +96,20 @@ inline constexpr auto fields<DebondingEntry> =
                field_if_any("tangential_stiffness_Pa_per_m", &DebondingEntry::tangential_stiffness),
                field("words", &DebondingEntry::words));
 
+/// What is at the sides of a box.
+enum class BoxSides {
+  periodic,  ///< what leaves the box on one side enters it on the other
+  hard,      ///< walls, from which particles, or grains with half a film, keep off
+  cut        ///< walls that cut grains and films
+};
+template <>
+inline constexpr auto words<BoxSides> =
+    std::to_array<Word<BoxSides>>({{"periodic", BoxSides::periodic}, {"hard", BoxSides::hard}, {"cut", BoxSides::cut}});
+
 struct MicrostructureEntry {
   std::optional<std::size_t> particles = {};
   double fraction = 0.0;                             ///< [-]
+  std::optional<BoxSides> sides = {};                ///< nothing for an image
   std::optional<double> interface_per_volume = {};   ///< interface per volume, in three dimensions [1/m]
   std::optional<double> interface_per_area = {};     ///< interface per area, in two dimensions [1/m]
   std::optional<double> gap = {}, gap_cells = {};    ///< [m], [-]
@@ -118,6 +132,7 @@ struct MicrostructureEntry {
 template <>
 inline constexpr auto fields<MicrostructureEntry> = std::tuple(
     field("particles", &MicrostructureEntry::particles), field("fraction", &MicrostructureEntry::fraction),
+    field_if_any("sides", &MicrostructureEntry::sides),
     field_if_any("interface_per_volume_1_per_m", &MicrostructureEntry::interface_per_volume),
     field_if_any("interface_per_area_1_per_m", &MicrostructureEntry::interface_per_area),
     field("smallest_gap_m", &MicrostructureEntry::gap), field("smallest_gap_cells", &MicrostructureEntry::gap_cells),

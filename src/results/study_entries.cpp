@@ -221,6 +221,10 @@ ThresholdEntry entry_of(const Stage& stage, const GreySegmentation& made) {
           .words = fmt::format("{}", fmt::join(words_on_threshold(stage), "; "))};
 }
 
+BoxSides sides_of(Walls walls) {
+  return walls == Walls::periodic ? BoxSides::periodic : BoxSides::hard;
+}
+
 /// Adds the entries of study.json on the content of a box, in addition to the statistics of every content.
 struct AddContent {
   const Stage& stage;
@@ -229,17 +233,22 @@ struct AddContent {
 
   template <int dim>
   void operator()(const Microstructure<dim>& balls) const {
+    entry.sides = sides_of(balls.walls);
     add_diameters(balls.particles, [](const Ball<dim>& ball) { return ball.diameter; });
   }
   void operator()(const ParticleBox& box) const {
+    entry.sides = sides_of(box.walls);
     add_diameters(box.particles, [](const Particle& particle) { return equivalent_diameter(particle.shape); });
   }
   void operator()(const EllipsoidBox& box) const {
+    entry.sides = sides_of(box.walls);
     add_diameters(box.particles, [](const Ellipsoid& ellipsoid) { return equivalent_diameter(ellipsoid); });
   }
   template <int dim>
   void operator()(const Grains<dim>& grains) const {
     const auto& filler = packed.fillers.front();
+    entry.sides = sides_of(grains.sites.walls);
+    if (stage.has_cut_grains()) entry.sides = BoxSides::cut;
     entry.film = grains.statistics.film;
     entry.film_cells = grains.statistics.film / stage.cell_size();
     if (stage.bonds) {
