@@ -70,7 +70,7 @@ function suitsWords(reference, path, node, key) {
 }
 
 /// The keys that a table can have besides those that it has; of a packing, or of a law, those that belong to it.
-export function missingKeys(reference, section, node) {
+function missingKeys(reference, section, node) {
   const keys = section === null ? [] : [...reference.get(section).values()];
   const has = new Set(node.entries.map(({key}) => key));
   const missing = keys.filter(({key}) => !has.has(key));

@@ -111,7 +111,7 @@ export function choiceControl({path, commit, context}, optionsOf) {
 }
 
 /// The words that a key may be.
-export function wordsOf(key, {deck}, path) {
+function wordsOf(key, {deck}, path) {
   return key.choices.map(({source}) => [source, source.replaceAll('"', ""), whyNotChoice(deck.tree, path, source)]);
 }
 

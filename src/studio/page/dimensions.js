@@ -39,8 +39,9 @@ export function whyNotInSpace(tree) {
 
 const loadsOfSpace = ["shear-yz", "shear-zx", "shear-yy-zz", "shear-zz"];
 
-/// The changes with which a deck has three dimensions, or two: the key, and what only the others have.
-export function dimensionsChanges(tree, toSpace) {
+/// The changes with which a deck has two or three dimensions: the key, and what only the others have.
+export function dimensionsChanges(tree, dimensions) {
+  const toSpace = dimensions === 3;
   const changes = [{path: ["dimensions"], value: toSpace ? "3" : null}];
   packingsOf(tree).forEach((packing, i) => {
     const at = ["stages", i, "packing"];

@@ -175,9 +175,10 @@ function showReached(isReached) {
   at("ended").hidden = isReached;
   clearTimeout(retry);
   const {deck} = context;
-  const isToSave = deck !== null && !deck.isSaved && deck.conflict === null && deck.failure === null;
+  const isToSave = () => deck !== null && !deck.isSaved && deck.conflict === null && deck.failure === null;
   if (!isReached) retry = setTimeout(() => api.getState().catch(() => {}), 3000);
-  else if (isToSave) retry = setTimeout(() => deck.save(), 800);
+  // Asked again after the pause: the call that has been answered may be the one that refuses to save.
+  else if (isToSave()) retry = setTimeout(() => isToSave() && deck.save(), 800);
 }
 
 function say(message) {

@@ -10,7 +10,7 @@ let count = 0;
 export function dimensionsChoice(context) {
   const id = `dimensions-${++count}`;
   const list = element("select", {id,
-    onchange: () => context.change(dimensionsChanges(context.deck.tree, list.value === "3"), ["dimensions"])},
+    onchange: () => context.change(dimensionsChanges(context.deck.tree, Number(list.value)), ["dimensions"])},
   element("option", {value: "2"}), element("option", {value: "3"}));
   list.dataset.focus = JSON.stringify(["dimensions"]);
   const note = element("span", {className: "note"});

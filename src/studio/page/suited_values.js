@@ -27,7 +27,7 @@ export function diametersOf(filler) {
 }
 
 /// The diameters of all fillers of some stages [m], or null.
-export function diametersIn(stages) {
+function diametersIn(stages) {
   const known = stages.flatMap(fillersOf).map(diametersOf).filter((one) => one !== null);
   if (known.length === 0) return null;
   return {smallest: Math.min(...known.map(({smallest}) => smallest)), largest: Math.max(...known.map(({largest}) => largest))};

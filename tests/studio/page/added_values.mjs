@@ -107,5 +107,5 @@ test("a filler and a stage more, and three dimensions", {timeout: 120000}, async
   assert.equal(await complaint(deck, [{path: ["stages", 0, "filler"], value: fillers}]), "");
   assert.equal(await complaint(deck, [{path: ["stages", 1], value: newStage(tree, "mortar")}]), "");
   assert.equal(entry(stagesOf(tree)[0], "name").value, "composite");
-  assert.equal(await complaint(deck, [...dimensionsChanges(tree, true), {path: ["stages", 0, "cells"], value: "24"}]), "");
+  assert.equal(await complaint(deck, [...dimensionsChanges(tree, 3), {path: ["stages", 0, "cells"], value: "24"}]), "");
 });

@@ -110,13 +110,13 @@ test("three dimensions where the deck can have them", () => {
   assert.match(whyNotInSpace(image("scan.png")), /^A PNG is one picture/);
   assert.equal(whyNotInSpace(image("scan.tif")), "");
   assert.match(whyNotInSpace(withStage({filler: {shape: {polygon: "a.csv"}}})), /no polygons/);
-  assert.deepEqual(shown(dimensionsChanges(image("scan.tif"), true)), ["dimensions = 3", "stages.0.packing.page = null"]);
-  assert.deepEqual(shown(dimensionsChanges(image("scan.tif"), false)), ["dimensions = null", "stages.0.packing.page = 1"]);
+  assert.deepEqual(shown(dimensionsChanges(image("scan.tif"), 3)), ["dimensions = 3", "stages.0.packing.page = null"]);
+  assert.deepEqual(shown(dimensionsChanges(image("scan.tif"), 2)), ["dimensions = null", "stages.0.packing.page = 1"]);
   const regular = withStage({packing: {method: "regular", columns: 4, rows: 4}});
-  assert.deepEqual(shown(dimensionsChanges(regular, true)), ["dimensions = 3", "stages.0.packing.columns = null",
+  assert.deepEqual(shown(dimensionsChanges(regular, 3)), ["dimensions = 3", "stages.0.packing.columns = null",
     "stages.0.packing.rows = null", 'stages.0.packing.lattice = "sc"', "stages.0.packing.repeats = 4"]);
   const loads = treeOf({...deck, tests: {loads: ["shear", "shear-yz"]}});
-  assert.deepEqual(shown(dimensionsChanges(loads, false)), ["dimensions = null", 'tests.loads = ["shear"]']);
+  assert.deepEqual(shown(dimensionsChanges(loads, 2)), ["dimensions = null", 'tests.loads = ["shear"]']);
 });
 
 test("what can change places", () => {
