@@ -16,6 +16,7 @@
 
 #include "cli/asked_temperature.hpp"
 #include "cli/command.hpp"
+#include "cli/output_file.hpp"
 #include "io/collected_mistakes.hpp"
 #include "io/display.hpp"
 #include "io/percentage.hpp"
@@ -78,16 +79,6 @@ double read_poisson(const std::string& text) {
   }
   if (!text.empty() && end == text.size() && ratio > -1.0 && ratio < 0.5) return ratio;
   throw InputError(fmt::format("--poisson: expected a number above -1 and below 0.5, got \"{}\"", text));
-}
-
-void refuse_existing(const ExportArguments& arguments) {
-  if (arguments.output.empty()) return;
-  const auto name = arguments.output.string();
-  if (fs::is_directory(arguments.output)) {
-    throw InputError(fmt::format("--output: expected a file, got the directory {}", name));
-  }
-  if (arguments.overwrite || !fs::exists(fs::symlink_status(arguments.output))) return;
-  throw InputError(fmt::format("{}: the file exists; replace it (--overwrite) or choose another name", name));
 }
 
 /// The name of the format that is no card: dynamic moduli against temperature.
@@ -178,7 +169,7 @@ ExportRequest read_request(const ExportArguments& arguments) {
   for (const auto& option : arguments.of_other_formats) {
     options.collect([&] { throw InputError(fmt::format("{}: the format {} has none", option, arguments.format)); });
   }
-  options.collect([&] { refuse_existing(arguments); });
+  options.collect([&] { refuse_existing(arguments.output, arguments.overwrite); });
   options.refuse();
   return request;
 }

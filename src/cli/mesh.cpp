@@ -12,6 +12,7 @@
 #include "breccia/error.hpp"
 
 #include "cli/command.hpp"
+#include "cli/output_file.hpp"
 #include "io/collected_mistakes.hpp"
 #include "io/display.hpp"
 #include "results/meshes/closed_surface.hpp"
@@ -65,15 +66,6 @@ StudyDocument read_packed_study(const fs::path& directory) {
     throw InputError(fmt::format("{}: no study.json, which `breccia run` and `breccia pack` write", name));
   }
   return read_study_document(directory);
-}
-
-void refuse_bad_output(const MeshArguments& arguments) {
-  const auto name = arguments.output.string();
-  if (fs::is_directory(arguments.output)) {
-    throw InputError(fmt::format("--output: expected a file, got the directory {}", name));
-  }
-  if (arguments.overwrite || !fs::exists(fs::symlink_status(arguments.output))) return;
-  throw InputError(fmt::format("{}: the file exists; replace it (--overwrite) or choose another name", name));
 }
 
 SurfaceSettings read_surface_settings(const MeshArguments& arguments) {
@@ -167,7 +159,7 @@ void write_geometry(const MeshArguments& arguments) {
     mistakes.collect([&] { throw InputError(fmt::format("{}: the format {} has none", option, arguments.format)); });
   }
   mistakes.collect([&] { surfaces = read_surface_settings(arguments); });
-  mistakes.collect([&] { refuse_bad_output(arguments); });
+  mistakes.collect([&] { refuse_existing(arguments.output, arguments.overwrite); });
   StudyDocument document;
   const StageEntry* stage = nullptr;
   mistakes.collect([&] {
