@@ -160,7 +160,7 @@ TEST(Plan, AdvisesStagesForSizesThatOneBoxDoesNotResolve) {
   ASSERT_EQ(remarks().size(), 1U);
   EXPECT_THAT(remarks().front(), HasSubstr("its sizes span 20 to 1, and the smallest particle is 1.2 cells wide"));
   EXPECT_THAT(remarks().front(), HasSubstr("5 um to 22.4 um with fraction = 0.25, then 22.4 um to 100 um with "
-                                           "fraction = 0.2 "));
+                                           "fraction = 0.2;"));
   filler.sizes = TabulatedSizes{{}, {1e-5, 1e-4}, {0.0, 1.0}};
   EXPECT_THAT(remarks(), testing::IsEmpty()) << "ten to one";
 }
