@@ -22,7 +22,6 @@
 namespace breccia::test {
 namespace {
 
-using ::testing::AllOf;
 using ::testing::Each;
 using ::testing::HasSubstr;
 
@@ -116,8 +115,8 @@ TEST(StiffnessOfARun, OfALaminateInSpaceIsExact) {
   write_layers(study, {8, 8, 8});
   const auto run = study.breccia("run");
   ASSERT_EQ(run.exit_code, 0) << run.errors;
-  EXPECT_THAT(run.output, AllOf(HasSubstr("A, periodic: universal index of anisotropy"),
-                                HasSubstr("pairs of loads for the whole stiffness")));
+  EXPECT_THAT(run.output, HasSubstr("A, periodic: universal index of anisotropy"));
+  EXPECT_THAT(study.breccia("check").output, HasSubstr("isotropic, bulk, pairs of loads for the whole stiffness"));
   const auto exact = exact_laminate();
   const auto table = read_stiffness_table(study);
   EXPECT_EQ(table.rows(), 4U);
@@ -175,7 +174,7 @@ matrix  = "binder"
 cells   = [16, 32]
 filler  = { material = "glass", fraction = 0.3, sizes = { diameter = "0.1 mm" } }
 packing = { method = "lubachevsky-stillinger", seed = 2 }
-particles = 12
+particles = 20
 
 [tests]
 times = ["1 us", "0.1 s"]
