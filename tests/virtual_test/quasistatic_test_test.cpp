@@ -52,7 +52,9 @@ TEST(QuasistaticTestState, WithANumberThatIsNoLoadIsRefused) {
   };
   EXPECT_EQ(read_with(Load::bulk), Load::bulk);
   EXPECT_EQ(read_with(Load::axial_shear), Load::axial_shear);
-  EXPECT_THROW(read_with(static_cast<Load>(7)), FileError);
+  EXPECT_EQ(read_with(Load::shear_and_bulk), Load::shear_and_bulk);
+  EXPECT_EQ(read_with(Load::shear_zx_and_axial_shear), Load::shear_zx_and_axial_shear);
+  EXPECT_THROW(read_with(static_cast<Load>(22)), FileError);
 }
 
 TEST(RunQuasistaticTest, TheReducedSolverMustKnowTheMatrix) {
