@@ -145,9 +145,12 @@ void print_warnings(const MeshCounts& counts) {
     fmt::print(stderr, "warning: {} of no or negative content: the binder is very narrow there\n",
                display_count(counts.inverted, "element"));
   }
-  if (counts.grains + counts.binder > 1.0 + tolerance) {
-    fmt::print(stderr, "warning: the elements fill {:.6g} % of the box: parts of the binder overlap\n",
-               100.0 * (counts.grains + counts.binder));
+  const double filled = counts.grains + counts.binder;
+  if (filled > 1.0 + tolerance) {
+    fmt::print(stderr, "warning: the elements fill {:.6g} % of the box: parts of the binder overlap\n", 100.0 * filled);
+  }
+  if (counts.facets_of_gaps == 0 && filled < 1.0 - tolerance) {
+    fmt::print(stderr, "warning: the elements fill {:.6g} % of the box: parts of it are missing\n", 100.0 * filled);
   }
 }
 

@@ -75,6 +75,30 @@ struct ChangedKey {
   std::string key;
 };
 
+/// A key of a sweep, as it stands in the table `[sweep]` or in one within it.
+struct SweptEntry {
+  DeckPath at;                     ///< place of the key in the deck
+  std::vector<std::string> steps;  ///< the path that it sweeps
+  std::size_t outer;               ///< number of these steps that are the tables around it
+  const DeckValue* value;
+};
+
+/// Calls an action for each key of a sweep. The keys of `[sweep]` are paths, those of the tables in it are steps.
+template <class Action>
+void for_swept(const DeckTable& table, const DeckPath& path, const std::vector<std::string>& outer,
+               const Action& action) {
+  for (const auto& entry : table.entries) {
+    auto steps = outer;
+    const auto own = outer.empty() ? split_path(entry.key).value_or(std::vector<std::string>())
+                                   : std::vector<std::string>{entry.key};
+    if (own.empty()) continue;
+    steps.insert(steps.end(), own.begin(), own.end());
+    const auto at = detail::extended(path, DeckStep(entry.key));
+    action(SweptEntry{at, steps, outer.size(), &entry.value});
+    if (const auto* inner = table_in(&entry.value)) for_swept(*inner, at, steps, action);
+  }
+}
+
 /// Collects the places at which a deck refers to a name.
 class References {
  public:
@@ -146,23 +170,23 @@ class References {
   }
 
   void add_sweep(const DeckTable& sweep) {
-    for (const auto& entry : sweep.entries) {
-      const DeckPath path = {DeckStep(std::string(sweep_key)), DeckStep(entry.key)};
-      auto steps = split_path(entry.key).value_or(std::vector<std::string>());
-      if (steps.empty()) continue;
-      if (means_name(steps.back())) add_elements(path, &entry.value);
-      const auto step = step_with_name(steps);
-      if (!step || steps[*step] != renaming_.from) continue;
+    for_swept(sweep, {DeckStep(std::string(sweep_key))}, {}, [this](const SweptEntry& entry) {
+      if (means_name(entry.steps)) add_elements(entry.at, entry.value);
+      const auto step = step_with_name(entry.steps);
+      if (!step || *step < entry.outer || entry.steps[*step] != renaming_.from) return;
+      auto steps = entry.steps;
       steps[*step] = renaming_.to;
       std::string key;
-      for (const auto& one : steps) key = detail::joined(key, one);
-      keys_.push_back(ChangedKey{path, key});
-    }
+      for (std::size_t i = entry.outer; i < steps.size(); ++i) key = detail::joined(key, steps[i]);
+      keys_.push_back(ChangedKey{entry.at, entry.outer == 0 ? key : renaming_.to});
+    });
   }
 
-  /// Whether the values of a key are names of this kind.
-  [[nodiscard]] bool means_name(std::string_view key) const {
+  /// Whether the values at a path are names of this kind.
+  [[nodiscard]] bool means_name(const std::vector<std::string>& steps) const {
+    const auto& key = steps.back();
     if (key == "matrix" || key == "dark" || key == "bright") return names_matrix_;
+    if (key == "material" && std::ranges::find(steps, "labels") != steps.end()) return names_matrix_;
     return key == (renaming_.table == materials_key ? "material" : "stage");
   }
 
@@ -196,8 +220,10 @@ std::string table_of(const DeckTable& root, std::span<const DeckStep> path) {
 /// The present name of the material or the stage at a path, and the one that it is to have.
 Renaming renaming_at(const DeckTable& root, std::span<const DeckStep> path, const std::string& name) {
   const auto table = table_of(root, path);
-  const bool is_material = table == materials_key;
-  return {table, is_material ? std::get<std::string>(path.back()) : name_of(*detail::value_at(root, path)), name};
+  if (table == stages_key) return {table, name_of(*detail::value_at(root, path)), name};
+  const auto* material = std::get_if<std::string>(&path.back());
+  if (material == nullptr) throw InputError(fmt::format("{} is no material", detail::path_text(path)));
+  return {table, *material, name};
 }
 
 void refuse_used_name(const DeckTable& root, const Renaming& renaming) {
@@ -210,11 +236,29 @@ void refuse_used_name(const DeckTable& root, const Renaming& renaming) {
 }
 
 bool counts_stages(const DeckTable& sweep) {
-  return std::ranges::any_of(sweep.entries, [](const detail::DeckEntry& entry) {
-    const auto steps = split_path(entry.key).value_or(std::vector<std::string>());
+  bool counts = false;
+  for_swept(sweep, {DeckStep(std::string(sweep_key))}, {}, [&counts](const SweptEntry& entry) {
+    const auto& steps = entry.steps;
     const auto is_digit = [](char letter) { return letter >= '0' && letter <= '9'; };
-    return steps.size() > 1 && steps[0] == stages_key && std::ranges::all_of(steps[1], is_digit);
+    counts = counts || (steps.size() > 1 && steps[0] == stages_key && std::ranges::all_of(steps[1], is_digit));
   });
+  return counts;
+}
+
+/// Whether a path leads to the last stage of a deck.
+bool is_last_stage(const DeckTable& root, std::span<const DeckStep> path) {
+  const auto* stages = array_in(find(root, stages_key));
+  const auto* index = std::get_if<std::size_t>(&path.back());
+  return stages != nullptr && index != nullptr && *index + 1 == stages->values.size();
+}
+
+/// Whether a measurement names no stage, which is then one of the last stage.
+bool has_measurement_of_last(const DeckTable& root) {
+  const auto* measurements = array_in(find(root, "measurements"));
+  return measurements != nullptr && std::ranges::any_of(measurements->values, [](const DeckValue& value) {
+           const auto* table = table_in(&value);
+           return table != nullptr && find(*table, "stage") == nullptr;
+         });
 }
 
 }  // namespace
@@ -237,7 +281,12 @@ std::string deck_with_name(const std::string& text, std::span<const DeckStep> pa
 std::string deck_with_order(const std::string& text, std::span<const DeckStep> one, std::span<const DeckStep> other) {
   const auto root = detail::parse_deck("deck", text);
   const auto* sweep = table_in(find(root, sweep_key));
-  if (table_of(root, one) == stages_key && sweep != nullptr && counts_stages(*sweep)) {
+  const bool are_stages = table_of(root, one) == stages_key;
+  if (are_stages && has_measurement_of_last(root) && (is_last_stage(root, one) || is_last_stage(root, other))) {
+    throw InputError(
+        "a measurement without a stage is one of the last stage: name its stage before stages change places");
+  }
+  if (are_stages && sweep != nullptr && counts_stages(*sweep)) {
     throw InputError("the sweep of the deck counts the stages: name them there before they change places");
   }
   return deck_with_exchange(text, one, other);

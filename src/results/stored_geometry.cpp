@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -26,6 +27,23 @@ Vector<dim> position_in(const CsvTable& table, std::size_t row) {
     position[axis] = table.numbers(coordinate_names[axis])[row];
   }
   return position;
+}
+
+/// A whole number of a table. Throws FileError where it is none from `least` to `most`.
+long whole_number(const CsvTable& table, const std::string& column, std::size_t row, long least, long most) {
+  const double number = table.numbers(column)[row];
+  if (number >= static_cast<double>(least) && number <= static_cast<double>(most) && number == std::floor(number)) {
+    return static_cast<long>(number);
+  }
+  throw FileError(fmt::format("{}: {}: expected a whole number from {} to {}, got {:g}", table.location(row), column,
+                              least, most, number));
+}
+
+/// Throws FileError where a table has not a row for each particle of the stage.
+void require_all_particles(const CsvTable& table, const fs::path& file, const StageEntry& stage) {
+  const auto expected = stage.microstructure.particles.value_or(table.rows());
+  if (table.rows() == expected) return;
+  throw FileError(fmt::format("{}: {} rows, where study.json has {} particles", file.string(), table.rows(), expected));
 }
 
 Ellipsoid ellipsoid_in(const CsvTable& table, std::size_t row) {
@@ -55,12 +73,20 @@ const StageEntry& stage_named(const StudyDocument& document, const std::string& 
   throw InputError(fmt::format("no stage \"{}\"{}", name, suggestion(name, names)));
 }
 
-StoredEllipsoids read_stored_ellipsoids(const fs::path& directory) {
-  const auto table = read_csv(directory / "microstructure.csv");
+StoredEllipsoids read_stored_ellipsoids(const fs::path& directory, const StageEntry& stage) {
+  const auto file = directory / "microstructure.csv";
+  const auto table = read_csv(file);
+  require_all_particles(table, file, stage);
+  const auto last_filler = static_cast<long>(stage.fillers.size()) - 1;
   StoredEllipsoids stored;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     stored.particles.push_back(ellipsoid_in(table, row));
-    stored.fillers.push_back(table.has("filler") ? static_cast<std::size_t>(table.numbers("filler")[row]) : 0);
+    const auto is_positive = [](double axis) { return axis > 0.0 && std::isfinite(axis); };
+    if (!std::ranges::all_of(stored.particles.back().axes, is_positive)) {
+      throw FileError(fmt::format("{}: expected positive diameters", table.location(row)));
+    }
+    const long filler = table.has("filler") ? whole_number(table, "filler", row, 0, last_filler) : 0;
+    stored.fillers.push_back(static_cast<std::size_t>(filler));
   }
   return stored;
 }
@@ -78,7 +104,9 @@ LaguerreSites<dim> read_stored_sites(const fs::path& directory, const StageEntry
                            .walls = *sides == BoxSides::periodic ? Walls::periodic : Walls::hard,
                            .sites = {},
                            .wall_film = *sides == BoxSides::cut ? WallFilm::none : WallFilm::half};
-  const auto table = read_csv(directory / "grains.csv");
+  const auto file = directory / "grains.csv";
+  const auto table = read_csv(file);
+  require_all_particles(table, file, stage);
   for (std::size_t row = 0; row < table.rows(); ++row) {
     sites.sites.push_back({position_in<dim>(table, row), table.numbers("weight_m2")[row]});
   }
@@ -99,13 +127,17 @@ DebondedFilms<dim> read_debonded_films(const fs::path& directory, const StageEnt
   debonded.kind = *kind;
   debonded.springs = {entry->normal_stiffness.value_or(0.0), entry->tangential_stiffness.value_or(0.0)};
   constexpr std::array image_names = {"image_x", "image_y", "image_z"};
+  constexpr long farthest_image = 1;
+  const long last_grain = static_cast<long>(stage.microstructure.particles.value_or(0)) - 1;
   const auto table = read_csv(directory / "films.csv");
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (table.numbers("debonded")[row] == 0.0) continue;
-    CellFace<dim> face{.first = static_cast<std::size_t>(table.numbers("first_grain")[row]),
-                       .second = static_cast<std::size_t>(table.numbers("second_grain")[row])};
+    const auto grain = [&](const char* column) {
+      return static_cast<std::size_t>(whole_number(table, column, row, 0, last_grain));
+    };
+    CellFace<dim> face{.first = grain("first_grain"), .second = grain("second_grain")};
     for (std::size_t axis = 0; axis < face.image.size(); ++axis) {
-      face.image[axis] = static_cast<int>(table.numbers(image_names[axis])[row]);
+      face.image[axis] = static_cast<int>(whole_number(table, image_names[axis], row, -farthest_image, farthest_image));
     }
     debonded.faces.push_back(face);
   }

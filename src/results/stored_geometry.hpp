@@ -25,7 +25,7 @@ struct StoredEllipsoids {
 
 /// Reads the particles of a stage in space from the `microstructure.csv` in its directory. Throws FileError, and
 /// InputError where a column is missing.
-StoredEllipsoids read_stored_ellipsoids(const std::filesystem::path& directory);
+StoredEllipsoids read_stored_ellipsoids(const std::filesystem::path& directory, const StageEntry& stage);
 
 /// Reads the sites of the grains of a stage from the `grains.csv` in its directory. Throws FileError, and InputError
 /// where a column is missing or study.json does not say what is at the sides of the box.

@@ -205,6 +205,23 @@ TEST(Mesh, TellsEveryMistakeAtOnceAndWritesNothing) {
   EXPECT_FALSE(study.has("a.stl") || study.has("a.msh") || study.has("a.obj"));
 }
 
+TEST(Mesh, OfADamagedTableIsRefused) {
+  const PackedStudy study(deck(3, two_fillers));
+  const auto file = study.result("A/microstructure.csv");
+  const auto whole = read_text(file);
+  const auto refusal = [&](const std::string& text) {
+    write_text(file, text);
+    const auto refused = study.mesh({"stl", "--output", "a.stl"});
+    EXPECT_EQ(refused.exit_code, 4);
+    EXPECT_FALSE(study.has("a.stl"));
+    return refused.errors;
+  };
+  const auto last_row = whole.rfind('\n', whole.size() - 2) + 1;
+  EXPECT_THAT(refusal(whole.substr(0, last_row)), HasSubstr("particles"));
+  const auto last_comma = whole.rfind(',');
+  EXPECT_THAT(refusal(whole.substr(0, last_comma) + ",-1\n"), ::testing::Not(::testing::IsEmpty()));
+}
+
 TEST(Mesh, DoesNotReplaceAFileUnasked) {
   const PackedStudy study(deck(3, two_fillers));
   study.write("a.stl", "mine");

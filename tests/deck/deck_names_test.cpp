@@ -18,6 +18,7 @@
 namespace breccia {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 const std::string deck = R"(# A chain.
@@ -137,7 +138,30 @@ TEST(DeckWithName, NamesThatAreTakenAreRefused) {
   EXPECT_EQ(named({"materials", "glass"}, "glass"), deck);
 }
 
-/// The decks of examples/ with other names of all materials and stages mean the same: none names one that is not there.
+TEST(DeckWithName, SweepsInTablesAreRenamedToo) {
+  const std::string text = R"([materials.glass]
+bulk = "30 GPa"
+[[stages]]
+name = "fine"
+[sweep]
+materials.glass.bulk = ["30 GPa", "40 GPa"]
+stages.b.packing.labels.0.material = ["fine", "glass"]
+)";
+  EXPECT_THAT(deck_with_name(text, DeckPath{"materials", "glass"}, "quartz"),
+              AllOf(HasSubstr("materials.quartz.bulk = ["), HasSubstr(R"(labels.0.material = ["fine", "quartz"])")));
+  EXPECT_THAT(deck_with_name(text, DeckPath{"stages", 0U}, "mortar"),
+              HasSubstr(R"(labels.0.material = ["mortar", "glass"])"));
+}
+
+TEST(DeckWithName, APathIntoAnArrayIsNoMaterial) {
+  const std::string text = "[[materials]]\nbulk = \"1 GPa\"\n";
+  EXPECT_THAT(test::message_of<InputError>([&] {
+                (void)deck_with_name(text, DeckPath{"materials", 0U}, "a");
+              }),
+              HasSubstr("no material"));
+}
+
+/// The decks of examples/ can be read with other names of all materials and stages: none names one that is not there.
 TEST(DeckWithName, ExamplesAreReadUnderOtherNames) {
   for (const auto& file : std::filesystem::directory_iterator(BRECCIA_EXAMPLES_DIRECTORY)) {
     if (file.path().extension() != ".toml") continue;
@@ -167,6 +191,10 @@ TEST(DeckWithOrder, StagesChangePlaces) {
   };
   EXPECT_THAT(refusal(text + "[sweep]\n\"stages.0.cells\" = [1, 2]\n", {"stages", 0U}, {"stages", 1U}),
               HasSubstr("counts the stages"));
+  EXPECT_THAT(refusal(text + "[sweep]\nstages.0.cells = [1, 2]\n", {"stages", 0U}, {"stages", 1U}),
+              HasSubstr("counts the stages"));
+  EXPECT_THAT(refusal(text + "[[measurements]]\nname = \"m\"\n", {"stages", 0U}, {"stages", 1U}),
+              HasSubstr("a measurement without a stage is one of the last stage"));
   EXPECT_THAT(refusal("a = 1\nb = 2\n", {"a"}, {"b"}), HasSubstr("no material and no stage"));
 }
 

@@ -12,7 +12,7 @@
 namespace breccia::films {
 
 /// A triangle or tetrahedron with straight edges. Its corners are counter-clockwise; in space the first three are so,
-/// seen from the side that is away from the fourth.
+/// seen from the fourth.
 template <int dim>
 struct Simplex {
   std::array<std::size_t, std::size_t{dim} + 1> nodes{};

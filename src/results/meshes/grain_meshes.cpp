@@ -14,10 +14,12 @@
 #include "breccia/films/film_problem.hpp"
 
 #include "films/mesh/conforming_mesh.hpp"
+#include "io/range.hpp"
 #include "io/text_file.hpp"
 #include "rasters/vtkhdf.hpp"
 #include "results/meshes/msh_text.hpp"
 #include "results/stored_geometry.hpp"
+#include "study/limits.hpp"
 
 namespace breccia {
 namespace {
@@ -33,15 +35,27 @@ const QuasistaticEntry* film_test_of(const StageEntry& stage) {
   return nullptr;
 }
 
+/// A number of the record of a test that lies in its range. Throws FileError for another one.
+template <class Number>
+Number recorded(const char* key, Number number, const Range& range) {
+  if (accepts(range, static_cast<double>(number))) return number;
+  throw FileError(fmt::format("study.json: {} of a test: expected {}", key, described(range, "number")));
+}
+
 template <int dim>
 FilmElements<dim> elements_of(const StageEntry& stage, const MeshSettings& settings) {
   const auto* const test = film_test_of(stage);
   FilmElements<dim> elements;
   if constexpr (dim == 2) {
-    if (test != nullptr) elements.face_share = test->face_share.value_or(elements.face_share);
+    if (test != nullptr) {
+      const auto& share = test->face_share;
+      elements.face_share = recorded("face_share", share.value_or(elements.face_share), allowed::face_share);
+    }
     elements.face_share = settings.face_share.value_or(elements.face_share);
   } else {
-    if (test != nullptr) elements.divisions = test->divisions.value_or(elements.divisions);
+    if (test != nullptr) {
+      elements.divisions = recorded("divisions", test->divisions.value_or(elements.divisions), allowed::divisions);
+    }
     elements.divisions = settings.divisions.value_or(elements.divisions);
   }
   return elements;
@@ -117,7 +131,8 @@ MeshCounts write(const fs::path& file, const fs::path& directory, const StageEnt
 
 std::optional<int> layers_of(const StageEntry& stage, const MeshSettings& settings) {
   const auto* const test = film_test_of(stage);
-  return settings.layers || test == nullptr ? settings.layers : test->layers;
+  if (settings.layers || test == nullptr || !test->layers) return settings.layers;
+  return recorded("layers", *test->layers, allowed::layers);
 }
 
 void require_mesh(const StageEntry& stage, const MeshSettings& settings) {

@@ -31,17 +31,20 @@ class SurfaceWriter {
  public:
   SurfaceWriter(const fs::path& path, const StageEntry& stage, LengthUnit unit)
       : side_(stage.side),
+        is_periodic_(stage.microstructure.sides.value_or(BoxSides::periodic) == BoxSides::periodic),
         file_(path, fmt::format("breccia: stage {}, lengths in {}", stage.name, name_of(unit)), units_per_metre(unit)) {
   }
 
   /// Adds the surface of a particle of this volume [m^3].
   void add(const ClosedSurface& surface, double volume) {
     const auto is_outside = [&](const Vector<3>& corner) {
-      return std::ranges::any_of(corner, [&](double x) { return x < 0.0 || x > side_; });
+      constexpr double rounding = 1e-9;
+      return std::ranges::any_of(corner,
+                                 [&](double x) { return x < -rounding * side_ || x > (1.0 + rounding) * side_; });
     };
     file_.add(surface);
     ++counts_.particles;
-    if (std::ranges::any_of(surface.corners, is_outside)) ++counts_.across_sides;
+    if (is_periodic_ && std::ranges::any_of(surface.corners, is_outside)) ++counts_.across_sides;
     counts_.enclosed += enclosed_volume(surface) / std::pow(side_, 3);
     counts_.fraction += volume / std::pow(side_, 3);
   }
@@ -54,6 +57,7 @@ class SurfaceWriter {
 
  private:
   double side_;
+  bool is_periodic_;
   StlFile file_;
   SurfaceCounts counts_;
 };
@@ -61,7 +65,7 @@ class SurfaceWriter {
 void add_ellipsoids(const fs::path& directory, const StageEntry& stage, const SurfaceSettings& settings,
                     SurfaceWriter& writer) {
   const auto unit_ball = divided_icosahedron(settings.longest_edge);
-  const auto [particles, fillers] = read_stored_ellipsoids(directory);
+  const auto [particles, fillers] = read_stored_ellipsoids(directory, stage);
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const auto& material = material_of(stage, fillers[i], directory);
     if (!settings.material.empty() && material != settings.material) continue;
