@@ -19,6 +19,7 @@
 #include "results/meshes/grain_meshes.hpp"
 #include "results/meshes/particle_surfaces.hpp"
 #include "results/stored_geometry.hpp"
+#include "study/limits.hpp"
 
 namespace breccia::cli {
 namespace {
@@ -212,23 +213,27 @@ void add_mesh(CLI::App& application) {
       command
           ->add_option("--material", arguments->material, "of stl: the particles of this material alone (default: all)")
           ->type_name("NAME");
-  auto* layers = command
-                     ->add_option("--layers", arguments->layers,
-                                  "of msh and vtkhdf: layers of elements across every film (default: those of the "
-                                  "tests)")
-                     ->check(CLI::Range(1, 16).description(""))
-                     ->type_name("N");
-  auto* divisions = command
-                        ->add_option("--divisions", arguments->divisions,
-                                     "in space: elements along each edge of a grain (default: those of the tests, or "
-                                     "2)")
-                        ->check(CLI::Range(1, 8).description(""))
-                        ->type_name("N");
+  auto* layers =
+      command
+          ->add_option("--layers", arguments->layers,
+                       "of msh and vtkhdf: layers of elements across every film (default: those of the "
+                       "tests)")
+          ->check(CLI::Range(static_cast<int>(allowed::layers.lower), static_cast<int>(allowed::layers.upper))
+                      .description(""))
+          ->type_name("N");
+  auto* divisions =
+      command
+          ->add_option("--divisions", arguments->divisions,
+                       "in space: elements along each edge of a grain (default: those of the tests, or "
+                       "2)")
+          ->check(CLI::Range(static_cast<int>(allowed::divisions.lower), static_cast<int>(allowed::divisions.upper))
+                      .description(""))
+          ->type_name("N");
   auto* face_share = command
                          ->add_option("--face-share", arguments->face_share,
                                       "in the plane: longest element along a film, over the root of the area of the "
                                       "smaller grain (default: that of the tests, or 0.3)")
-                         ->check(CLI::Range(0.005, 1.0).description(""))
+                         ->check(CLI::Range(allowed::face_share.lower, allowed::face_share.upper).description(""))
                          ->type_name("NUMBER");
   command->add_option("--units", arguments->units, "unit of length in the file (default: m)")
       ->check(CLI::IsMember(units()).description(""))
