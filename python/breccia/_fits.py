@@ -10,33 +10,66 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _native
 from ._errors import InputError
-from ._quantities import PathLike, Quantity, is_number, si
+from ._quantities import UNITS, PathLike, Quantity, is_number, si
+
+#: The dimensions of the parameters of laws by their units.
+_DIMENSIONS = {"Pa": "pressure", "1/Pa": "compliance", "s": "time"}
 
 Sweep = Tuple[Union[str, float], ArrayLike, ArrayLike, ArrayLike]
 
 
-def fit(time: ArrayLike, modulus: ArrayLike, *, ramp: Quantity = 0.0,
-        times_per_decade: float = 10.0) -> _native.RelaxationFit:
+def fit(time: ArrayLike, modulus: ArrayLike, *, ramp: Quantity = 0.0, times_per_decade: float = 10.0,
+        law: str | None = None, keep: Mapping[str, Quantity] | None = None) -> _native.RelaxationFit:
     """A Prony series of a measured relaxation modulus: times [s], moduli [Pa].
 
     ramp: for how long the strain rose before it was held [s]; times_per_decade: relaxation times that are offered to the
-    fit. Raises InputError and NumericalError.
+    fit. law: "2s2p1d" or "fractional-zener", in place of a free spectrum; its parameters are in `law` of the result, a
+    table for a Material; keep: parameters of the law that are known, {"glassy": "2 GPa"}. Raises InputError and
+    NumericalError.
     """
-    return _native.fit(time, modulus, ramp=si("ramp", ramp, "time"), times_per_decade=_count(times_per_decade))
+    return _native.fit(time, modulus, ramp=_ramp(ramp, law), times_per_decade=_count(times_per_decade), law=law,
+                       keep=_kept(keep, law))
 
 
-def fit_creep(time: ArrayLike, compliance: ArrayLike, *, ramp: Quantity = 0.0,
-              times_per_decade: float = 10.0) -> _native.CreepFit:
+def fit_creep(time: ArrayLike, compliance: ArrayLike, *, ramp: Quantity = 0.0, times_per_decade: float = 10.0,
+              law: str | None = None, keep: Mapping[str, Quantity] | None = None) -> _native.CreepFit:
     """A retardation spectrum of a measured creep compliance: times [s], compliances [1/Pa]. Otherwise as fit(); ramp: for
-    how long the stress rose [s]."""
-    return _native.fit_creep(time, compliance, ramp=si("ramp", ramp, "time"), times_per_decade=_count(times_per_decade))
+    how long the stress rose [s]; law: "power-law-creep" or "logarithmic-creep"."""
+    return _native.fit_creep(time, compliance, ramp=_ramp(ramp, law), times_per_decade=_count(times_per_decade), law=law,
+                             keep=_kept(keep, law))
 
 
-def fit_dynamic(angular_frequency: ArrayLike, storage: ArrayLike, loss: ArrayLike, *,
-                times_per_decade: float = 10.0) -> _native.RelaxationFit:
+def fit_dynamic(angular_frequency: ArrayLike, storage: ArrayLike, loss: ArrayLike, *, times_per_decade: float = 10.0,
+                law: str | None = None, keep: Mapping[str, Quantity] | None = None) -> _native.RelaxationFit:
     """A Prony series of measured dynamic moduli: angular frequencies [rad/s], storage and loss moduli [Pa]. Otherwise as
     fit()."""
-    return _native.fit_dynamic(angular_frequency, storage, loss, times_per_decade=_count(times_per_decade))
+    return _native.fit_dynamic(angular_frequency, storage, loss, times_per_decade=_count(times_per_decade), law=law,
+                               keep=_kept(keep, law))
+
+
+def _ramp(ramp: Quantity, law: str | None) -> float:
+    duration = si("ramp", ramp, "time")
+    if law is not None and duration != 0.0:
+        raise InputError("ramp: not with a law, which takes the data as those of a step")
+    return duration
+
+
+def _kept(keep: Mapping[str, Quantity] | None, law: str | None) -> list[tuple[str, float]]:
+    """The known parameters of a law in SI units."""
+    if keep is not None and not isinstance(keep, Mapping):
+        raise InputError(f'keep: expected values by parameters, as in {{"glassy": "2 GPa"}}, got {keep!r}')
+    if keep and law is None:
+        raise InputError("keep: expected a law whose parameters they are")
+    return [(str(key), _parameter(str(key), value)) for key, value in (keep or {}).items()]
+
+
+def _parameter(key: str, value: Any) -> float:
+    dimension = _DIMENSIONS.get(UNITS.get(key, ""))
+    if dimension is not None:
+        return si(f"keep: {key}", value, dimension)
+    if not is_number(value):
+        raise InputError(f"keep: {key}: expected a number, got {value!r}")
+    return float(value)
 
 
 def _count(times_per_decade: Any) -> float:

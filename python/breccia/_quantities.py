@@ -29,7 +29,8 @@ UNITS = {
 _OF_A_DISTRIBUTION = {"value", "sd", "factor", "from", "to", "scale", "any"}
 
 #: What messages call the dimensions of arguments, with the SI unit.
-_SI_UNITS = {"time": "s", "temperature": "K", "temperature difference": "K", "frequency": "Hz", "pressure": "Pa"}
+_SI_UNITS = {"time": "s", "temperature": "K", "temperature difference": "K", "frequency": "Hz", "pressure": "Pa",
+             "compliance": "1/Pa"}
 
 
 def is_number(value: Any) -> bool:

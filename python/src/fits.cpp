@@ -12,11 +12,14 @@
 
 #include "breccia/error.hpp"
 #include "breccia/viscoelasticity/fit.hpp"
+#include "breccia/viscoelasticity/interconversion.hpp"
+#include "breccia/viscoelasticity/law_fit.hpp"
 
 #include "arguments.hpp"
 #include "io/display.hpp"
 #include "materials.hpp"
 #include "views.hpp"
+#include "words.hpp"
 
 namespace breccia::python {
 namespace {
@@ -105,10 +108,18 @@ void bind_quality(py::class_<MeasuredFit<Fit>>& fit) {
                                return self.fit.quality.standard_errors;
                              }),
                              "Standard error of the fit at each value, from the scatter of the data, relative [-].")
+      .def_property_readonly(
+          "law", [](const Measured& self) { return table_of(self.law); },
+          "The fitted law as a table of a deck, in SI units; None where a spectrum was fitted.")
+      .def_property_readonly(
+          "law_errors", [](const Measured& self) { return errors_of(self.law); },
+          "Standard errors of the parameters of the law: 0 of one that was given, infinity where the data do not "
+          "determine it, None where the data are met as well without it.")
       .def("__repr__", [](const Measured& self) {
-        return fmt::format(
-            "<breccia.{}: {}; {}>", py::type::of<Measured>().attr("__name__").template cast<std::string>(),
-            terms_in_words(self.fit), quality_in_words(self.fit.quality, self.is_dynamic ? "rad/s" : "s"));
+        return fmt::format("<breccia.{}: {}; {}>",
+                           py::type::of<Measured>().attr("__name__").template cast<std::string>(),
+                           self.law ? name_of(self.law->form) : terms_in_words(self.fit),
+                           quality_in_words(self.fit.quality, self.is_dynamic ? "rad/s" : "s"));
       });
 }
 
@@ -126,7 +137,8 @@ MeasuredFit<CreepFit> creep_fit_from(const py::tuple& state) {
   return {{compliance_from(state[0].cast<py::tuple>()), quality_from(state[1].cast<py::tuple>())},
           false,
           state[2].cast<std::vector<double>>(),
-          state[3].cast<std::vector<double>>()};
+          state[3].cast<std::vector<double>>(),
+          fitted_law_from(state[4])};
 }
 
 void bind_results(py::module_& module) {
@@ -157,7 +169,7 @@ void bind_results(py::module_& module) {
       .def(py::pickle(
           [](const Creep& self) {
             return py::make_tuple(python::state_of(self.fit.compliance), state_of_quality(self.fit.quality),
-                                  array_of(self.at), array_of(self.measured));
+                                  array_of(self.at), array_of(self.measured), python::state_of(self.law));
           },
           &creep_fit_from));
   bind_quality(creep);
@@ -168,48 +180,85 @@ std::vector<double> list_from(std::span<const double> numbers) {
   return {numbers.begin(), numbers.end()};
 }
 
+/// The law that a caller names; nothing: a spectrum.
+std::optional<LawForm> form_named(const std::optional<std::string>& law) {
+  return law ? std::optional(value_of<LawForm>("law", *law)) : std::nullopt;
+}
+
+MeasuredFit<RelaxationFit> relaxation_of(LawFit fit, bool is_dynamic, std::vector<double> at,
+                                         std::vector<double> measured) {
+  return {{std::move(fit.series), std::move(fit.quality)},
+          is_dynamic,
+          std::move(at),
+          std::move(measured),
+          FittedLaw{fit.form, std::move(fit.parameters)}};
+}
+
 void bind_functions(py::module_& module) {
   module.def(
       "fit",
-      [](const py::object& time, const py::object& modulus, double ramp, double times_per_decade) {
+      [](const py::object& time, const py::object& modulus, double ramp, double times_per_decade,
+         const std::optional<std::string>& law, const GivenParameters& keep) {
         const auto time_list = checked_list("time", "s", time), modulus_list = checked_list("modulus", "Pa", modulus);
         require_equal_lengths("time", time_list, "modulus", modulus_list);
         const auto times = numbers_of(time_list), moduli = numbers_of(modulus_list);
+        if (const auto form = form_named(law)) {
+          return relaxation_of(without_lock([&] { return fit_law_to_moduli(*form, times, moduli, keep); }), false,
+                               list_from(times), list_from(moduli));
+        }
         const auto options = fit_options(ramp, times_per_decade);
         return MeasuredFit<RelaxationFit>{without_lock([&] { return fit_relaxation(times, moduli, options); }), false,
                                           list_from(times), list_from(moduli)};
       },
       py::arg("time"), py::arg("modulus"), py::kw_only(), py::arg("ramp") = 0.0, py::arg("times_per_decade") = 10.0,
+      py::arg("law") = py::none(), py::arg("keep") = GivenParameters(),
       "Fits a Prony series to relaxation moduli [Pa] at rising times [s].\n\n"
       "ramp: duration [s] of the ramp by which the strain was applied; 0: a step.");
   module.def(
       "fit_creep",
-      [](const py::object& time, const py::object& compliance, double ramp, double times_per_decade) {
+      [](const py::object& time, const py::object& compliance, double ramp, double times_per_decade,
+         const std::optional<std::string>& law, const GivenParameters& keep) {
         const auto time_list = checked_list("time", "s", time),
                    compliance_list = checked_list("compliance", "1/Pa", compliance);
         require_equal_lengths("time", time_list, "compliance", compliance_list);
         const auto times = numbers_of(time_list), compliances = numbers_of(compliance_list);
+        if (const auto form = form_named(law)) {
+          auto fit = without_lock([&] { return fit_law_to_compliances(*form, times, compliances, keep); });
+          return MeasuredFit<CreepFit>{{creep_compliance(fit.series), std::move(fit.quality)},
+                                       false,
+                                       list_from(times),
+                                       list_from(compliances),
+                                       FittedLaw{fit.form, std::move(fit.parameters)}};
+        }
         const auto options = fit_options(ramp, times_per_decade);
         return MeasuredFit<CreepFit>{without_lock([&] { return fit_creep(times, compliances, options); }), false,
                                      list_from(times), list_from(compliances)};
       },
       py::arg("time"), py::arg("compliance"), py::kw_only(), py::arg("ramp") = 0.0, py::arg("times_per_decade") = 10.0,
+      py::arg("law") = py::none(), py::arg("keep") = GivenParameters(),
       "Fits a creep compliance [1/Pa] at rising times [s]; see fit().");
   module.def(
       "fit_dynamic",
-      [](const py::object& frequency, const py::object& storage, const py::object& loss, double times_per_decade) {
+      [](const py::object& frequency, const py::object& storage, const py::object& loss, double times_per_decade,
+         const std::optional<std::string>& law, const GivenParameters& keep) {
         const auto frequency_list = checked_list("angular_frequency", "rad/s", frequency);
         const auto storage_list = checked_list("storage", "Pa", storage), loss_list = checked_list("loss", "Pa", loss);
         require_equal_lengths("angular_frequency", frequency_list, "storage", storage_list);
         require_equal_lengths("angular_frequency", frequency_list, "loss", loss_list);
         const auto frequencies = numbers_of(frequency_list), stored = numbers_of(storage_list),
                    lost = numbers_of(loss_list);
+        if (const auto form = form_named(law)) {
+          auto measured = list_from(stored);
+          measured.insert(measured.end(), lost.begin(), lost.end());
+          auto fit = without_lock([&] { return fit_law_to_dynamic_moduli(*form, frequencies, stored, lost, keep); });
+          return relaxation_of(std::move(fit), true, list_from(frequencies), std::move(measured));
+        }
         const auto options = fit_options(0.0, times_per_decade);
         return dynamic_fit(without_lock([&] { return fit_dynamic(frequencies, stored, lost, options); }),
                            list_from(frequencies), list_from(stored), list_from(lost));
       },
       py::arg("angular_frequency"), py::arg("storage"), py::arg("loss"), py::kw_only(),
-      py::arg("times_per_decade") = 10.0,
+      py::arg("times_per_decade") = 10.0, py::arg("law") = py::none(), py::arg("keep") = GivenParameters(),
       "Fits a Prony series to storage and loss moduli [Pa] at rising angular frequencies [rad/s].");
 }
 
@@ -224,14 +273,15 @@ MeasuredFit<RelaxationFit> dynamic_fit(RelaxationFit fit, std::vector<double> fr
 
 py::tuple state_of(const MeasuredFit<RelaxationFit>& fit) {
   return py::make_tuple(state_of(fit.fit.series), state_of_quality(fit.fit.quality), fit.is_dynamic, array_of(fit.at),
-                        array_of(fit.measured));
+                        array_of(fit.measured), state_of(fit.law));
 }
 
 MeasuredFit<RelaxationFit> relaxation_fit_from(const py::tuple& state) {
   return {{series_from(state[0].cast<py::tuple>()), quality_from(state[1].cast<py::tuple>())},
           state[2].cast<bool>(),
           state[3].cast<std::vector<double>>(),
-          state[4].cast<std::vector<double>>()};
+          state[4].cast<std::vector<double>>(),
+          fitted_law_from(state[5])};
 }
 
 FitOptions fit_options(double ramp, double times_per_decade) {

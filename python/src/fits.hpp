@@ -1,10 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <pybind11/pybind11.h>
 
 #include "breccia/viscoelasticity/fit.hpp"
+
+#include "fitted_laws.hpp"
 
 namespace breccia::python {
 
@@ -15,6 +18,7 @@ struct MeasuredFit {
   bool is_dynamic = false;       ///< whether the fit is one to dynamic moduli
   std::vector<double> at;        ///< times [s], or angular frequencies [rad/s]
   std::vector<double> measured;  ///< values at these; of dynamic moduli first all storage, then all loss moduli [Pa]
+  std::optional<FittedLaw> law = {};  ///< nothing: a spectrum was fitted
 };
 
 /// A fit to dynamic moduli at angular frequencies [rad/s].

@@ -31,6 +31,49 @@ def test_creep_and_relaxation_are_each_others_inverse():
         np.ones(9))
 
 
+def test_a_law_is_fitted_in_place_of_a_spectrum():
+    table = {"law": "2s2p1d", "static": 0.0, "glassy": 1e9, "delta": 2.2, "time": 2e-3, "k": 0.22, "h": 0.63, "beta": 50.0}
+    truth = breccia.Material("bitumen", density=1040, bulk=2.5e9, shear=table).solid().shear
+    frequency = np.geomspace(1e-3, 1e5, 60)
+    modulus = truth.complex_modulus(frequency)
+    fit = breccia.fit_dynamic(frequency, modulus.real, modulus.imag, law="2s2p1d", keep={"static": "0 Pa"})
+    # The series of the truth is within 0.1 % of the formula that is fitted.
+    assert fit.law == pytest.approx(table, rel=0.05) and fit.worst_error < 2e-3
+    assert fit.law_errors["static"] == 0.0 and 0.0 < fit.law_errors["k"] < 0.01
+    assert "2s2p1d" in repr(fit) and pickle.loads(pickle.dumps(fit)).law_errors == fit.law_errors
+    # A material takes the law as it is.
+    again = breccia.Material("bitumen", density=1040, bulk=2.5e9, shear=fit.law).solid().shear
+    assert again.at(1.0) == pytest.approx(truth.at(1.0), rel=5e-3)
+    assert breccia.fit_dynamic(frequency, modulus.real, modulus.imag).law is None
+
+
+def test_a_law_of_creep_takes_what_is_known():
+    time = np.geomspace(1.0, 1e7, 50)
+    compliance = 4e-11 + 2e-11 * np.log1p((time / 86400) ** 0.1)
+    fit = breccia.fit_creep(time, compliance, law="logarithmic-creep", keep={"time": "1 day", "exponent": 0.1})
+    assert fit.law["creep"] == pytest.approx(2e-11, rel=1e-6)
+    assert fit.compliance.at(1e4) == pytest.approx(np.interp(1e4, time, compliance), rel=5e-3)
+    assert pickle.loads(pickle.dumps(fit)).law == fit.law
+    relaxation = breccia.fit(time, 1.0 / compliance, law="fractional-zener")
+    assert relaxation.law["law"] == "fractional-zener" and relaxation.worst_error < 0.05
+
+
+@pytest.mark.parametrize("arguments, message", [
+    ({"law": "huet"}, 'law: expected "2s2p1d" or'),
+    ({"law": "power-law-creep"}, "power-law-creep is a creep compliance"),
+    ({"law": "2s2p1d", "ramp": 1.0}, "ramp: not with a law"),
+    ({"keep": {"k": 0.2}}, "keep: expected a law whose parameters they are"),
+    ({"law": "2s2p1d", "keep": [0.2]}, "keep: expected values by parameters"),
+    ({"law": "2s2p1d", "keep": {"k": "0.2"}}, "keep: k: expected a number, got '0.2'"),
+    ({"law": "2s2p1d", "keep": {"glassy": "2 s"}}, "keep: glassy: expected a pressure"),
+    ({"law": "2s2p1d", "keep": {"exponent": 0.2}}, "exponent: not a parameter of 2s2p1d"),
+])
+def test_laws_that_do_not_suit_are_refused(arguments, message):
+    time = np.geomspace(1e-5, 1e2, 80)
+    with pytest.raises(breccia.InputError, match=message):
+        breccia.fit(time, SERIES.at(time), **arguments)
+
+
 def test_fits_find_the_series_of_their_data():
     time = np.geomspace(1e-5, 1e2, 80)
     fit = breccia.fit(time, SERIES.at(time))

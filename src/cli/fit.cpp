@@ -13,8 +13,10 @@
 #include "breccia/viscoelasticity/interconversion.hpp"
 
 #include "cli/command.hpp"
+#include "cli/fit_law.hpp"
 #include "cli/fit_material.hpp"
 #include "cli/fit_results.hpp"
+#include "cli/fitter.hpp"
 #include "cli/modulus_kinds.hpp"
 #include "cli/quantities.hpp"
 #include "deck/column_words.hpp"
@@ -29,15 +31,11 @@ namespace {
 const std::map<std::string, CurveKind> kinds = {
     {"relaxation", CurveKind::relaxation}, {"creep", CurveKind::creep}, {"dynamic", CurveKind::dynamic}};
 
-struct FitArguments {
-  std::filesystem::path file;
+struct FitArguments : FitChoices {
   std::vector<std::string> columns;  ///< QUANTITY=NAME
   std::string modulus;               ///< kind of modulus; empty: from the names of the columns
   std::string to;                    ///< kind of curve to write; empty: the kind of the data
-  double times_per_decade = FitOptions{}.times_per_decade;
-  std::string ramp;
-  std::string reference_temperature;
-  std::filesystem::path directory;  ///< empty: results/<name of the file>-fit
+  std::filesystem::path directory;   ///< empty: results/<name of the file>-fit
   bool overwrite = false;
   bool quiet = false;
 };
@@ -65,104 +63,6 @@ std::vector<ColumnChoice> columns_of(const FitArguments& arguments) {
   return choices;
 }
 
-/// The reference temperature: that of the sweep which the user has selected.
-double reference_temperature(const FitArguments& arguments, const std::vector<FrequencySweep>& sweeps) {
-  std::vector<std::string> temperatures;
-  for (const auto& sweep : sweeps) {
-    constexpr double zero_celsius = 273.15;
-    temperatures.push_back(fmt::format("{:.4g} degC", sweep.temperature - zero_celsius));
-  }
-  const auto known = fmt::format("the sweeps are at {}", fmt::join(temperatures, ", "));
-  if (arguments.reference_temperature.empty()) {
-    throw InputError(
-        fmt::format("{}: several temperatures: expected --reference-temperature; {}", arguments.file.string(), known));
-  }
-  const double wanted =
-      option_quantity("--reference-temperature", arguments.reference_temperature, Dimension::temperature);
-  constexpr double close = 0.5;
-  for (const auto& sweep : sweeps) {
-    if (std::abs(sweep.temperature - wanted) <= close) return sweep.temperature;
-  }
-  throw InputError(fmt::format("--reference-temperature: no sweep at {}; {}", arguments.reference_temperature, known));
-}
-
-/// Fits data of each kind.
-class Fitter {
- public:
-  explicit Fitter(const FitArguments& arguments) : arguments_(arguments) {
-    options_.times_per_decade = arguments.times_per_decade;
-    if (arguments.ramp.empty()) return;
-    options_.ramp = option_quantity("--ramp", arguments.ramp, Dimension::time, Range::not_negative());
-  }
-
-  FitResult operator()(const RelaxationData& data) const {
-    refuse_reference();
-    auto fit = fit_relaxation(data.times, data.moduli, options_);
-    return {CurveKind::relaxation,
-            fit.series,
-            creep_compliance(fit.series),
-            {data.times.front(), data.times.back()},
-            std::move(fit.quality)};
-  }
-
-  FitResult operator()(const CreepData& data) const {
-    refuse_reference();
-    auto fit = fit_creep(data.times, data.compliances, options_);
-    return {CurveKind::creep,
-            relaxation_modulus(fit.compliance),
-            fit.compliance,
-            {data.times.front(), data.times.back()},
-            std::move(fit.quality)};
-  }
-
-  FitResult operator()(const DynamicData& data) const {
-    refuse_ramp();
-    if (data.sweeps.size() == 1) {
-      refuse_reference();
-      const auto& sweep = data.sweeps.front();
-      return dynamic(fit_dynamic(sweep.frequencies, sweep.storage, sweep.loss, options_), sweep.frequencies);
-    }
-    auto curve = master_curve(data.sweeps, reference_temperature(arguments_, data.sweeps), options_);
-    auto result = dynamic(curve.fit, curve.frequencies);
-    constexpr std::size_t fewest = 3;
-    if (data.sweeps.size() >= fewest) {
-      result.law = fit_williams_landel_ferry(curve.shift_factors, curve.reference_temperature);
-    }
-    result.master_curve = std::move(curve);
-    return result;
-  }
-
-  FitResult operator()(const PronySeries& series) const {
-    refuse_ramp();
-    refuse_reference();
-    constexpr double beyond = 10.0;
-    const auto& terms = series.terms();
-    return {CurveKind::relaxation,
-            series,
-            creep_compliance(series),
-            {terms.back().relaxation_time / beyond, terms.front().relaxation_time * beyond}};
-  }
-
- private:
-  [[nodiscard]] static FitResult dynamic(RelaxationFit fit, const std::vector<double>& frequencies) {
-    return {CurveKind::dynamic,
-            fit.series,
-            creep_compliance(fit.series),
-            {1.0 / frequencies.back(), 1.0 / frequencies.front()},
-            std::move(fit.quality)};
-  }
-  void refuse_ramp() const {
-    if (!arguments_.ramp.empty()) throw InputError("--ramp: expected data against time");
-  }
-  void refuse_reference() const {
-    if (arguments_.reference_temperature.empty()) return;
-    throw InputError("--reference-temperature: expected dynamic moduli at several temperatures");
-  }
-
-  const FitArguments& arguments_;
-  FitOptions options_;
-};
-
 /// A temperature [K] in the unit of the data, kelvin or else degrees Celsius.
 std::string temperature_in(std::string_view unit, double temperature) {
   constexpr double zero_celsius = 273.15;
@@ -177,7 +77,7 @@ std::string shifts(const FitResult& result, std::string_view unit) {
     text +=
         fmt::format("{:>12}  {:>12.4f}  {:>8.4f}\n", temperature_in(unit, temperature), log10_factor, standard_error);
   }
-  if (const auto& law = result.law) {
+  if (const auto& law = result.shift_law) {
     text += fmt::format(
         "\nWLF: c1 = {:.4g} +- {:.2g}, c2 = {:.4g} +- {:.2g} K at {}; log10 a_T deviates by {:.2g} at worst, at {}\n",
         law->law.c1, law->c1_error, law->law.c2, law->c2_error, temperature_in(unit, law->law.reference_temperature),
@@ -236,6 +136,14 @@ std::string quality(const FitResult& result) {
                      100.0 * median, 100.0 * worst, where, in_words);
 }
 
+std::string law_table(const LawFit& law) {
+  auto text = fmt::format("\n{:>16}  {:>14}  {}\n", name_of(law.form), "value", "standard error");
+  for (const auto& [key, value, note] : parameters_in_words(law)) {
+    text += fmt::format("{:>16}  {:>14}  {}\n", key, value, note);
+  }
+  return text;
+}
+
 std::string dynamic_table(const ConvertedCurve& curve, std::string_view letter) {
   auto text = fmt::format("\n{:>16}  {:>14}  {:>14}  {:>10}\n", "frequency", fmt::format("{}'", letter),
                           fmt::format("{}''", letter), "tan delta");
@@ -263,6 +171,12 @@ std::string table(const FitResult& result, CurveKind kind) {
                     [](double value) { return fmt::format("{:.6g} 1/Pa", value); });
 }
 
+std::vector<std::string> law_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, form] : words<LawForm>) names.emplace_back(name);
+  return names;
+}
+
 /// The default directory for the results; a study of the same name has another one.
 std::filesystem::path default_directory(const std::filesystem::path& file) {
   return std::filesystem::path("results") / (file.stem().string() + "-fit");
@@ -276,11 +190,13 @@ std::string options_of(const FitArguments& arguments, const FitResult& result) {
   if (arguments.times_per_decade != FitOptions{}.times_per_decade) {
     options.push_back(fmt::format("--times-per-decade {}", arguments.times_per_decade));
   }
-  for (const auto& [name, value] : {std::pair("--modulus", arguments.modulus), std::pair("--ramp", arguments.ramp),
-                                    std::pair("--reference-temperature", arguments.reference_temperature)}) {
+  for (const auto& [name, value] :
+       {std::pair("--modulus", arguments.modulus), std::pair("--ramp", arguments.ramp),
+        std::pair("--reference-temperature", arguments.reference_temperature), std::pair("--law", arguments.law)}) {
     if (!value.empty()) options.push_back(fmt::format("{} {}", name, value));
   }
   for (const auto& choice : arguments.columns) options.push_back(fmt::format("--columns {}", choice));
+  for (const auto& parameter : arguments.kept) options.push_back(fmt::format("--keep {}", parameter));
   return fmt::format("{}", fmt::join(options, " "));
 }
 
@@ -305,6 +221,7 @@ void fit(const FitArguments& arguments) {
   fmt::print("{}: {}\n", arguments.file.string(), describe(result));
   if (result.quality) fmt::print("{}{}", quality(result), note_on_deviation(result));
   fmt::print("{}", note_on_kind(modulus_kind));
+  if (result.law) fmt::print("{}", law_table(*result.law));
   if (result.master_curve) {
     fmt::print("{}", shifts(result, table_of_data.column(Quantity::temperature).unit));
   }
@@ -338,6 +255,18 @@ void add_fit(CLI::App& application) {
                    "kind of modulus that was measured, if the names of the columns do not say it")
       ->check(CLI::IsMember(modulus_kinds).description(""))
       ->type_name("shear|young|bulk");
+  auto* law = command
+                  ->add_option("--law", arguments->law,
+                               "fit this law of few parameters in place of a spectrum, as decks take it")
+                  ->check(CLI::IsMember(law_names()).description(""))
+                  ->type_name(fmt::format("{}", fmt::join(law_names(), "|")));
+  command
+      ->add_option("--keep", arguments->kept,
+                   "value of a parameter of the law that is not to be fitted, as in time=\"1 day\"; may be repeated")
+      ->expected(1)
+      ->take_all()
+      ->needs(law)
+      ->type_name("KEY=VALUE");
   command
       ->add_option("--times-per-decade", arguments->times_per_decade,
                    "relaxation times per decade that are offered to the fit (default: 10)")

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/fit_law.hpp"
 #include "io/units.hpp"
 
 namespace breccia::cli {
@@ -38,7 +39,7 @@ std::string shift_key(const FitResult& result, const std::string& directory) {
   const auto law = [&] {
     if (!follows_law(result))
       return fmt::format(R"(law = "table", table = {})", quoted(directory + "shift_factors.csv"));
-    const auto& wlf = result.law->law;
+    const auto& wlf = result.shift_law->law;
     return fmt::format(R"(law = "wlf", c1 = {:.6g}, c2 = "{:.6g} K")", wlf.c1, wlf.c2);
   }();
   return fmt::format("temperature_shift = {{ {}, reference = \"{}\", temperature = \"{}\" }}\n", law, reference,
@@ -48,11 +49,13 @@ std::string shift_key(const FitResult& result, const std::string& directory) {
 }  // namespace
 
 bool follows_law(const FitResult& result) {
-  return result.law && follow(*result.law);
+  return result.shift_law && follow(*result.shift_law);
 }
 
 std::string material_keys(const FitResult& result, const std::string& directory) {
-  auto text = fmt::format("{} = {{ prony = {} }}\n", key_of(result.kind), quoted(directory + "prony.csv"));
+  const auto modulus =
+      result.law ? law_for_deck(*result.law) : fmt::format("{{ prony = {} }}", quoted(directory + "prony.csv"));
+  auto text = fmt::format("{} = {}\n", key_of(result.kind), modulus);
   if (result.master_curve) text += shift_key(result, directory);
   return text;
 }

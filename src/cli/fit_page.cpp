@@ -7,6 +7,7 @@
 
 #include "breccia/error.hpp"
 
+#include "cli/fit_law.hpp"
 #include "page/page.hpp"
 
 namespace breccia::cli {
@@ -30,6 +31,12 @@ Json json_of(const WilliamsLandelFerryFit& fit) {
           {"reference_K", fit.law.reference_temperature},
           {"worst_deviation", fit.worst_deviation},
           {"worst_at_K", fit.worst_at}};
+}
+
+Json json_of(const LawFit& fit) {
+  Json parameters = Json::array();
+  for (const auto& [key, value, note] : parameters_in_words(fit)) parameters.push_back({key, value, note});
+  return {{"name", name_of(fit.form)}, {"deck", law_for_deck(fit)}, {"parameters", std::move(parameters)}};
 }
 
 /// A number, or null for a temperature that is not known.
@@ -85,7 +92,8 @@ std::string fit_report(const std::string& source, const FitData& data, const Fit
                       {"worst_at", result.quality->worst_at}};
   }
   if (result.master_curve) fit["reference_K"] = result.master_curve->reference_temperature;
-  if (result.law) fit["law"] = json_of(*result.law);
+  if (result.shift_law) fit["law"] = json_of(*result.shift_law);
+  if (result.law) fit["modulus_law"] = json_of(*result.law);
   Json page = std::visit(PageOfData{result}, data);
   page["fit"] = std::move(fit);
   return fit_page(source, page.dump(-1, ' ', false, Json::error_handler_t::replace));

@@ -184,10 +184,11 @@ std::vector<CsvColumn> shift_columns(const FitResult& result) {
   }
   std::vector<CsvColumn> columns = {
       {"temperature_K", temperatures}, {"log10_shift_factor", factors}, {"standard_error", errors}};
-  if (result.law) {
+  if (result.shift_law) {
     std::vector<double> by_law(temperatures.size());
-    std::ranges::transform(temperatures, by_law.begin(),
-                           [&](double temperature) { return std::log10(result.law->law.shift_factor(temperature)); });
+    std::ranges::transform(temperatures, by_law.begin(), [&](double temperature) {
+      return std::log10(result.shift_law->law.shift_factor(temperature));
+    });
     columns.push_back({"wlf_log10_shift_factor", by_law});
   }
   return columns;

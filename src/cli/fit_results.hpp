@@ -8,6 +8,7 @@
 
 #include "breccia/tables/modulus_kind.hpp"
 #include "breccia/viscoelasticity/creep_compliance.hpp"
+#include "breccia/viscoelasticity/law_fit.hpp"
 #include "breccia/viscoelasticity/reduction.hpp"
 #include "breccia/viscoelasticity/temperature_shift_fit.hpp"
 
@@ -29,7 +30,8 @@ struct FitResult {
   TimeWindow reach;                        ///< range of the data [s]; for dynamic data the range of 1 / omega
   std::optional<FitQuality> quality = {};  ///< quality of the fit; nothing for a given Prony series
   std::optional<MasterCurve> master_curve = {};
-  std::optional<WilliamsLandelFerryFit> law = {};
+  std::optional<WilliamsLandelFerryFit> shift_law = {};
+  std::optional<LawFit> law = {};               ///< in place of the spectrum, where a law was asked for
   ModulusKind kind = ModulusKind::unspecified;  ///< kind of modulus, from the names of the columns or from the user
 };
 

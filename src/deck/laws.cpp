@@ -4,14 +4,13 @@
 #include <optional>
 #include <vector>
 
+#include "breccia/viscoelasticity/law_form.hpp"
 #include "breccia/viscoelasticity/law_series.hpp"
 
 #include "deck/known_numbers.hpp"
 
 namespace breccia {
 namespace {
-
-enum class LawForm { two_springs_two_parabolas_dashpot, fractional_zener, power_law_creep, logarithmic_creep };
 
 /// Exponents between 0 and 1, without these.
 constexpr Range exponents = Range::between(0.0, 1.0);
@@ -70,10 +69,7 @@ PronySeries read_logarithmic_creep(const Section& section) {
 }  // namespace
 
 PronySeries read_law(const Section& modulus) {
-  const auto form = modulus.choice<LawForm>("law", {{"2s2p1d", LawForm::two_springs_two_parabolas_dashpot},
-                                                    {"fractional-zener", LawForm::fractional_zener},
-                                                    {"power-law-creep", LawForm::power_law_creep},
-                                                    {"logarithmic-creep", LawForm::logarithmic_creep}});
+  const auto form = modulus.choice<LawForm>("law");
   if (!form) {
     modulus.accept_all_keys();  // the law decides which of the keys are allowed
     return {};

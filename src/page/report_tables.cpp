@@ -50,6 +50,7 @@ std::vector<std::string> text_columns_of_tests() {
           "solver_error",
           "matrix_error",
           "error_1_per_K",
+          "anisotropy",
           "bulk_modulus_error",
           "youngs_modulus_error",
           "poisson_ratio_error"};

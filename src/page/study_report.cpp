@@ -19,6 +19,7 @@
 #include "page/space_views.hpp"
 #include "results/history_file.hpp"
 #include "results/response_file.hpp"
+#include "results/stiffness_file.hpp"
 #include "results/study_document.hpp"
 #include "study/result_names.hpp"
 
@@ -156,6 +157,7 @@ Json data_of(const fs::path& directory, const StudyDocument& study) {
   auto names = curve_files();
   std::ranges::copy(comparison_files(), std::back_inserter(names));
   names.emplace_back("thermal_expansion.csv");
+  names.emplace_back(stiffness_file);
   std::erase(names, "dynamic.csv");  // the page computes dynamic moduli from the series
   for (const auto& name : names) {
     auto table = table_for_page(directory / name, text_columns_of_tests());

@@ -4,11 +4,9 @@
 #include <cmath>
 
 #include <Eigen/Core>
-#include <fmt/format.h>
 
-#include "breccia/error.hpp"
-
-#include "viscoelasticity/least_squares.hpp"
+#include "viscoelasticity/fit_quality.hpp"
+#include "viscoelasticity/fitted_data.hpp"
 #include "viscoelasticity/non_negative_least_squares.hpp"
 
 namespace breccia {
@@ -41,25 +39,6 @@ std::vector<double> characteristic_times(double first, double last, double per_d
   return times;
 }
 
-void require_data(std::span<const double> at, std::initializer_list<std::span<const double>> values, const char* what) {
-  for (const auto& column : values) {
-    if (column.size() != at.size()) throw InputError(fmt::format("{}: columns of different lengths", what));
-  }
-  constexpr std::size_t fewest = 3;
-  if (at.size() < fewest)
-    throw InputError(fmt::format("{}: expected at least {} data, got {}", what, fewest, at.size()));
-  for (std::size_t i = 0; i < at.size(); ++i) {
-    if (!(at[i] > 0.0) || !std::isfinite(at[i]) || (i > 0 && at[i] < at[i - 1])) {
-      throw InputError(
-          fmt::format("{}: datum {}: expected positive numbers that do not fall, got {}", what, i + 1, at[i]));
-    }
-    for (const auto& column : values) {
-      if (column[i] > 0.0 && std::isfinite(column[i])) continue;
-      throw InputError(fmt::format("{}: datum {}: expected a positive number, got {}", what, i + 1, column[i]));
-    }
-  }
-}
-
 struct Fit {
   Eigen::VectorXd amplitudes;
   FitQuality quality;
@@ -73,29 +52,11 @@ Fit fit(const Eigen::MatrixXd& columns, const Eigen::VectorXd& data, const std::
   Fit result;
   result.amplitudes = non_negative_least_squares(relative, ones);
   const Eigen::VectorXd deviations = relative * result.amplitudes - ones;
-  auto& quality = result.quality;
-  std::vector<double> errors;
-  for (Eigen::Index i = 0; i < data.size(); ++i) {
-    quality.fitted.push_back(data[i] * (1.0 + deviations[i]));
-    errors.push_back(std::abs(deviations[i]));
-  }
-  const auto worst = std::max_element(errors.begin(), errors.end());
-  quality.worst_error = *worst;
-  quality.worst_at = at[static_cast<std::size_t>(worst - errors.begin())];
-  std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2), errors.end());
-  quality.median_error = errors[errors.size() / 2];
-
-  // Covariance of the linear fit by the used parts, with the observed scatter s: s^2 A (A'A)^-1 A'.
   std::vector<Eigen::Index> used;
   for (Eigen::Index j = 0; j < result.amplitudes.size(); ++j) {
     if (result.amplitudes[j] > 0.0) used.push_back(j);
   }
-  // With as many parts as data no degree of freedom is left, from which the scatter could be estimated.
-  const auto freedom = data.size() - static_cast<Eigen::Index>(used.size());
-  const double scatter =
-      freedom > 0 ? std::sqrt(deviations.squaredNorm() / static_cast<double>(freedom)) : std::nan("");
-  const Eigen::MatrixXd basis = orthonormal_basis(relative(Eigen::all, used));
-  for (Eigen::Index i = 0; i < data.size(); ++i) quality.standard_errors.push_back(scatter * basis.row(i).norm());
+  result.quality = quality_of_fit(data, deviations, at, relative(Eigen::all, used));
   return result;
 }
 
@@ -112,7 +73,7 @@ std::vector<MaxwellTerm> maxwell_terms(const std::vector<double>& times, const E
 }  // namespace
 
 RelaxationFit fit_relaxation(std::span<const double> times, std::span<const double> moduli, const FitOptions& options) {
-  require_data(times, {moduli}, "relaxation data");
+  require_fitted_data(times, {moduli}, "relaxation data");
   const auto spectrum = characteristic_times(times.front(), times.back(), options.times_per_decade);
   const auto count = static_cast<Eigen::Index>(spectrum.size());
   Eigen::MatrixXd columns(static_cast<Eigen::Index>(times.size()), count + 1);
@@ -129,7 +90,7 @@ RelaxationFit fit_relaxation(std::span<const double> times, std::span<const doub
 }
 
 CreepFit fit_creep(std::span<const double> times, std::span<const double> compliances, const FitOptions& options) {
-  require_data(times, {compliances}, "creep data");
+  require_fitted_data(times, {compliances}, "creep data");
   const auto spectrum = characteristic_times(times.front(), times.back(), options.times_per_decade);
   const auto count = static_cast<Eigen::Index>(spectrum.size());
   Eigen::MatrixXd columns(static_cast<Eigen::Index>(times.size()), count + 2);
@@ -156,7 +117,7 @@ CreepFit fit_creep(std::span<const double> times, std::span<const double> compli
 
 RelaxationFit fit_dynamic(std::span<const double> frequencies, std::span<const double> storage,
                           std::span<const double> loss, const FitOptions& options) {
-  require_data(frequencies, {storage, loss}, "dynamic data");
+  require_fitted_data(frequencies, {storage, loss}, "dynamic data");
   const auto spectrum =
       characteristic_times(1.0 / frequencies.back(), 1.0 / frequencies.front(), options.times_per_decade);
   const auto terms = static_cast<Eigen::Index>(spectrum.size());

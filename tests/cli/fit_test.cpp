@@ -9,6 +9,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "breccia/viscoelasticity/creep_law.hpp"
+#include "breccia/viscoelasticity/relaxation_law.hpp"
+
 #include "command.hpp"
 #include "deck/prony_file.hpp"
 #include "good_deck.hpp"
@@ -169,6 +172,52 @@ TEST_F(Fit, ItsMaterialGoesIntoADeck) {
   EXPECT_THAT(material, HasSubstr("shear = { prony = \"prony.csv\" }\ntemperature_shift = { law = \"wlf\""));
 }
 
+// The complex modulus of a bitumen as 2S2P1D has it: the parameters come back, and a deck takes the law.
+TEST_F(Fit, LawOfABitumenGoesIntoADeck) {
+  const TwoSpringsTwoParabolasDashpot bitumen = {0.0, 1e9, 2.2, 2e-3, 0.22, 0.63, 50.0};
+  std::string text = "frequency_Hz,storage_modulus_Pa,loss_modulus_Pa\n";
+  for (const double frequency : logarithmic(1e-3, 1e4, 5)) {
+    const auto modulus = carson_modulus(RelaxationLaw(bitumen), {0.0, 2.0 * std::numbers::pi * frequency});
+    text += fmt::format("{},{},{}\n", frequency, modulus.real(), modulus.imag());
+  }
+  directory.write("bitumen.csv", text);
+  const auto outcome = run({"bitumen.csv", "--modulus", "shear", "--law", "2s2p1d", "--keep", "static=0 Pa"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("static            0 Pa  given"));
+  EXPECT_THAT(outcome.output, HasSubstr("beta              50  +- "));
+  const auto* const law =
+      R"(shear = { law = "2s2p1d", static = "0 Pa", glassy = "1 GPa", delta = 2.2, time = "2 ms", k = 0.22, h = 0.63, )"
+      "beta = 50 }";
+  EXPECT_THAT(outcome.output, HasSubstr(law));
+  EXPECT_THAT(read_text(directory.path() / "results/bitumen-fit/material.toml"), HasSubstr(law));
+  directory.write("deck.toml",
+                  test::replaced(std::string(test::good_deck),
+                                 R"(shear   = { terms = [ { time = "10 ms", modulus = "1 MPa" } ] })", law));
+  const auto check = test::run_breccia(directory.path(), {"check", "deck.toml"});
+  EXPECT_EQ(check.exit_code, 0) << check.errors;
+  // The page and the other files are those of every fit; the series follows the law.
+  EXPECT_THAT(read_text(directory.path() / "results/bitumen-fit/report.html"), HasSubstr("modulus_law"));
+  const auto fit = result("results/bitumen-fit/fit.csv");
+  EXPECT_LT(worst_difference(fit, "angular_frequency_rad_per_s", "fit_storage_Pa",
+                             [&](double omega) {
+                               return carson_modulus(RelaxationLaw(bitumen), {0.0, omega}).real();
+                             }),
+            1e-6);
+}
+
+TEST_F(Fit, LawOfCreepKeepsItsTime) {
+  const LogarithmicCreep paste = {4e-11, 2e-11, 86400.0, 0.1};
+  write_curve("creep.csv", "time_s,shear_compliance_1_per_Pa", logarithmic(1.0, 1e7, 5),
+              [&](double t) { return compliance_at(CreepLaw(paste), t); });
+  const auto outcome =
+      run({"creep.csv", "--law", "logarithmic-creep", "--keep", "time=1 day", "--keep", "exponent=0.1"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("time         86400 s  given"));
+  EXPECT_LT(worst_difference(result("results/creep-fit/creep.csv"), "time_s", "shear_compliance_1_per_Pa",
+                             [&](double t) { return compliance_at(CreepLaw(paste), t); }),
+            2e-3);
+}
+
 // Data of DMA in tension as an instrument may export them: a deck must not take Young's modulus as a shear modulus.
 TEST_F(Fit, CarriesTheKindOfTheModulus) {
   std::string text = "Instrument;DMA\n\nFrequency;E';E\";Note\nHz;MPa;MPa;\n";
@@ -273,6 +322,18 @@ TEST_F(Fit, RefusesBadOptions) {
       {{"g.csv", "--ramp", "1 um"}, "--ramp: expected a time, got \"1 um\""},
       {{"g.csv", "--ramp=-1 s"}, "--ramp: expected a non-negative time, got \"-1 s\""},
       {{"g.csv", "--reference-temperature", "19 degC"}, "expected dynamic moduli at several temperatures"},
+      {{"g.csv", "--law", "huet"}, "--law"},
+      {{"g.csv", "--keep", "k=0.2"}, "--keep requires --law"},
+      {{"g.csv", "--law", "2s2p1d", "--keep", "k"},
+       "--keep: expected KEY=VALUE with one of static, glassy, delta, time, k, h, beta, got \"k\""},
+      {{"g.csv", "--law", "2s2p1d", "--keep", "exponent=0.5"}, "got \"exponent=0.5\""},
+      {{"g.csv", "--law", "2s2p1d", "--keep", "glassy=2 s", "--keep", "k=0.2 s"},
+       "--keep glassy: expected a pressure, got \"2 s\"\n"},
+      {{"g.csv", "--law", "2s2p1d", "--keep", "glassy=2 s", "--keep", "k=0.2 s"},
+       "--keep k: expected a number, got \"0.2 s\""},
+      {{"g.csv", "--law", "2s2p1d", "--ramp", "1 s"}, "--ramp: not with --law"},
+      {{"g.csv", "--law", "power-law-creep"}, "power-law-creep is a creep compliance"},
+      {{"maxwell.csv", "--law", "2s2p1d"}, "--law: expected measured data, not a Prony series"},
       {{"maxwell.csv", "--ramp", "1 s"}, "--ramp: expected data against time"},
       {{dma, "--reference-temperature", "20 degC"}, "no sweep at 20 degC; the sweeps are at -41 degC, -31 degC"},
       {{dma, "--reference-temperature", "20 m"}, "--reference-temperature: expected a temperature, got \"20 m\""},

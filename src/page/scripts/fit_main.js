@@ -28,8 +28,9 @@ function showResult() {
   const at = fit.reference_K === undefined ? "" : ` at ${celsius(fit.reference_K)}`;
   const kind = fit.kind === "Young's modulus" ? fit.kind : `The ${fit.kind}`;
   const [from, to] = fit.times_s.map((time) => `${display(fittedAt(time), "Pa")} at ${display(time, "s", 2)}`);
-  const first = `${kind}${at} relaxes from ${from} to ${to}, the times of the data, by ` +
-    `${terms.length} ${terms.length === 1 ? "term" : "terms"}.`;
+  const by = fit.modulus_law === undefined ? `${terms.length} ${terms.length === 1 ? "term" : "terms"}`
+    : `the law ${fit.modulus_law.name}`;
+  const first = `${kind}${at} relaxes from ${from} to ${to}, the times of the data, by ${by}.`;
   const sentences = [];
   if (fit.quality !== undefined) {
     const {median, worst, worst_at: place} = fit.quality;
@@ -65,6 +66,15 @@ function showLaw() {
     `temperature = "${temperature} degC" }`));
 }
 
+/// The law that was fitted in place of a spectrum.
+function showModulusLaw() {
+  if (fit.modulus_law === undefined) return;
+  const {name, deck, parameters} = fit.modulus_law;
+  document.getElementById("modulus-law").hidden = false;
+  document.getElementById("modulus-law-deck").textContent = deck;
+  document.getElementById("modulus-law-table").append(table([name, "value", "standard error"], parameters));
+}
+
 function showTables() {
   if (sweeps.length > 1) {
     document.getElementById("shift-table").append(table(["temperature", "log₁₀ a_T", "standard error"],
@@ -89,6 +99,7 @@ function seriesAsCsv() {
 }
 
 showResult();
+showModulusLaw();
 showTables();
 const master = masterFigure(shown);
 const figures = [master.draw, deviationFigure(shown), shiftFigure(shown), blackFigure(), rawFigure(shown),

@@ -6,8 +6,10 @@ import {study} from "./data.js";
 import {keepFigures} from "./figure.js";
 import {showResult, showModuli, showResultPicture, showWarnings} from "./first_screen.js";
 import {liveFigure} from "./live_figure.js";
+import {offerOnePage} from "./one_page.js";
 import {showFields, showPictures} from "./pictures.js";
 import {runsFigure} from "./runs_figure.js";
+import {showStiffness} from "./stiffness.js";
 import {showDeck} from "./table.js";
 import {showComparison, showProvenance, showQuality, showStages} from "./tables.js";
 import {showGlossary, showReliability} from "./reliability.js";
@@ -17,6 +19,7 @@ showResult(curvesOfStudy);
 showWarnings();
 showResultPicture();
 showModuli(curvesOfStudy);
+showStiffness();
 showStages();
 showComparison();
 showPictures();
@@ -26,6 +29,7 @@ showQuality();
 showGlossary();
 showDeck(study);
 showProvenance();
+offerOnePage();
 
 if (curvesOfStudy.some((curve) => curve.role === "stage")) {
   const figures = [curvesFigure(curvesOfStudy), runsFigure(curvesOfStudy), liveFigure(curvesOfStudy)];

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "breccia/viscoelasticity/fit.hpp"
+#include "breccia/viscoelasticity/law_form.hpp"
+#include "breccia/viscoelasticity/prony_series.hpp"
+
+namespace breccia {
+
+/// Where the value of a parameter of a fitted law comes from.
+enum class ParameterOrigin {
+  fitted,
+  given,        ///< by the caller
+  limit,        ///< the data do not determine it: the value at which the law does without it
+  of_no_effect  ///< the time of creep by a power law: another one changes the parameter `creep` and nothing else
+};
+
+/// A parameter of a fitted law.
+struct FittedParameter {
+  std::string_view key;  ///< as in decks
+  double value = 0.0;    ///< in SI units
+  /// From the scatter of the data, in the unit of the value; 0 where it was not fitted, infinite where the data do not
+  /// determine it.
+  double standard_error = 0.0;
+  ParameterOrigin origin = ParameterOrigin::fitted;
+};
+
+/// A law fitted to data.
+struct LawFit {
+  LawForm form = LawForm::two_springs_two_parabolas_dashpot;
+  std::vector<FittedParameter> parameters = {};  ///< in the order of parameters_of()
+  PronySeries series = {};                       ///< of the relaxation modulus (series_of)
+  FitQuality quality = {};
+};
+
+/// Values of parameters that are given, by their keys, in SI units.
+using GivenParameters = std::vector<std::pair<std::string, double>>;
+
+/// Fits the parameters of a law to storage and loss moduli [Pa] at rising angular frequencies [rad/s] by least squares
+/// of the relative deviations (theory, section 13). The quality lists the storage moduli first. A parameter with a
+/// limit that the data do not determine takes the limit. Throws InputError when the law has no such parameter as one
+/// that is given, a given value is out of its range, there are fewer data than unknowns, the data are out of order or
+/// not positive, or the law is one of creep; NumericalError when the search does not converge.
+LawFit fit_law_to_dynamic_moduli(LawForm form, std::span<const double> frequencies, std::span<const double> storage,
+                                 std::span<const double> loss, const GivenParameters& given = {});
+/// The same for relaxation moduli [Pa] at rising times [s].
+LawFit fit_law_to_moduli(LawForm form, std::span<const double> times, std::span<const double> moduli,
+                         const GivenParameters& given = {});
+/// The same for creep compliances [1/Pa] at rising times [s], for the laws of creep alone.
+LawFit fit_law_to_compliances(LawForm form, std::span<const double> times, std::span<const double> compliances,
+                              const GivenParameters& given = {});
+
+}  // namespace breccia
