@@ -42,6 +42,7 @@ def _dynamic(stage: _native.StageResult) -> list[_Part]:
              {"angular_frequency_rad_per_s": test.in_frequency.angular_frequency,
               "frequency_Hz": test.in_frequency.frequency, "storage_modulus_Pa": test.in_frequency.storage,
               "loss_modulus_Pa": test.in_frequency.loss, "loss_tangent": test.in_frequency.loss_tangent,
+              "absolute_modulus_Pa": test.in_frequency.absolute, "phase_angle_deg": test.in_frequency.phase,
               "error": test.in_frequency.error})
             for test in stage.tests if len(test.in_frequency)]
 

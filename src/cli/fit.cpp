@@ -78,15 +78,18 @@ std::string shifts(const FitResult& result, std::string_view unit) {
         fmt::format("{:>12}  {:>12.4f}  {:>8.4f}\n", temperature_in(unit, temperature), log10_factor, standard_error);
   }
   if (const auto& law = result.shift_law) {
+    const auto reference = temperature_in(unit, law->law.reference_temperature);
+    if (law->c1_error == 0.0) {
+      return text + fmt::format(
+                        "\nWLF: c1 = {:.4g}, c2 = {:.4g} K at {} meet both factors, as some law does for any two: take "
+                        "them as a table, as below\n",
+                        law->law.c1, law->law.c2, reference);
+    }
     text += fmt::format(
         "\nWLF: c1 = {:.4g} +- {:.2g}, c2 = {:.4g} +- {:.2g} K at {}; log10 a_T deviates by {:.2g} at worst, at {}\n",
-        law->law.c1, law->c1_error, law->law.c2, law->c2_error, temperature_in(unit, law->law.reference_temperature),
-        law->worst_deviation, temperature_in(unit, law->worst_at));
-    if (law->c1_error == 0.0) {
-      text += "Any law meets two factors: take them as a table, as below\n";
-    } else if (!follows_law(result)) {
-      text += "The factors do not follow this law: take them as a table, as below\n";
-    }
+        law->law.c1, law->c1_error, law->law.c2, law->c2_error, reference, law->worst_deviation,
+        temperature_in(unit, law->worst_at));
+    if (!follows_law(result)) text += "The factors do not follow this law: take them as a table, as below\n";
   } else {
     text += "\nWLF: these shift factors do not determine a law\n";
   }
@@ -96,8 +99,15 @@ std::string shifts(const FitResult& result, std::string_view unit) {
 std::string describe(const FitResult& result) {
   const auto& series = result.modulus;
   const auto kind = result.kind == ModulusKind::unspecified ? "" : fmt::format("{}, ", name(result.kind));
-  return fmt::format("{}{}; {} relaxing to {}", kind, display_count(series.terms().size(), "term"),
-                     pressure(series.unrelaxed()), pressure(series.equilibrium()));
+  const auto terms = display_count(series.terms().size(), "term");
+  if (!result.quality) {
+    return fmt::format("{}{}; {} relaxing to {}", kind, terms, pressure(series.unrelaxed()),
+                       pressure(series.equilibrium()));
+  }
+  // Beyond the data the fit may be anything.
+  const auto& [begin, end] = result.reach;
+  return fmt::format("{}{}; {} at {} relaxing to {} at {}", kind, terms, display(series.at(begin), "Pa"),
+                     display_time(begin), display(series.at(end), "Pa"), display_time(end));
 }
 
 /// The temperatures of the frequency sweeps in words.

@@ -44,13 +44,20 @@ struct InclusionsInWords {
   }
 };
 
+/// A time that a calculation has taken: "2.4 s", "140 s".
+std::string seconds_in_words(double seconds) {
+  constexpr double many = 99.5;
+  return seconds < many ? fmt::format("{:.2g} s", seconds) : fmt::format("{:.0f} s", seconds);
+}
+
 std::string describe(const Stage& stage, const StageResult& result) {
   const auto& packed = result.microstructure;
   const bool has_points = result.points > 0;
   auto text = fmt::format("{}: {} fill {:.2f} % of the box", stage.name,
                           visit_nested(InclusionsInWords{stage}, packed.box), 100.0 * packed.fraction);
   if (has_points) text += fmt::format(" ({:.2f} % of {} points)", 100.0 * result.point_fraction, result.points);
-  if (packed.events > 0) text += fmt::format(", gap {}, packed in {:.2g} s", gaps_in_words(stage), packed.seconds);
+  if (packed.events > 0)
+    text += fmt::format(", gap {}, packed in {}", gaps_in_words(stage), seconds_in_words(packed.seconds));
   if (const auto* grains = packed.grains()) {
     text += fmt::format(", films of {}", readable(grains->film, Dimension::length));
     if (has_points) text += fmt::format(" ({:.2g} cells)", grains->film / stage.cell_size());
@@ -121,11 +128,11 @@ std::string line_of(const TestFinished& event, Detail detail) {
   const auto seconds = test.seconds.value_or(0.0);
   if (detail == Detail::brief) {
     if (is_of_earlier_calculation(tests, test.id)) return {};
-    return fmt::format("{}, {}: {}, {}, {:.2g} s", event.stage.name, name_of(test.id.boundary), words_of(test.id.grid),
-                       how, seconds);
+    return fmt::format("{}, {}: {}, {}, {}", event.stage.name, name_of(test.id.boundary), words_of(test.id.grid), how,
+                       seconds_in_words(seconds));
   }
-  return fmt::format("{} {}, {}: {}, {}, {:.2g} s for all loads, {}", event.stage.name, name_of(test.id.load),
-                     name_of(test.id.boundary), words_of(test.id.grid), how, seconds,
+  return fmt::format("{} {}, {}: {}, {}, {} for all loads, {}", event.stage.name, name_of(test.id.load),
+                     name_of(test.id.boundary), words_of(test.id.grid), how, seconds_in_words(seconds),
                      describe_error(test.error_estimate, record->reduced));
 }
 

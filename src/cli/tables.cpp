@@ -11,8 +11,10 @@
 #include "cli/filler_summary.hpp"
 #include "cli/frequency_tables.hpp"
 #include "cli/shown_tests.hpp"
+#include "homogenisation/complex_moduli.hpp"
 #include "homogenisation/quality.hpp"
 #include "io/display.hpp"
+#include "results/engineering_curves.hpp"
 #include "study/abscissa_words.hpp"
 
 namespace breccia::cli {
@@ -23,15 +25,27 @@ std::array<std::string, 3> heading(const TestResult& test, int dimensions) {
   return {modulus_in_words(test.id.load, dimensions), name_of(test.id.boundary), name_of(test.id.method)};
 }
 
+/// Whether the error of Young's modulus is known at any time.
+bool has_known_error_of_young(const EngineeringCurves& curves) {
+  return std::ranges::any_of(curves.in_time, [](const auto& sample) { return sample.errors.young.has_value(); });
+}
+
+/// The moduli in shear and in bulk, and Young's modulus where both were tested.
 std::string table_of(const StageResult& stage, const TimeWindow& times) {
   const auto shown = shown_tests(stage);
   if (shown.empty()) return {};
+  const auto uniaxial = engineering_curves(stage, {});
   auto text = "\n" + stage.name;
   for (std::size_t line = 0; line < 3; ++line) {
     text += fmt::format("\n{:>12}", line == 2 ? "time" : "");
     for (const auto* test : shown) {
       text += fmt::format("  {:>12}", heading(*test, stage.dimensions)[line]);
       if (has_known_error(*test)) text += fmt::format("  {:>8}", line == 2 ? "error" : "");
+    }
+    for (const auto& curves : uniaxial) {
+      const std::array heads = {std::string("E"), name_of(curves.test.boundary), name_of(curves.test.method)};
+      text += fmt::format("  {:>12}", heads[line]);
+      if (has_known_error_of_young(curves)) text += fmt::format("  {:>8}", line == 2 ? "error" : "");
     }
     text.erase(text.find_last_not_of(' ') + 1);
   }
@@ -40,6 +54,11 @@ std::string table_of(const StageResult& stage, const TimeWindow& times) {
     for (const auto* test : shown) {
       text += fmt::format("  {:>12}", display(smoothed_at(test->modulus, t), "Pa"));
       if (has_known_error(*test)) text += fmt::format("  {:>8}", error_at(*test, t));
+    }
+    for (const auto& curves : uniaxial) {
+      text += fmt::format("  {:>12}", display(curves.at_time(t).young, "Pa"));
+      if (!has_known_error_of_young(curves)) continue;
+      text += fmt::format("  {:>8}", error_text(curves.in_time[nearest_sample(curves.in_time, t)].errors.young));
     }
   }
   return text + "\n";

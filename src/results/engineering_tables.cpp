@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <complex>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -75,10 +76,13 @@ void write_engineering_tables(const std::filesystem::path& directory, const Stud
       for (const auto& [frequency, shear, bulk, young, poisson, errors] : curves.in_frequency) {
         in_frequency.begin_row(stage.name, curves.test);
         in_frequency.add("angular_frequency_rad_per_s", frequency);
+        in_frequency.add("frequency_Hz", frequency / (2.0 * std::numbers::pi));
         add_complex(in_frequency, "shear", shear);
         add_complex(in_frequency, "bulk", bulk);
         add_complex(in_frequency, "youngs", young);
         in_frequency.add("youngs_loss_tangent", young.imag() / young.real());
+        in_frequency.add("youngs_absolute_modulus_Pa", std::abs(young));
+        in_frequency.add("youngs_phase_angle_deg", std::arg(young) * 180.0 / std::numbers::pi);
         in_frequency.add("poisson_ratio_real", poisson.real());
         in_frequency.add("poisson_ratio_imaginary", poisson.imag());
         in_frequency.add("youngs_modulus_error", errors.young);

@@ -223,7 +223,8 @@ std::vector<std::string> origin_of(const Composite& composite, const CardSetting
   return lines;
 }
 
-/// Warnings about a given bulk modulus or Poisson's ratio that is implausible.
+/// Warnings about a given bulk modulus or Poisson's ratio that is implausible, and about a modulus before the first
+/// time that nothing was computed for.
 std::vector<std::string> warnings_on(const MaterialCard& card) {
   std::vector<std::string> warnings;
   const auto check = [&](double bulk, double shear, const char* when) {
@@ -233,6 +234,14 @@ std::vector<std::string> warnings_on(const MaterialCard& card) {
                     "are the units right?",
                     card.name, poisson_ratio(bulk, shear), when, display(bulk, "Pa"), display(shear, "Pa")));
   };
+  const double first = card.shear.at(card.times.begin), before = card.shear.unrelaxed();
+  constexpr double much = 2.0;
+  if (before > much * first) {
+    warnings.push_back(fmt::format(
+        "{}: at t = 0 the card has G = {}, {:.2g} times that at its first time, {}; steps shorter than this see a "
+        "modulus that was not computed: let the times of the study begin earlier, with a binder that is known there",
+        card.name, display(before, "Pa"), before / first, display_time(card.times.begin)));
+  }
   check(card.bulk.unrelaxed(), card.shear.unrelaxed(), "at t = 0");
   check(card.bulk.equilibrium(), card.shear.equilibrium(), "at infinite time");
   return warnings;

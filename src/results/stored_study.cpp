@@ -113,7 +113,7 @@ void add_stiffness(const fs::path& directory, std::vector<StageFindings>& stages
 /// The complex moduli of a study whose deck gives frequencies.
 void add_dynamic_curves(const fs::path& file, std::vector<StageFindings>& stages) {
   if (!fs::exists(file)) return;
-  const auto table = read_csv(file, {"stage", "load", "boundary", "method", "cells"});
+  const auto table = read_csv(file, {"stage", "load", "boundary", "method", "cells", "error"});
   for (std::size_t row = 0; row < table.rows(); ++row) {
     auto& test = test_in(stages, table.text("stage")[row], id_of_row(table, row), table.location(row));
     const double omega = table.numbers("angular_frequency_rad_per_s")[row];

@@ -59,7 +59,7 @@ void add_errors(const std::filesystem::path& file, std::vector<TaskCurve>& curve
 /// Adds the complex moduli of dynamic.csv; a run whose series all vanish has no such table.
 void add_complex_moduli(const std::filesystem::path& file, std::vector<TaskCurve>& curves) {
   if (!std::filesystem::exists(file)) return;
-  const auto table = read_csv(file, {"stage", "load", "boundary", "method", "cells"});
+  const auto table = read_csv(file, {"stage", "load", "boundary", "method", "cells", "error"});
   for (std::size_t row = 0; row < table.rows(); ++row) {
     auto& curve = curve_of(table, row, curves);
     const double omega = table.numbers("angular_frequency_rad_per_s")[row];

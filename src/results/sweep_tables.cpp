@@ -10,6 +10,7 @@
 
 #include "deck/swept_quantities.hpp"
 #include "io/text_file.hpp"
+#include "results/complex_columns.hpp"
 #include "results/sweep_spread.hpp"
 #include "results/test_columns.hpp"
 #include "study/abscissa_words.hpp"
@@ -140,27 +141,18 @@ void write_all_curves(const std::filesystem::path& file, const Sweep& sweep, con
 
 void write_all_complex_moduli(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result) {
   CurveColumns curves(sweep);
-  std::vector<double> frequencies, storage, loss, loss_tangents;
-  std::vector<std::string> errors;
+  ComplexColumns moduli;
   for (std::size_t task = 0; task < result.size(); ++task) {
     for (const auto& curve : result[task].curves) {
       for (const auto& sample : curve.in_frequency) {
         curves.add(task, curve);
-        frequencies.push_back(sample.angular_frequency);
-        storage.push_back(sample.storage);
-        loss.push_back(sample.loss);
-        loss_tangents.push_back(sample.loss / sample.storage);
-        errors.push_back(text_if_known(sample.error));
+        moduli.add(sample);
       }
     }
   }
   auto table = curves.table();
-  table.insert(table.end(), {{"angular_frequency_rad_per_s", frequencies},
-                             {"storage_modulus_Pa", storage},
-                             {"loss_modulus_Pa", loss},
-                             {"loss_tangent", loss_tangents},
-                             {"error", errors}});
-  write_or_remove(file, table, !frequencies.empty());
+  moduli.append_to(table);
+  write_or_remove(file, table, !moduli.empty());
 }
 
 void write_spreads(const std::filesystem::path& file, const Sweep& sweep, const std::vector<SpreadCurve>& curves) {

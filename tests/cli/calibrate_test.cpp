@@ -131,7 +131,7 @@ TEST_F(Calibrate, FindsAConstantOfTheShiftLaw) {
                   .exit_code,
               0);
     const auto moduli = read_csv(study->path() / fmt::format("at-{}", temperature) / "dynamic.csv",
-                                 {"stage", "load", "boundary", "method", "cells"});
+                                 {"stage", "load", "boundary", "method", "cells", "error"});
     for (std::size_t i = 0; i < moduli.rows(); i += 4) {
       text += fmt::format("{},{},{},{}\n", moduli.numbers("angular_frequency_rad_per_s")[i], temperature,
                           moduli.numbers("storage_modulus_Pa")[i], moduli.numbers("loss_modulus_Pa")[i]);

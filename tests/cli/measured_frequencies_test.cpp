@@ -151,7 +151,7 @@ TEST_F(MeasuredFrequencies, StandBesideAnAnswer) {
   EXPECT_THAT(answer.output, Not(HasSubstr("        time")));
   EXPECT_THAT(compared("out/respond-softer/comparison_dynamic.csv").numbers("ratio"), Each(DoubleNear(0.975, 1e-5)));
   const auto table =
-      read_csv(study.result("respond-softer/dynamic.csv"), {"stage", "load", "boundary", "method", "cells"});
+      read_csv(study.result("respond-softer/dynamic.csv"), {"stage", "load", "boundary", "method", "cells", "error"});
   EXPECT_NEAR(table.numbers("angular_frequency_rad_per_s")[20] / per_cycle, 1.0, 1e-9)
       << "whole parts of decades in Hz";
 }

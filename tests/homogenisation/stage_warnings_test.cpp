@@ -287,6 +287,26 @@ Study periodic_study() {
   return study;
 }
 
+// Sizes from 1 to 60, of which equal ratios have equal volumes: in a box of 40 one disc is much of the filler, in one
+// twenty times as large none is.
+TEST(StageWarnings, OfABoxThatIsTooSmallForItsSizes) {
+  Filler filler;
+  filler.material = glass;
+  filler.sizes = TabulatedSizes{"", {1e-3, 60e-3}, {0.0, 1.0}};
+  filler.fraction = 0.3;
+  Stage stage = {.name = "A",
+                 .matrix = resin,
+                 .side = 40e-3,
+                 .cells = 200,
+                 .fillers = {filler},
+                 .packing = PackingMethod<2>(LubachevskyStillingerPacking<2>{Walls::periodic})};
+  EXPECT_THAT(warnings(stage), Contains(AllOf(HasSubstr("A: the box is too small for sizes up to 60 mm: its largest"),
+                                              HasSubstr("% of the filler, and larger ones are missing; a box of"),
+                                              HasSubstr("stages, each the matrix of the next, take far fewer"))));
+  stage.side = 800e-3;
+  EXPECT_THAT(warnings(stage), Not(Contains(HasSubstr("too small for sizes"))));
+}
+
 // The grains have two sizes, 2 and 0.2 mm, the small ones with a hundredth of the area: films of 0.15 mm take up most
 // of these.
 TEST(StageWarnings, OfGrainsThatTheFilmsTake) {

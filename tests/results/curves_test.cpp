@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -135,11 +136,15 @@ TEST_F(WriteCurves, LeavesTheDynamicModuliOfTheBestTests) {
   auto fine = test_with({.grid = TestGrid(24)}, {{0.5, 5.0}, {2.0, 4.0}});
   fine.series = PronySeries(3.0, {{1.0, 2.0}});
   write_curves(directory.path(), {{stage_with("A", {coarse, fine})}, {}});
-  const auto table = read("dynamic.csv");
+  const auto table = read("dynamic.csv", {"stage", "load", "boundary", "method", "cells", "error"});
   EXPECT_THAT(table.text("cells"), Each("24"));
   EXPECT_THAT(table.numbers("angular_frequency_rad_per_s"), ElementsAre(0.5, 2.0));
   EXPECT_THAT(table.numbers("storage_modulus_Pa"), ElementsAre(DoubleNear(3.4, 1e-12), DoubleNear(4.6, 1e-12)));
   EXPECT_THAT(table.numbers("loss_modulus_Pa"), ElementsAre(DoubleNear(0.8, 1e-12), DoubleNear(0.8, 1e-12)));
+  EXPECT_THAT(table.numbers("frequency_Hz")[1], DoubleNear(1.0 / std::numbers::pi, 1e-12));
+  EXPECT_THAT(table.numbers("absolute_modulus_Pa")[0], DoubleNear(std::sqrt(3.4 * 3.4 + 0.8 * 0.8), 1e-12));
+  EXPECT_THAT(table.numbers("phase_angle_deg")[0], DoubleNear(std::atan(0.8 / 3.4) * 180.0 / std::numbers::pi, 1e-9));
+  EXPECT_THAT(table.text("error"), Each("")) << "not known";
   EXPECT_THAT(table.numbers("loss_tangent"), ElementsAre(DoubleNear(0.8 / 3.4, 1e-12), DoubleNear(0.8 / 4.6, 1e-12)));
   EXPECT_FALSE(has("engineering.csv")) << "no bulk test";
 }

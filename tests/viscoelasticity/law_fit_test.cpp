@@ -102,7 +102,7 @@ TEST(LawFit, ItsSeriesIsThatOfTheLaw) {
 // In eight decades with noise of 1 %, most of the parameters are within two of their standard errors from the truth.
 TEST(LawFit, StatesItsErrors) {
   int inside = 0, all = 0;
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     const auto& law = binders_and_mixture.back();
     const auto fit = fitted(bituminous, sweep_of(law, -3.0, 5.0, Noise(0.01, seed)));
     for (const auto& [key, value] : std::vector<std::pair<std::string_view, double>>{
@@ -111,7 +111,7 @@ TEST(LawFit, StatesItsErrors) {
       ++all;
     }
   }
-  EXPECT_GE(inside, 88 * all / 100);
+  EXPECT_GE(inside, 90 * all / 100);
 }
 
 TEST(LawFit, LeavesOutWhatTheDataDoNotShow) {
@@ -184,9 +184,11 @@ TEST(LawFit, CreepByPowersAndLogarithms) {
   const auto kept =
       fit_law_to_compliances(LawForm::logarithmic_creep, times, b3, {{"time", 86400.0}, {"exponent", 0.1}});
   EXPECT_LT(errors_off(kept, "creep", 2e-11), 3.0);
-  // Without them seven decades do not tell it from a natural logarithm with another time.
+  // Without them seven decades do not tell the exponent from the time: other values meet the data as well.
   const auto free = fit_law_to_compliances(LawForm::logarithmic_creep, times, b3);
-  EXPECT_EQ(parameter(free, "exponent").origin, ParameterOrigin::limit);
+  EXPECT_TRUE(parameter(free, "exponent").origin == ParameterOrigin::limit ||
+              parameter(free, "time").standard_error > 0.3 * parameter(free, "time").value)
+      << parameter(free, "time").value << " " << parameter(free, "time").standard_error;
   EXPECT_LT(free.quality.median_error, 0.015);
 }
 

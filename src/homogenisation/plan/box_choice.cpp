@@ -18,6 +18,7 @@
 #include "homogenisation/plan/film_error.hpp"
 #include "homogenisation/plan/grid_error.hpp"
 #include "study/chain.hpp"
+#include "study/effective_particles.hpp"
 #include "study/filler_sizes.hpp"
 #include "study/limits.hpp"
 #include "study/side_of_particles.hpp"
@@ -50,6 +51,14 @@ StagePacking with_first_seed(StagePacking packing) {
   return packing;
 }
 
+/// Whether the particles of one filler have different sizes.
+bool has_wide_filler(const Stage& stage) {
+  return std::ranges::any_of(stage.fillers, [](const Filler& filler) {
+    const auto range = diameters_of(filler);
+    return range && range->smallest < range->largest;
+  });
+}
+
 /// Chooses the box and the grid of one stage by means of a box with few particles.
 class Chooser {
  public:
@@ -72,10 +81,12 @@ class Chooser {
       if (filler.gap > 0.0) packed_.gap = std::min(packed_.gap, filler.gap);
     }
     scatter_ = scatter_of_one();
+    if (is_box_free() && !stage.has_grains() && has_wide_filler(stage)) wide_ = effective_particles_of(stage);
     sizes_ = sizes_of_cells();
     // Boxes of which nothing is known are as large as that of the starter deck.
     constexpr double fewest_effective = 16.0;
-    fewest_ = scatter_ ? std::ceil(fewest_effective / share_of_effective()) : is_of_space ? 32.0 : 64.0;
+    fewest_ = scatter_ || wide_ ? std::ceil(fewest_effective / share_of_effective()) : is_of_space ? 32.0 : 64.0;
+    fewest_ = std::min(fewest_, most_particles);
     if (is_box_free()) fewest_ = std::max(fewest_, static_cast<double>(fewest_particles(stage)));
   }
 
@@ -117,8 +128,10 @@ class Chooser {
 
   [[nodiscard]] double particles_of_pilot() const { return std::max(1.0, static_cast<double>(packed_.particles())); }
 
-  /// The effective number of particles over their number [-].
+  /// The effective number of particles over their number [-]. The box of the pilot is too small to have the largest
+  /// ones of a wide distribution.
   [[nodiscard]] double share_of_effective() const {
+    if (wide_) return wide_->share;
     return packed_.effective_particles > 0.0 ? packed_.effective_particles / particles_of_pilot() : 1.0;
   }
 
@@ -242,13 +255,19 @@ class Chooser {
     return std::isfinite(best.seconds) ? best : finest_without_rule();
   }
 
-  /// Cells that are usually fine enough, or else the finest within the time and the memory.
+  /// Cells that are usually fine enough, or else the finest within the time and the memory. Where the coarsest are not
+  /// within them, a box that has too few of the largest particles, of which there is a warning.
   [[nodiscard]] Option finest_without_rule() const {
-    constexpr double usual = 20.0, ratio = 1.06;
+    constexpr double usual = 20.0, ratio = 1.06, smaller = 1.2;
+    double particles = is_box_free() ? fewest_ : particles_of_pilot();
     Option option;
     for (double across = usual; across >= fewest_across; across /= ratio) {
-      option = option_with(is_box_free() ? fewest_ : particles_of_pilot(), {packed_.mean_diameter() / across, 0.0});
+      option = option_with(particles, {packed_.mean_diameter() / across, 0.0});
       if (is_affordable(option)) break;
+    }
+    while (wide_ && !is_affordable(option) && particles > smaller * particles_of_pilot()) {
+      particles /= smaller;
+      option = option_with(particles, option.cell);
     }
     option.has_rule = has_films_;
     return option;
@@ -278,6 +297,7 @@ class Chooser {
   Stage pilot_;
   StageMicrostructure packed_ = {};
   std::optional<double> scatter_ = {};
+  std::optional<EffectiveParticles> wide_ = {};  ///< where the sizes of a filler are a distribution
   std::vector<CellSize> sizes_ = {};
   double fewest_ = 0.0;
 };
