@@ -178,7 +178,8 @@ def test_calculations_are_stopped(study, tmp_path):
 
 
 def test_functions_have_signatures_and_refuse_what_is_no_number():
-    assert list(inspect.signature(breccia.fit).parameters) == ["time", "modulus", "ramp", "times_per_decade"]
+    assert list(inspect.signature(breccia.fit).parameters) == ["time", "modulus", "ramp", "times_per_decade",
+                                                                "law", "keep"]
     made = {"PronySeries": ["terms", "equilibrium"], "Solid": ["name", "density", "bulk", "shear"],
             "CreepCompliance": ["instantaneous", "terms", "fluidity"]}
     for name, parameters in made.items():

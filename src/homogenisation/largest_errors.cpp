@@ -61,6 +61,7 @@ LargestErrors largest_errors_of(const StageFindings& stage) {
   }
   errors.whole = largest(preferred, [](const ModulusError& error) { return error.whole(); });
   errors.sample = largest(preferred, [](const ModulusError& error) { return error.sample; });
+  errors.matrix = largest(preferred, [](const ModulusError& error) { return error.matrix; });
   return errors;
 }
 

@@ -17,6 +17,7 @@ bool answers(const TestId& test, const std::vector<TestResult>& tests);
 struct LargestErrors {
   std::optional<double> whole = {};   ///< the whole error [-]; nothing where it is not known of one test at one time
   std::optional<double> sample = {};  ///< the part of the packing [-]; nothing as above
+  std::optional<double> matrix = {};  ///< the part of an earlier stage that is the matrix [-]; nothing as above
   std::optional<double> grid = {};    ///< half band of several grids over the modulus [-]; nothing for one grid
   /// The same of the tests that do not answer, beside those that do.
   std::optional<double> grid_of_others = {};

@@ -10,6 +10,13 @@
 
 namespace breccia {
 
+namespace {
+
+// Spheres almost touch where the gap between them is less than a cell and a tenth of their mean diameter.
+constexpr double cells_between_spheres = 1.0, narrow_share_of_diameter = 0.1;
+
+}  // namespace
+
 bool has_narrow_gaps(const Stage& stage, const StageMicrostructure& packed) {
   constexpr double rounding = 1e-9, widest = cells_in_narrow_gaps * (1.0 - rounding), widest_film = 1.4;
   const double cells = std::min(packed.gap, packed.wall_gap) / stage.cell_size();
@@ -17,9 +24,13 @@ bool has_narrow_gaps(const Stage& stage, const StageMicrostructure& packed) {
 }
 
 bool has_spheres_that_almost_touch(const Stage& stage, const StageMicrostructure& packed) {
-  constexpr double cells = 1.0, share_of_diameter = 0.1;
-  return packed.content<Microstructure<3>>() != nullptr && packed.gap < cells * stage.cell_size() &&
-         packed.gap < share_of_diameter * packed.mean_diameter();
+  return packed.content<Microstructure<3>>() != nullptr && packed.gap < cells_between_spheres * stage.cell_size() &&
+         packed.gap < narrow_share_of_diameter * packed.mean_diameter();
+}
+
+double least_cells_across_spheres(const StageMicrostructure& packed) {
+  const double diameter = packed.mean_diameter();
+  return packed.gap < narrow_share_of_diameter * diameter ? cells_between_spheres * diameter / packed.gap : 0.0;
 }
 
 double narrowest_tested_gap(int dimensions) {

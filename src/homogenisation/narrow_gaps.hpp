@@ -22,6 +22,10 @@ constexpr double cells_in_resolved_gaps(Mixing mixing) {
 /// that the error of cells in series has no rule (theory, Eq. 43c).
 [[nodiscard]] bool has_spheres_that_almost_touch(const Stage& stage, const StageMicrostructure& packed);
 
+/// The number of cells across the mean sphere from which on the narrowest gap is a cell wide; 0 where the gap is a
+/// tenth of the mean diameter or wider.
+[[nodiscard]] double least_cells_across_spheres(const StageMicrostructure& packed);
+
 /// The narrowest gap, over the mean diameter of the particles [-], with which flow through gaps was tested.
 [[nodiscard]] double narrowest_tested_gap(int dimensions);
 

@@ -221,6 +221,7 @@ StageQuality quality_of(const Study& study, const Stage& stage, const StageResul
   quality.error_asked = study.tests.accuracy;
   quality.error = errors.whole;
   quality.sample_error = errors.sample;
+  quality.matrix_error = errors.matrix;
   if (const auto* earlier = std::get_if<EarlierStage>(&stage.matrix)) quality.matrix_stage = earlier->name;
   quality.fraction_asked = fraction_asked_of(stage);
   quality.is_random = !stage.fillers.empty() && stage.has_seed();
@@ -261,8 +262,11 @@ std::string summary_of(const StageQuality& quality) {
   parts.push_back(words_on_grid(quality));
   if (std::isfinite(quality.gap_cells)) parts.push_back(words_on_gap(quality));
   if (quality.coating_cells) parts.push_back(fmt::format("thinnest coating: {:.2g} cells", *quality.coating_cells));
-  if (!quality.matrix_stage.empty() && !quality.error) {
-    parts.push_back(fmt::format("matrix: the errors of stage {} add to these", quality.matrix_stage));
+  if (!quality.matrix_stage.empty()) {
+    const bool is_known = quality.error && quality.matrix_error;
+    parts.push_back(is_known ? fmt::format("matrix: error up to {} from stage {}", words_of(*quality.matrix_error),
+                                           quality.matrix_stage)
+                             : fmt::format("matrix: the errors of stage {} add to these", quality.matrix_stage));
   }
   if (quality.space) parts.push_back(words_on_space(*quality.space, quality.abscissa));
   if (quality.is_random) parts.push_back(words_on_packing(quality));

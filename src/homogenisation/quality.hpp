@@ -43,8 +43,8 @@ struct StageQuality {
   std::optional<GridPlan> one_grid = {};
   ErrorRules rules = {};
   std::optional<double> error_asked = {};  ///< largest whole error that is wanted (tests.accuracy) [-]
-  /// The largest whole error, and the largest part of the sample in it [-]: as LargestErrors.
-  std::optional<double> error = {}, sample_error = {};
+  /// The largest whole error, and the largest parts of the sample and of the matrix in it [-]: as LargestErrors.
+  std::optional<double> error = {}, sample_error = {}, matrix_error = {};
   std::vector<LoadQuality> loads;             ///< bounds of the finished tests
   std::optional<Anisotropy> anisotropy = {};  ///< of the shears of which the result is the mean
   /// The largest ratio of the moduli of spheres to these, of random particles in two dimensions.

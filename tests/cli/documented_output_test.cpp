@@ -97,6 +97,10 @@ TEST(Documentation, ThePageOnUncertaintyQuotesWhatIsPrinted) {
   follow(root / "docs" / "uncertainty.md");
 }
 
+TEST(Documentation, ThePageOnFittingQuotesWhatIsPrinted) {
+  follow(root / "docs" / "fitting.md");
+}
+
 TEST(Documentation, TheReadmeQuotesWhatIsPrinted) {
   follow(root / "README.md");
 }

@@ -49,8 +49,9 @@ ResolvedLength length_of_spheres(const Stage& stage, const StageMicrostructure& 
     resolved.without_rule = "spheres that almost touch, in series";
   } else if (resolved.rule = error_rule_of_spheres(packed.fraction); !resolved.rule) {
     resolved.without_rule = "spheres close to jamming";
-  } else if (!is_measured(packed.fraction)) {
-    resolved.caveat = "that is extrapolated from 30 to 50 % of spheres";
+  } else {
+    resolved.rule->least_cells = std::max(resolved.rule->least_cells, least_cells_across_spheres(packed));
+    if (!is_measured(packed.fraction)) resolved.caveat = "that is extrapolated from 30 to 50 % of spheres";
   }
   return resolved;
 }

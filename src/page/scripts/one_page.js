@@ -12,13 +12,13 @@ function source() {
 
 /// Adds the button to the head of the page. In a frame, as that of the studio, a page cannot print itself.
 export function offerOnePage() {
-  const {body} = document;
-  if (location.hash === "#one-page") body.classList.add("one-page");
+  const {classList} = document.documentElement;
+  if (location.hash === "#one-page") classList.add("one-page");
   document.querySelector("main").append(element("p", {className: "note source"}, source()));
   if (window.parent !== window) return;
-  addEventListener("afterprint", () => body.classList.remove("one-page"));
+  addEventListener("afterprint", () => classList.remove("one-page"));
   document.getElementById("summary").append(element("button", {className: "screen-only", onclick: () => {
-    body.classList.add("one-page");
+    classList.add("one-page");
     print();
   }}, "Print one page"));
 }

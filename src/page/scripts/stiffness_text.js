@@ -11,13 +11,16 @@ function numbersOf(row) {
   return Object.keys(directions).filter((number) => `C${number}${number}_Pa` in row);
 }
 
-/// The constants of a row as a table of texts in one unit, with as many decimals as give the largest four digits.
+/// The constants of a row as a table of texts in one unit, with as many decimals as give the largest four digits and the
+/// smallest of the diagonal three.
 export function matrixOf(row) {
   const numbers = numbersOf(row);
   const constant = (i, j) => row[`C${Math.min(i, j)}${Math.max(i, j)}_Pa`];
   const largest = Math.max(...numbers.flatMap((i) => numbers.map((j) => Math.abs(constant(i, j)))));
   const {unit, scale} = unitFor("Pa", [largest]);
-  const decimals = Math.max(0, 3 - Math.floor(Math.log10(largest / scale)));
+  const smallest = Math.min(...numbers.map((i) => constant(i, i)));
+  const decimalsOf = (size, digits) => (size > 0 ? digits - 1 - Math.floor(Math.log10(size / scale)) : 0);
+  const decimals = Math.min(8, Math.max(0, decimalsOf(largest, 4), decimalsOf(smallest, 3)));
   const text = (value) => minus((value / scale).toFixed(decimals)).replace(/^−(0\.0*|0)$/, "$1");
   return {unit, heads: [unit, ...numbers.map((number) => directions[number])],
     rows: numbers.map((i) => [directions[i], ...numbers.map((j) => text(constant(Number(i), Number(j))))])};

@@ -4,7 +4,7 @@ import {element} from "./elements.js";
 
 /// A table, from its column heads and its rows of texts. Columns of numbers are aligned right, long texts may wrap.
 export function table(heads, rows) {
-  const isNumber = heads.map((_, i) => rows.every((row) => /^[-−–<]?[\d.]|^$|^∞/.test(row[i])));
+  const isNumber = heads.map((_, i) => rows.every((row) => /^[-−–<]?[\d.]|^$|^–$|^∞/.test(row[i])));
   const kind = (i, text) => ({className: isNumber[i] ? "number" : text.length > 40 ? "long" : ""});
   const head = element("tr", {}, ...heads.map((text, i) => element("th", kind(i, ""), text)));
   const body = rows.map((row) => element("tr", {}, ...row.map((text, i) => element("td", kind(i, text), text))));
