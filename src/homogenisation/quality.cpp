@@ -285,6 +285,9 @@ StageAccuracy accuracy_of_answer(const StageResult& answer, const ErrorRules& ru
     accuracy.summary += fmt::format("error up to {}", words_of(*errors.whole));
   } else if (accuracy.grid_error && *accuracy.grid_error < 1.0) {
     accuracy.summary += fmt::format("grid: error up to {}; the whole error is unknown", words_of(*accuracy.grid_error));
+  } else if (rules.one_grid) {
+    accuracy.summary +=
+        fmt::format("grid: error up to about {} by a rule; the whole error is unknown", words_of(*rules.one_grid));
   } else {
     accuracy.summary += "error of the grid unknown for these materials";
   }

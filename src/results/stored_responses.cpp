@@ -40,7 +40,7 @@ std::vector<StageResponses> read_stored_responses(const fs::path& directory, con
     }
     for (const auto& filler : stage.fillers) responses.fillers.push_back(filler.material);
     responses.warnings = stage.warnings;
-    responses.rules = rules_of_responses(rules_in(stage.quality));
+    responses.rules = rules_in(stage.quality);
     responses.abscissa = document.frequencies ? Abscissa::frequency : Abscissa::time;
     responses.measurements = measurements_of(stage.name, comparisons[stage.name]);
     if (const auto note = note_on_responses(file)) responses.warnings.push_back(*note);

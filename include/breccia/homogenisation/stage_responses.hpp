@@ -47,9 +47,6 @@ struct StageResponses {
   std::vector<Entry> entries;
 };
 
-/// The rules of a study that hold for other materials, too: those for a single grid do not.
-ErrorRules rules_of_responses(ErrorRules rules);
-
 /// The reduced responses of a stage from its result; without entries where none of its tests was computed by the
 /// quasi-static method with the reduced solver. Throws InputError where the result has another name or grid.
 StageResponses responses_of(const Study& study, const Stage& stage, const StageResult& result);

@@ -210,12 +210,11 @@ std::optional<GridPlan> plan_of_grid(const Study& study, const Stage& stage, con
   if (!std::isfinite(resolved.length) || !(resolved.length > 0.0)) return std::nullopt;
 
   const double fall = steepest_fall(binder_of(study, stage).shear, {study.tests.first_time, study.tests.last_time});
-  constexpr double steepest_with_rule = 2.0;
   if (resolved.rule) {
     resolved.rule->error_of_one *= std::max(1.0, fall);
     resolved.interfaces *= std::max(1.0, fall);
-    resolved.without_rule = fall > steepest_with_rule ? "a binder that falls faster than 1/t^2"
-                                                      : materials_without_rule(study, stage, mixing);
+    resolved.without_rule = fall > steepest_fall_with_rule ? "a binder that falls faster than 1/t^2"
+                                                           : materials_without_rule(study, stage, mixing);
     if (!resolved.without_rule.empty()) resolved.rule.reset();
   }
   return GridPlan{.cell_size = stage.cell_size(),

@@ -36,6 +36,9 @@ ErrorRule error_rule_of_narrow_films();
 /// Returns nothing for fractions close to jamming.
 std::optional<ErrorRule> error_rule_of_spheres(double fraction);
 
+/// The steepest fall of a binder with which a rule for the error of a grid holds (theory, Eq. 43g).
+inline constexpr double steepest_fall_with_rule = 2.0;
+
 /// The steepest fall -d ln G / d ln t of a relaxation modulus in a window of times [-]; 0 for an elastic modulus.
 double steepest_fall(const PronySeries& modulus, const TimeWindow& window);
 

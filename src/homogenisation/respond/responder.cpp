@@ -16,6 +16,7 @@
 
 #include "discretisation/contrast.hpp"
 #include "homogenisation/material_warnings.hpp"
+#include "homogenisation/plan/grid_error.hpp"
 #include "homogenisation/quality.hpp"
 #include "homogenisation/respond/coverage_refusal.hpp"
 #include "homogenisation/respond/elastic_chain.hpp"
@@ -118,15 +119,33 @@ std::vector<std::string> warnings_on_varying(const std::vector<StageResponses>& 
   return warnings;
 }
 
-/// Withholds the rule for the scatter from a stage with a filler that is not stiffer than its present binder.
-void withhold_rules(const std::vector<StageResponses>& all, const std::vector<ShiftedMaterial>& materials,
-                    StageResponses& stage) {
+/// Whether all fillers of a stage are stiffer than its present binder.
+bool are_fillers_stiffer(const std::vector<StageResponses>& all, const std::vector<ShiftedMaterial>& materials,
+                         const StageResponses& stage) {
   const auto* const binder = binder_of(all, stage);
-  const auto is_stiffer = [&](const std::string& name) {
-    const auto* const filler = find_material(materials, name);
-    return filler != nullptr && binder != nullptr && are_stiffer_than_matrix(std::array{*binder, filler->material});
-  };
-  if (!std::ranges::all_of(stage.fillers, is_stiffer) && stage.rules.sample != SampleKind::whole) {
+  return binder != nullptr && std::ranges::all_of(stage.fillers, [&](const std::string& name) {
+           const auto* const filler = find_material(materials, name);
+           return filler != nullptr && are_stiffer_than_matrix(std::array{*binder, filler->material});
+         });
+}
+
+/// The factor of the rule for the error of a single grid that the present binder of a stage makes (theory, Eq. 43g);
+/// nothing where the rule does not hold, and for films and coatings, whose rules ask for more than the binder.
+std::optional<double> factor_of_grid_rule(const std::vector<StageResponses>& all,
+                                          const std::vector<ShiftedMaterial>& materials, const StageResponses& stage) {
+  const bool is_of_films = std::ranges::any_of(stage.entries, [](const auto& entry) { return entry.grid.is_films(); });
+  if (is_of_films || !stage.other_phases.empty() || !are_fillers_stiffer(all, materials, stage)) return std::nullopt;
+  const double fall = steepest_fall(binder_of(all, stage)->shear, stage.times);
+  return fall <= steepest_fall_with_rule ? std::optional(std::max(1.0, fall)) : std::nullopt;
+}
+
+/// Gives a stage the rules for its errors that hold with the present materials, from those of a slow binder.
+void fit_rules(const std::vector<StageResponses>& all, const std::vector<ShiftedMaterial>& materials,
+               StageResponses& stage) {
+  const auto factor = factor_of_grid_rule(all, materials, stage);
+  if (stage.rules.one_grid)
+    stage.rules.one_grid = factor ? std::optional(*stage.rules.one_grid * *factor) : std::nullopt;
+  if (!are_fillers_stiffer(all, materials, stage) && stage.rules.sample != SampleKind::whole) {
     stage.rules.sample = SampleKind::unknown;
   }
 }
@@ -153,6 +172,12 @@ Responder::Responder(std::vector<StageResponses> stages, std::vector<ShiftedMate
         *material = known->material;
       }
     }
+  }
+  // The rule for a single grid is kept for a slow binder, from which fit_rules() takes it to another one.
+  for (auto& stage : stages_) {
+    const auto factor = factor_of_grid_rule(stages_, materials_, stage);
+    if (!factor) stage.rules.one_grid.reset();
+    if (stage.rules.one_grid) *stage.rules.one_grid /= *factor;
   }
   // These warnings are made anew for the materials and the times of each response.
   for (auto& stage : stages_) {
@@ -221,7 +246,7 @@ std::vector<StageResult> Responder::respond() const {
   if (stages_.empty()) return {};
   require_earlier_stages(stages_);
   auto stages = stages_with_shown_names();
-  for (auto& stage : stages) withhold_rules(stages_, materials_, stage);
+  for (auto& stage : stages) fit_rules(stages_, materials_, stage);
   for (const auto& stage : stages) {
     const auto* const matrix = std::get_if<Material>(&stage.matrix);
     if (matrix == nullptr || has_moduli(*matrix)) continue;
@@ -299,7 +324,9 @@ void Responder::add_warnings(std::vector<StageResult>& results) const {
   for (auto& result : results) {
     const auto& of_study = stage_named(result.name);
     result.warnings = of_study.warnings;
-    result.accuracy = accuracy_of_answer(result, of_study.rules);
+    auto answered = of_study;
+    fit_rules(stages_, materials_, answered);
+    result.accuracy = accuracy_of_answer(result, answered.rules);
     if (const auto* const matrix = std::get_if<Material>(&of_study.matrix)) {
       if (unshifted_.contains(matrix->name) && named.insert(matrix->name).second) {
         result.warnings.push_back(

@@ -15,11 +15,6 @@
 
 namespace breccia {
 
-ErrorRules rules_of_responses(ErrorRules rules) {
-  rules.one_grid.reset();
-  return rules;
-}
-
 StageResponses responses_of(const Study& study, const Stage& stage, const StageResult& result) {
   if (result.name != stage.name || result.cells != stage.cells) {
     throw InputError(fmt::format("a result of stage {} with {} cells is none of stage {} with {} cells", result.name,
@@ -45,7 +40,7 @@ StageResponses responses_of(const Study& study, const Stage& stage, const StageR
                               .measurements = {},
                               .fillers = {},
                               .warnings = result.warnings,
-                              .rules = rules_of_responses(result.accuracy.rules),
+                              .rules = result.accuracy.rules,
                               .entries = {}};
   for (const auto& measurement : study.measurements) {
     if (measurement.stage == stage.name) responses.measurements.push_back(measurement);
