@@ -27,7 +27,7 @@ def fit(time: ArrayLike, modulus: ArrayLike, *, ramp: Quantity = 0.0, times_per_
     table for a Material; keep: parameters of the law that are known, {"glassy": "2 GPa"}. Raises InputError and
     NumericalError.
     """
-    return _native.fit(time, modulus, ramp=_ramp(ramp, law), times_per_decade=_count(times_per_decade), law=law,
+    return _native.fit(time, modulus, ramp=_ramp(ramp, law), times_per_decade=_count(times_per_decade, law), law=law,
                        keep=_kept(keep, law))
 
 
@@ -35,16 +35,16 @@ def fit_creep(time: ArrayLike, compliance: ArrayLike, *, ramp: Quantity = 0.0, t
               law: str | None = None, keep: Mapping[str, Quantity] | None = None) -> _native.CreepFit:
     """A retardation spectrum of a measured creep compliance: times [s], compliances [1/Pa]. Otherwise as fit(); ramp: for
     how long the stress rose [s]; law: "power-law-creep" or "logarithmic-creep"."""
-    return _native.fit_creep(time, compliance, ramp=_ramp(ramp, law), times_per_decade=_count(times_per_decade), law=law,
-                             keep=_kept(keep, law))
+    return _native.fit_creep(time, compliance, ramp=_ramp(ramp, law), times_per_decade=_count(times_per_decade, law),
+                             law=law, keep=_kept(keep, law))
 
 
 def fit_dynamic(angular_frequency: ArrayLike, storage: ArrayLike, loss: ArrayLike, *, times_per_decade: float = 10.0,
                 law: str | None = None, keep: Mapping[str, Quantity] | None = None) -> _native.RelaxationFit:
     """A Prony series of measured dynamic moduli: angular frequencies [rad/s], storage and loss moduli [Pa]. Otherwise as
     fit()."""
-    return _native.fit_dynamic(angular_frequency, storage, loss, times_per_decade=_count(times_per_decade), law=law,
-                               keep=_kept(keep, law))
+    return _native.fit_dynamic(angular_frequency, storage, loss, times_per_decade=_count(times_per_decade, law),
+                               law=law, keep=_kept(keep, law))
 
 
 def _ramp(ramp: Quantity, law: str | None) -> float:
@@ -72,9 +72,11 @@ def _parameter(key: str, value: Any) -> float:
     return float(value)
 
 
-def _count(times_per_decade: Any) -> float:
+def _count(times_per_decade: Any, law: str | None = None) -> float:
     if not is_number(times_per_decade):
         raise InputError(f"times_per_decade: expected a number, got {times_per_decade!r}")
+    if law is not None and times_per_decade != 10.0:
+        raise InputError("times_per_decade: not with a law, which has no relaxation times of its own")
     return float(times_per_decade)
 
 

@@ -113,7 +113,7 @@ void bind_quality(py::class_<MeasuredFit<Fit>>& fit) {
           "The fitted law as a table of a deck, in SI units; None where a spectrum was fitted.")
       .def_property_readonly(
           "law_errors", [](const Measured& self) { return errors_of(self.law); },
-          "Standard errors of the parameters of the law: 0 of one that was given, infinity where the data do not "
+          "Standard errors of the parameters of the law: 0 of one that was not fitted, infinity where the data do not "
           "determine it, None where the data are met as well without it.")
       .def("__repr__", [](const Measured& self) {
         return fmt::format("<breccia.{}: {}; {}>",

@@ -20,7 +20,7 @@ struct FittedLaw {
 /// The law as a table of a deck, with numbers in SI units; None without one.
 pybind11::object table_of(const std::optional<FittedLaw>& law);
 
-/// The standard errors of the parameters in their units: 0 where one was given, infinity where the data do not
+/// The standard errors of the parameters in their units: 0 where one was not fitted, infinity where the data do not
 /// determine it, None where the data are met as well without it; None without a law.
 pybind11::object errors_of(const std::optional<FittedLaw>& law);
 

@@ -93,7 +93,7 @@ void bind_plans(py::module_& module) {
       .def_property_readonly(
           "box", [](const StagePlan& stage) { return stage.grid ? std::optional(stage.grid->side) : std::nullopt; },
           "Side of the box [m], also where `accuracy` has chosen it; None of films.")
-      .def_readonly("packing_error", &StagePlan::sample_error,
+      .def_readonly("sample_error", &StagePlan::sample_error,
                     "Relative error [-] of one packing to be expected; None where there is no rule for it.")
       .def("__repr__", [](const StagePlan& stage) { return fmt::format("<breccia.StagePlan: {}>", in_words(stage)); })
       .def_readonly("warnings", &StagePlan::warnings)

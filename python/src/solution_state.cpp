@@ -140,7 +140,7 @@ std::shared_ptr<Solution> solution_from(const py::dict& state) {
     solution->responses.back().abscissa = solution->content.by_frequency ? Abscissa::frequency : Abscissa::time;
     for (const auto& stage : solution->stages) {
       if (stage.result.name != solution->responses.back().stage) continue;
-      solution->responses.back().rules = rules_of_responses(stage.result.accuracy.rules);
+      solution->responses.back().rules = stage.result.accuracy.rules;
       solution->responses.back().measurements = measurements_of(stage.result.name, stage.result.comparisons);
     }
   }

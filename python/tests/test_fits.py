@@ -62,6 +62,7 @@ def test_a_law_of_creep_takes_what_is_known():
     ({"law": "huet"}, 'law: expected "2s2p1d" or'),
     ({"law": "power-law-creep"}, "power-law-creep is a creep compliance"),
     ({"law": "2s2p1d", "ramp": 1.0}, "ramp: not with a law"),
+    ({"law": "2s2p1d", "times_per_decade": 5.0}, "times_per_decade: not with a law"),
     ({"keep": {"k": 0.2}}, "keep: expected a law whose parameters they are"),
     ({"law": "2s2p1d", "keep": [0.2]}, "keep: expected values by parameters"),
     ({"law": "2s2p1d", "keep": {"k": "0.2"}}, "keep: k: expected a number, got '0.2'"),

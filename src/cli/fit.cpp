@@ -99,7 +99,7 @@ std::string shifts(const FitResult& result, std::string_view unit) {
 std::string describe(const FitResult& result) {
   const auto& series = result.modulus;
   const auto kind = result.kind == ModulusKind::unspecified ? "" : fmt::format("{}, ", name(result.kind));
-  const auto terms = display_count(series.terms().size(), "term");
+  const auto terms = result.law ? name_of(result.law->form) : display_count(series.terms().size(), "term");
   if (!result.quality) {
     return fmt::format("{}{}; {} relaxing to {}", kind, terms, pressure(series.unrelaxed()),
                        pressure(series.equilibrium()));
@@ -133,6 +133,9 @@ std::string note_on_kind(ModulusKind kind) {
 std::string note_on_deviation(const FitResult& result) {
   constexpr double much = 0.1;
   if (result.quality->median_error < much) return "";
+  if (result.law) {
+    return "These data do not follow this law: compare with the fit of a spectrum, without --law\n";
+  }
   return "These data are not those of a linear viscoelastic solid: see \"Accuracy and limits\" in docs/fitting.md\n";
 }
 

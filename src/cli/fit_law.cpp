@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string_view>
 
@@ -42,7 +43,9 @@ std::string value_text(const LawParameter& parameter, double value) {
   return dimension ? readable(value, *dimension) : fmt::format("{:.6g}", value);
 }
 
+/// A number; the word "inf" is left to the range of its parameter.
 double number_of_option(const std::string& option, const std::string& text) {
+  if (text == "inf") return std::numeric_limits<double>::infinity();
   if (const auto number = split_quantity(text); number && number->unit.empty()) return number->number;
   throw InputError(fmt::format("{}: expected a number, got \"{}\"", option, text));
 }
@@ -53,6 +56,8 @@ std::string note_on(const FittedParameter& parameter) {
       return "given";
     case ParameterOrigin::limit:
       return "the data are met as well without it";
+    case ParameterOrigin::bound:
+      return "the end of what is tried: the data ask for more, or do not show it";
     case ParameterOrigin::of_no_effect:
       return "at which `creep` holds; another time changes nothing but that";
     case ParameterOrigin::fitted:
@@ -79,12 +84,12 @@ GivenParameters kept_parameters(LawForm form, const std::vector<std::string>& op
       }
       const auto option = fmt::format("--keep {}", key), value = text.substr(sign + 1);
       const auto dimension = dimension_of(parameter_named(form, key).kind);
-      given.emplace_back(key, dimension ? option_quantity(option, value, *dimension, Range::not_negative())
-                                        : number_of_option(option, value));
+      given.emplace_back(key, dimension ? option_quantity(option, value, *dimension) : number_of_option(option, value));
     } catch (const InputError& error) {
       mistakes.emplace_back(error.what());
     }
   }
+  for (const auto& mistake : mistakes_in(form, given)) mistakes.push_back("--keep " + mistake);
   if (!mistakes.empty()) throw InputError(fmt::format("{}", fmt::join(mistakes, "\n")));
   return given;
 }

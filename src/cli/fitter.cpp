@@ -61,6 +61,9 @@ Fitter::Fitter(FitChoices choices) : choices_(std::move(choices)) {
   options_.times_per_decade = choices_.times_per_decade;
   law_ = value_named<LawForm>(choices_.law);
   if (law_) given_ = kept_parameters(*law_, choices_.kept);
+  if (law_ && choices_.times_per_decade != FitOptions{}.times_per_decade) {
+    throw InputError("--times-per-decade: not with --law, which has no relaxation times of its own");
+  }
   if (choices_.ramp.empty()) return;
   if (law_) throw InputError("--ramp: not with --law, which takes the data as those of a step");
   options_.ramp = option_quantity("--ramp", choices_.ramp, Dimension::time, Range::not_negative());

@@ -9,8 +9,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "breccia/microstructure/ball.hpp"
-
 #include "discretisation/contrast.hpp"
 #include "homogenisation/box/filler_on_sides.hpp"
 #include "homogenisation/crystal_warnings.hpp"
@@ -23,13 +21,12 @@
 #include "homogenisation/quality.hpp"
 #include "homogenisation/run/test_requests.hpp"
 #include "homogenisation/separation.hpp"
+#include "homogenisation/size_warnings.hpp"
 #include "io/display.hpp"
 #include "io/units.hpp"
 #include "study/abscissa_words.hpp"
 #include "study/coatings.hpp"
-#include "study/effective_particles.hpp"
 #include "study/expansion_rules.hpp"
-#include "study/filler_sizes.hpp"
 #include "study/test_rules.hpp"
 
 namespace breccia {
@@ -257,35 +254,6 @@ std::optional<std::string> warning_of_small_spheres(const Stage& stage, const St
                      words_on_finer_grids(stage.grids(), std::ceil(rule->cells_for(tenth) * stage.side / diameter)));
 }
 
-/// A warning about a box that is too small for the sizes of its particles: the largest ones that were asked for are not
-/// in it, and one particle is much of the filler.
-std::optional<std::string> warning_of_missing_sizes(const Stage& stage, const StageMicrostructure& packed) {
-  // With an effective number of 16 no particle is more than a quarter of the filler.
-  constexpr double much = 0.25, fewest_effective = 16.0;
-  const bool is_drawn = !stage.has_grains() && !stage.fillers.empty() && stage.fillers.size() == packed.fillers.size();
-  for (std::size_t number = 0; is_drawn && number < stage.fillers.size(); ++number) {
-    const auto& filler = stage.fillers[number];
-    const auto& drawn = packed.fillers[number];
-    const auto asked = diameters_of(filler);
-    if (!asked || !(asked->smallest < asked->largest) || !drawn.largest_diameter) continue;
-    const double filled = drawn.fraction * std::pow(stage.side, stage.dimensions());
-    const double share =
-        (stage.dimensions() == 3 ? ball_volume<3>(*drawn.largest_diameter) : ball_volume<2>(*drawn.largest_diameter)) /
-        filled;
-    if (share <= much) continue;
-    const auto effective = effective_particles_of(stage);
-    if (!effective) continue;
-    const double volume = fewest_effective * effective->volume;
-    return fmt::format(
-        "the box is too small for sizes up to {}: its largest particle, {}, is {:.0f} % of the filler, and larger ones "
-        "are missing; a box of {} with some {} particles has them{}",
-        display(asked->largest, "m"), display(*drawn.largest_diameter, "m"), 100.0 * share,
-        display(std::pow(volume, 1.0 / stage.dimensions()), "m", 2), three_digits(fewest_effective / effective->share),
-        asked->largest > 8.0 * asked->smallest ? ", and stages, each the matrix of the next, take far fewer" : "");
-  }
-  return std::nullopt;
-}
-
 /// A warning about coatings that the grid does not resolve.
 std::optional<std::string> warning_of_thin_coatings(const Stage& stage, Mixing mixing) {
   const double cells_per_coating = mixing == Mixing::points ? 3.0 : 2.0;
@@ -377,7 +345,7 @@ std::vector<std::string> warnings_on(const Study& study, const Stage& stage,
                                    ? warning_of_films(microstructure, study.tests.films)
                                    : warning_of_narrow_gaps(stage, microstructure, study);
   for (const auto& warning :
-       {warning_of_missing_sizes(stage, microstructure), warning_of_separation(study, stage, microstructure),
+       {warning_of_large_particles(stage, microstructure), warning_of_separation(study, stage, microstructure),
         warning_of_thin_coatings(stage, study.tests.mixing), warning_of_missing_flow(study, stage, microstructure),
         warning_of_small_particles(study, stage, microstructure), warning_of_gaps,
         warning_of_gaps_between_spheres(study, stage, microstructure),

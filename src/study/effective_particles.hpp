@@ -6,6 +6,10 @@
 
 namespace breccia {
 
+/// The effective number of particles of the smallest box that is chosen: none of them is more than a quarter of the
+/// filler then.
+inline constexpr double fewest_effective = 16.0;
+
 /// What the sizes of the fillers of a stage make of the number of its particles in a large box (theory, Eq. 43m).
 struct EffectiveParticles {
   double share = 1.0;   ///< their effective number over their number [-]: 1 for particles of one size

@@ -48,9 +48,9 @@ LawFit fit_law_to_dynamic_moduli(LawForm form, std::span<const double> frequenci
   problem.data << column(storage), column(loss);
   problem.at.assign(frequencies.begin(), frequencies.end());
   problem.at.insert(problem.at.end(), frequencies.begin(), frequencies.end());
-  problem.least = std::ranges::min(storage);
-  problem.most = std::ranges::max(storage);
-  problem.reach = {1.0 / frequencies.back(), 1.0 / frequencies.front()};
+  problem.range.least = std::ranges::min(storage);
+  problem.range.most = std::ranges::max(storage);
+  problem.range.reach = {1.0 / frequencies.back(), 1.0 / frequencies.front()};
   problem.predict = [frequencies](const ViscoelasticLaw& law) {
     const auto count = static_cast<Eigen::Index>(frequencies.size());
     Eigen::VectorXd moduli(2 * count);
@@ -73,9 +73,9 @@ LawFit fit_law_to_moduli(LawForm form, std::span<const double> times, std::span<
   LawProblem problem;
   problem.data = column(moduli);
   problem.at.assign(times.begin(), times.end());
-  problem.least = std::ranges::min(moduli);
-  problem.most = std::ranges::max(moduli);
-  problem.reach = {times.front(), times.back()};
+  problem.range.least = std::ranges::min(moduli);
+  problem.range.most = std::ranges::max(moduli);
+  problem.range.reach = {times.front(), times.back()};
   problem.predict = [times](const ViscoelasticLaw& law) {
     const auto series = series_of(law);
     return values_at(times, [&](double t) { return series.at(t); });
@@ -99,9 +99,9 @@ LawFit fit_law_to_compliances(LawForm form, std::span<const double> times, std::
   LawProblem problem;
   problem.data = column(compliances);
   problem.at.assign(times.begin(), times.end());
-  problem.least = std::ranges::min(compliances);
-  problem.most = std::ranges::max(compliances);
-  problem.reach = {times.front(), times.back()};
+  problem.range.least = std::ranges::min(compliances);
+  problem.range.most = std::ranges::max(compliances);
+  problem.range.reach = {times.front(), times.back()};
   problem.predict = [times](const ViscoelasticLaw& law) {
     return values_at(times, [&](double t) { return compliance_at(std::get<CreepLaw>(law), t); });
   };

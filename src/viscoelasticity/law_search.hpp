@@ -6,7 +6,6 @@
 #include <Eigen/Core>
 
 #include "breccia/viscoelasticity/law_fit.hpp"
-#include "breccia/viscoelasticity/reduction.hpp"
 
 #include "viscoelasticity/law_values.hpp"
 
@@ -16,9 +15,7 @@ namespace breccia {
 struct LawProblem {
   Eigen::VectorXd data;
   std::vector<double> at;  ///< time [s] or angular frequency [rad/s] of each datum
-  double least = 0.0;      ///< smallest and largest modulus [Pa] or compliance [1/Pa]
-  double most = 0.0;
-  TimeWindow reach;                                                ///< of the data [s]
+  RangeOfData range;       ///< of the data
   std::function<Eigen::VectorXd(const ViscoelasticLaw&)> predict;  ///< at each datum
   std::function<Eigen::VectorXd(const ViscoelasticLaw&)> foresee;  ///< a quick estimate of it, to choose where to begin
 };

@@ -287,8 +287,8 @@ Study periodic_study() {
   return study;
 }
 
-// Sizes from 1 to 60, of which equal ratios have equal volumes: in a box of 40 one disc is much of the filler, in one
-// twenty times as large none is.
+// Sizes from 1 to 60, of which equal ratios have equal volumes: in a box of 40 one disc is much of the filler, in the
+// box that the warning names none is.
 TEST(StageWarnings, OfABoxThatIsTooSmallForItsSizes) {
   Filler filler;
   filler.material = glass;
@@ -300,11 +300,21 @@ TEST(StageWarnings, OfABoxThatIsTooSmallForItsSizes) {
                  .cells = 200,
                  .fillers = {filler},
                  .packing = PackingMethod<2>(LubachevskyStillingerPacking<2>{Walls::periodic})};
-  EXPECT_THAT(warnings(stage), Contains(AllOf(HasSubstr("A: the box is too small for sizes up to 60 mm: its largest"),
-                                              HasSubstr("% of the filler, and larger ones are missing; a box of"),
-                                              HasSubstr("stages, each the matrix of the next, take far fewer"))));
-  stage.side = 800e-3;
-  EXPECT_THAT(warnings(stage), Not(Contains(HasSubstr("too small for sizes"))));
+  EXPECT_THAT(warnings(stage),
+              Contains(AllOf(HasSubstr("A: the box is too small for its sizes: its largest particle"),
+                             HasSubstr("% of the filler, and those up to 60 mm are missing; in a box"),
+                             HasSubstr("of 140 mm with some 387 particles none is more than a quarter"),
+                             HasSubstr("stages, each the matrix of the next, take far fewer"))));
+  stage.side = 140e-3;
+  EXPECT_THAT(warnings(stage), Not(Contains(HasSubstr("too small for its sizes"))));
+  // A filler of few large particles is no matter beside much of a fine one.
+  stage.side = 60e-3;
+  stage.fillers.front().sizes = SingleSize{1e-3};
+  auto coarse = stage.fillers.front();
+  coarse.sizes = TabulatedSizes{"", {5e-3, 6e-3}, {0.0, 1.0}};
+  coarse.fraction = 0.02;
+  stage.fillers.push_back(coarse);
+  EXPECT_THAT(warnings(stage), Not(Contains(HasSubstr("too small for its sizes"))));
 }
 
 // The grains have two sizes, 2 and 0.2 mm, the small ones with a hundredth of the area: films of 0.15 mm take up most

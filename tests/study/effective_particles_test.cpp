@@ -78,6 +78,7 @@ TEST(EffectiveParticles, AreNotKnownOfListsAndWithoutAFraction) {
   auto filler = filler_of(SingleSize{2.0}, 0.25);
   filler.fraction.reset();
   EXPECT_FALSE(effective_particles_of(stage_with<3>({filler})));
+  EXPECT_FALSE(effective_particles_of(stage_with<3>({filler_of(ListedSizes{{1.0, 2.0}}, 0.25)})));
   EXPECT_FALSE(effective_particles_of(stage_with<2>({})));
 }
 

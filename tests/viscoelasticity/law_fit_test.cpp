@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -17,6 +18,7 @@
 #include "breccia/viscoelasticity/law_series.hpp"
 #include "breccia/viscoelasticity/relaxation_law.hpp"
 
+#include "viscoelasticity/law_values.hpp"
 #include "viscoelasticity/noise.hpp"
 
 namespace breccia {
@@ -64,9 +66,11 @@ const FittedParameter& parameter(const LawFit& fit, std::string_view key) {
   return *std::ranges::find(fit.parameters, key, &FittedParameter::key);
 }
 
-/// How many of its standard errors a parameter is from the truth.
+/// How many of its standard errors, which are finite and less than the value, a parameter is from the truth.
 double errors_off(const LawFit& fit, std::string_view key, double truth) {
   const auto& found = parameter(fit, key);
+  EXPECT_GT(found.standard_error, 0.0) << key;
+  EXPECT_LT(found.standard_error, found.value) << key;
   return std::abs(found.value - truth) / found.standard_error;
 }
 
@@ -99,19 +103,35 @@ TEST(LawFit, ItsSeriesIsThatOfTheLaw) {
   for (const double t : decades(-5.0, 3.0)) EXPECT_NEAR(fit.series.at(t) / series.at(t), 1.0, 1e-6);
 }
 
-// In eight decades with noise of 1 %, most of the parameters are within two of their standard errors from the truth.
-TEST(LawFit, StatesItsErrors) {
-  int inside = 0, all = 0;
+struct Coverage {
+  int within_one = 0, within_two = 0, all = 0;
+};
+
+/// How many of the parameters of noisy sweeps are within one and two of their standard errors of the truth.
+Coverage coverage_of(const TwoSpringsTwoParabolasDashpot& law) {
+  Coverage coverage;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
-    const auto& law = binders_and_mixture.back();
     const auto fit = fitted(bituminous, sweep_of(law, -3.0, 5.0, Noise(0.01, seed)));
     for (const auto& [key, value] : std::vector<std::pair<std::string_view, double>>{
              {"glassy", law.glassy_modulus}, {"delta", law.delta}, {"time", law.time}, {"k", law.k}, {"h", law.h}}) {
-      inside += errors_off(fit, key, value) < 2.0 ? 1 : 0;
-      ++all;
+      const double off = errors_off(fit, key, value);
+      coverage.within_one += off < 1.0 ? 1 : 0;
+      coverage.within_two += off < 2.0 ? 1 : 0;
+      ++coverage.all;
     }
   }
-  EXPECT_GE(inside, 90 * all / 100);
+  return coverage;
+}
+
+// Of a normal distribution 68 % are within one standard deviation and 95 % within two.
+TEST(LawFit, StatesItsErrors) {
+  for (const auto& law : binders_and_mixture) {
+    const auto [within_one, within_two, all] = coverage_of(law);
+    EXPECT_GE(within_one, 50 * all / 100);
+    EXPECT_LE(within_one, 80 * all / 100);
+    EXPECT_GE(within_two, 85 * all / 100);
+    EXPECT_LE(within_two, 99 * all / 100);
+  }
 }
 
 TEST(LawFit, LeavesOutWhatTheDataDoNotShow) {
@@ -138,11 +158,61 @@ TEST(LawFit, KeepsWhatIsGiven) {
   EXPECT_LT(errors_off(fit, "h", law.h), 3.0);
 }
 
-// The formula is the same when its two parabolic elements change places; k is the smaller exponent of the answer.
+// The formula is the same when its two parabolic elements change places.
 TEST(LawFit, PutsTheParabolicElementsInOrder) {
-  for (const auto& law : binders_and_mixture) {
-    const auto fit = fitted(bituminous, sweep_of(law, -2.0, 3.0, Noise(0.02)));
-    EXPECT_LE(parameter(fit, "k").value, parameter(fit, "h").value);
+  Eigen::VectorXd values(7);
+  values << 1e6, 1e9, 3.0, 0.1, 0.6, 0.2, 40.0;
+  const auto ordered = in_order(bituminous, values);
+  EXPECT_EQ(ordered[4], 0.2);
+  EXPECT_EQ(ordered[5], 0.6);
+  const TwoSpringsTwoParabolasDashpot as_given = {1e6, 1e9, 3.0, 0.1, 0.6, 0.2, 40.0};
+  for (const double omega : decades(-6.0, 6.0)) {
+    const auto before = carson_modulus(RelaxationLaw(as_given), {0.0, omega});
+    const auto after = carson_modulus(std::get<RelaxationLaw>(law_with(bituminous, values)), {0.0, omega});
+    EXPECT_LT(std::abs(after / before - 1.0), 1e-12);
+  }
+  EXPECT_EQ(in_order(bituminous, ordered), ordered);
+}
+
+// A relaxation of almost a single time: no series of few terms follows its exponent of 0.99. The others are those that
+// suit the data best with 0.95.
+TEST(LawFit, StaysWhereASeriesFollowsTheLaw) {
+  const auto fit =
+      fitted(LawForm::fractional_zener, sweep_of(FractionalZener{1e6, 1e9, 1.0, 0.99}, -4.0, 4.0, Noise(0.01)));
+  EXPECT_EQ(parameter(fit, "exponent").origin, ParameterOrigin::bound);
+  EXPECT_EQ(parameter(fit, "exponent").value, 0.95);
+  EXPECT_EQ(parameter(fit, "exponent").standard_error, infinity);
+  EXPECT_LT(parameter(fit, "unrelaxed").standard_error, 0.1 * parameter(fit, "unrelaxed").value);
+  // One per cent more or less of any other parameter does not suit them better.
+  const auto sweep = sweep_of(FractionalZener{1e6, 1e9, 1.0, 0.99}, -4.0, 4.0, Noise(0.01));
+  const auto misfit_with = [&](std::string_view key, double factor) {
+    GivenParameters given;
+    for (const auto& one : fit.parameters) given.emplace_back(one.key, one.value * (one.key == key ? factor : 1.0));
+    given.erase(std::ranges::find(given, key == "time" ? "unrelaxed" : "time", &GivenParameters::value_type::first));
+    const auto other = fitted(LawForm::fractional_zener, sweep, given);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < sweep.storage.size(); ++i) {
+      sum += std::pow(other.quality.fitted[i] / sweep.storage[i] - 1.0, 2);
+      sum += std::pow(other.quality.fitted[sweep.storage.size() + i] / sweep.loss[i] - 1.0, 2);
+    }
+    return sum;
+  };
+  for (const auto* key : {"equilibrium", "unrelaxed", "time"}) {
+    EXPECT_GT(misfit_with(key, 1.01), misfit_with(key, 1.0)) << key;
+    EXPECT_GT(misfit_with(key, 0.99), misfit_with(key, 1.0)) << key;
+  }
+}
+
+// Creep that begins from nothing does not show an instantaneous compliance: it stays above a millionth of the data.
+TEST(LawFit, CreepWithoutAnInstantaneousPartIsNoStifferThanAMillionTimes) {
+  const auto times = decades(0.0, 7.0);
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    std::vector<double> compliances;
+    Noise noise(0.01, seed);
+    for (const double t : times) compliances.push_back(noise(1e-11 * std::pow(t, 0.4)));
+    const auto fit = fit_law_to_compliances(LawForm::power_law_creep, times, compliances);
+    EXPECT_GE(parameter(fit, "instantaneous").value, 0.9e-17);
+    EXPECT_LT(errors_off(fit, "exponent", 0.4), 4.0);
   }
 }
 
@@ -186,9 +256,7 @@ TEST(LawFit, CreepByPowersAndLogarithms) {
   EXPECT_LT(errors_off(kept, "creep", 2e-11), 3.0);
   // Without them seven decades do not tell the exponent from the time: other values meet the data as well.
   const auto free = fit_law_to_compliances(LawForm::logarithmic_creep, times, b3);
-  EXPECT_TRUE(parameter(free, "exponent").origin == ParameterOrigin::limit ||
-              parameter(free, "time").standard_error > 0.3 * parameter(free, "time").value)
-      << parameter(free, "time").value << " " << parameter(free, "time").standard_error;
+  EXPECT_GT(std::abs(std::log10(parameter(free, "time").value / 86400.0)), 1.0);
   EXPECT_LT(free.quality.median_error, 0.015);
 }
 
@@ -222,7 +290,7 @@ TEST(LawFit, RefusesWhatDoesNotSuit) {
                 fit_law_to_dynamic_moduli(bituminous, std::vector{1.0, 2.0, 3.0}, std::vector{1.0, 2.0, 3.0},
                                           std::vector{1.0, 1.0, 1.0});
               }),
-              HasSubstr("2s2p1d has 7 unknowns: expected more data than that, got 6"));
+              HasSubstr("2s2p1d has 7 unknowns: expected at least 10 data, got 6"));
   EXPECT_THAT(message([&] {
                 fitted(LawForm::fractional_zener, sweep,
                        {{"equilibrium", 0.0}, {"unrelaxed", 1e9}, {"time", 1.0}, {"exponent", 0.5}});

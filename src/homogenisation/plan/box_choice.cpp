@@ -84,7 +84,6 @@ class Chooser {
     if (is_box_free() && !stage.has_grains() && has_wide_filler(stage)) wide_ = effective_particles_of(stage);
     sizes_ = sizes_of_cells();
     // Boxes of which nothing is known are as large as that of the starter deck.
-    constexpr double fewest_effective = 16.0;
     fewest_ = scatter_ || wide_ ? std::ceil(fewest_effective / share_of_effective()) : is_of_space ? 32.0 : 64.0;
     fewest_ = std::min(fewest_, most_particles);
     if (is_box_free()) fewest_ = std::max(fewest_, static_cast<double>(fewest_particles(stage)));
@@ -273,11 +272,14 @@ class Chooser {
     return option;
   }
 
-  /// The most particles within the time and the memory; where the scatter has no rule, no more than usual, and where
-  /// the error of films is above the goal, no more than have the same error.
+  /// The most particles within the time and the memory, of a wide distribution also fewer than have room for its
+  /// largest ones, of which there is a warning; where the scatter has no rule, no more than usual, and where the error
+  /// of films is above the goal, no more than have the same error.
   [[nodiscard]] double affordable_particles(const CellSize& cell) const {
-    if (!scatter_ || *scatter_ == 0.0 || !is_affordable(option_with(fewest_, cell))) return fewest_;
-    double low = fewest_, high = most_particles;
+    const bool is_too_wide = wide_ && !is_affordable(option_with(fewest_, cell));
+    const double fewest = is_too_wide ? std::min(fewest_, particles_of_pilot()) : fewest_;
+    if (!scatter_ || *scatter_ == 0.0 || !is_affordable(option_with(fewest, cell))) return fewest;
+    double low = fewest, high = is_too_wide ? fewest_ : most_particles;
     if (has_films_ && cell.error > goal_.error) high = std::clamp(particles_for(cell.error), low, high);
     constexpr double precise = 1.01;
     while (high > precise * low) {
