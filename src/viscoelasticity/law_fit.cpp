@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <variant>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
 #include "breccia/viscoelasticity/law_series.hpp"
@@ -14,6 +16,8 @@
 
 namespace breccia {
 namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 bool is_of_creep(LawForm form) {
   return form == LawForm::power_law_creep || form == LawForm::logarithmic_creep;
@@ -38,6 +42,36 @@ Eigen::VectorXd values_at(std::span<const double> at, const Function& function) 
 }
 
 }  // namespace
+
+std::vector<std::string> mistakes_in(LawForm form, const GivenParameters& given) {
+  const auto parameters = parameters_of(form);
+  std::vector<std::string> mistakes;
+  std::vector<std::string_view> keys;
+  for (const auto& parameter : parameters) keys.push_back(parameter.key);
+  for (auto one = given.begin(); one != given.end(); ++one) {
+    const auto& [key, value] = *one;
+    const auto known = std::ranges::find(parameters, key, &LawParameter::key);
+    if (known == parameters.end()) {
+      mistakes.push_back(
+          fmt::format("{}: not a parameter of {}, which has {}", key, name_of(form), fmt::join(keys, ", ")));
+      continue;
+    }
+    const bool is_twice =
+        std::find_if(given.begin(), one, [&](const auto& other) { return other.first == key; }) != one;
+    if (is_twice) mistakes.push_back(fmt::format("{}: given twice", key));
+    const bool is_exponent = known->kind == ParameterKind::exponent;
+    const bool is_inside = value > 0.0 && value < (is_exponent ? 1.0 : infinity);
+    if (is_inside || value == known->limit) continue;
+    mistakes.push_back(fmt::format("{}: expected {}, got {:g}", key,
+                                   is_exponent ? "a number between 0 and 1" : "a positive number", value));
+  }
+  const auto k = std::ranges::find(given, "k", &std::pair<std::string, double>::first);
+  const auto h = std::ranges::find(given, "h", &std::pair<std::string, double>::first);
+  if (mistakes.empty() && k != given.end() && h != given.end() && k->second > h->second) {
+    mistakes.push_back(fmt::format("k: expected a number up to h, {:g}, got {:g}", h->second, k->second));
+  }
+  return mistakes;
+}
 
 LawFit fit_law_to_dynamic_moduli(LawForm form, std::span<const double> frequencies, std::span<const double> storage,
                                  std::span<const double> loss, const GivenParameters& given) {

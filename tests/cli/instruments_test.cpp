@@ -21,6 +21,7 @@ namespace breccia::test {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 const std::filesystem::path instruments =
     std::filesystem::path(BRECCIA_SOURCE_DIRECTORY) / "tests" / "data" / "instruments";
@@ -103,7 +104,8 @@ TEST_F(Instruments, AnAbsoluteValueAndAPhaseAngle) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_THAT(outcome.output, HasSubstr("absolute modulus (shear)   \"|G*| (kPa)\" [kPa], "));
   EXPECT_THAT(outcome.output, HasSubstr("phase angle                \"Phase angle (°)\" [°], "));
-  EXPECT_THAT(outcome.output, HasSubstr("WLF: c1 = "));
+  EXPECT_THAT(outcome.output, HasSubstr(" K at 20 degC meet both factors, as some law does for any two"));
+  EXPECT_THAT(outcome.output, Not(HasSubstr("+- 0")));
   expect_the_solid();
 }
 

@@ -244,6 +244,18 @@ TEST(MaterialCard, OfASoftCompositeKeepsItsBulkModulusInOpenRadioss) {
   EXPECT_NEAR(read.bulk.equilibrium() / 9e9, 1.0, 1e-8);
 }
 
+// A term that has relaxed before the first time is more of the modulus at t = 0 than all that was computed.
+TEST(MaterialCard, WarnsOfAModulusAtTheBeginningThatIsFarAboveThatOfItsFirstTime) {
+  auto composite = composite_of_cards();
+  EXPECT_THAT(material_card(composite, {}).warnings, ::testing::IsEmpty());
+  composite.shear = PronySeries(1e6, {{0.4e-8, 63e6}, {1e-5, 3e6}});
+  const auto card = material_card(composite, {});
+  ASSERT_EQ(card.warnings.size(), 1U);
+  EXPECT_THAT(card.warnings.front(), HasSubstr("HB_1: at t = 0 the card has G = "));
+  EXPECT_THAT(card.warnings.front(), HasSubstr("times that at its first time, 10 ns"));
+  EXPECT_THAT(text_of(card, {}), HasSubstr("Warning: HB_1: at t = 0"));
+}
+
 TEST(MaterialCard, WarnsOfANegativePoissonsRatio) {
   const auto composite = composite_of_cards();
   const auto wrong_unit = material_card(composite, {.bulk = 1e6});

@@ -72,7 +72,8 @@ function showModulusLaw() {
   const {name, deck, parameters} = fit.modulus_law;
   document.getElementById("modulus-law").hidden = false;
   document.getElementById("modulus-law-deck").textContent = deck;
-  document.getElementById("modulus-law-table").append(table([name, "value", "standard error"], parameters));
+  document.getElementById("modulus-law-table").append(table([name, "value", "standard error"],
+    parameters.map((row) => row.map((text) => text.replace("+-", "±").replaceAll("`", "")))));
 }
 
 function showTables() {
