@@ -132,11 +132,20 @@ std::string note_on_kind(ModulusKind kind) {
 
 std::string note_on_deviation(const FitResult& result) {
   constexpr double much = 0.1;
-  if (result.quality->median_error < much) return "";
-  if (result.law) {
-    return "These data do not follow this law: compare with the fit of a spectrum, without --law\n";
-  }
+  if (result.law || result.quality->median_error < much) return "";
   return "These data are not those of a linear viscoelastic solid: see \"Accuracy and limits\" in docs/fitting.md\n";
+}
+
+/// How far a spectrum, which follows any linear solid, is from the data to which a law was fitted.
+std::string note_on_spectrum(const FitResult& result) {
+  if (!result.spectrum_quality) return "";
+  const auto& spectrum = *result.spectrum_quality;
+  constexpr double several = 3.0, negligible = 0.01;
+  const bool is_of_other_shape = result.quality->median_error > std::max(negligible, several * spectrum.median_error) ||
+                                 result.quality->worst_error > std::max(negligible, several * spectrum.worst_error);
+  return fmt::format("a spectrum deviates by {:.2g} % in the median, by {:.2g} % at worst{}\n",
+                     100.0 * spectrum.median_error, 100.0 * spectrum.worst_error,
+                     is_of_other_shape ? ": these data do not follow this law" : "");
 }
 
 std::string quality(const FitResult& result) {
@@ -232,7 +241,7 @@ void fit(const FitArguments& arguments) {
       write_fit({directory, arguments.file, options_of(arguments, result), arguments.overwrite}, data, result, kind);
   if (arguments.quiet) return;
   fmt::print("{}: {}\n", arguments.file.string(), describe(result));
-  if (result.quality) fmt::print("{}{}", quality(result), note_on_deviation(result));
+  if (result.quality) fmt::print("{}{}{}", quality(result), note_on_spectrum(result), note_on_deviation(result));
   fmt::print("{}", note_on_kind(modulus_kind));
   if (result.law) fmt::print("{}", law_table(*result.law));
   if (result.master_curve) {
@@ -258,6 +267,7 @@ void add_fit(CLI::App& application) {
                    "temperature, storage, loss, absolute, phase, tangent, modulus or compliance, as in "
                    "storage=\"E1 [MPa]\"; may be repeated")
       ->expected(1)
+      ->allow_extra_args(false)
       ->take_all()
       ->type_name("QUANTITY=NAME");
   command->add_option("--to", arguments->to, "kind of curve to write (default: that of the data)")
@@ -271,12 +281,13 @@ void add_fit(CLI::App& application) {
   auto* law = command
                   ->add_option("--law", arguments->law,
                                "fit this law of few parameters in place of a spectrum, as decks take it")
-                  ->check(CLI::IsMember(law_names()).description(""))
+                  ->transform(CLI::IsMember(law_names(), CLI::ignore_case).description(""))
                   ->type_name(fmt::format("{}", fmt::join(law_names(), "|")));
   command
       ->add_option("--keep", arguments->kept,
                    "value of a parameter of the law that is not to be fitted, as in time=\"1 day\"; may be repeated")
       ->expected(1)
+      ->allow_extra_args(false)
       ->take_all()
       ->needs(law)
       ->type_name("KEY=VALUE");

@@ -31,8 +31,9 @@ struct FitResult {
   std::optional<FitQuality> quality = {};  ///< quality of the fit; nothing for a given Prony series
   std::optional<MasterCurve> master_curve = {};
   std::optional<WilliamsLandelFerryFit> shift_law = {};
-  std::optional<LawFit> law = {};               ///< in place of the spectrum, where a law was asked for
-  ModulusKind kind = ModulusKind::unspecified;  ///< kind of modulus, from the names of the columns or from the user
+  std::optional<LawFit> law = {};                   ///< in place of the spectrum, where a law was asked for
+  std::optional<FitQuality> spectrum_quality = {};  ///< of the fit of a spectrum, beside that of a law
+  ModulusKind kind = ModulusKind::unspecified;      ///< kind of modulus, from the names of the columns or from the user
 };
 
 /// The symbol of the compliance of a kind: J in shear, D in tension, B under pressure.

@@ -49,9 +49,10 @@ FitResult dynamic(RelaxationFit fit, const std::vector<double>& frequencies) {
 }
 
 /// The result of the fit of a law to data in a range of time.
-FitResult of_law(CurveKind kind, LawFit fit, const TimeWindow& reach) {
+FitResult of_law(CurveKind kind, LawFit fit, FitQuality of_spectrum, const TimeWindow& reach) {
   FitResult result = {kind, fit.series, creep_compliance(fit.series), reach, fit.quality};
   result.law = std::move(fit);
+  result.spectrum_quality = std::move(of_spectrum);
   return result;
 }
 
@@ -60,6 +61,7 @@ FitResult of_law(CurveKind kind, LawFit fit, const TimeWindow& reach) {
 Fitter::Fitter(FitChoices choices) : choices_(std::move(choices)) {
   options_.times_per_decade = choices_.times_per_decade;
   law_ = value_named<LawForm>(choices_.law);
+  if (!law_ && !choices_.law.empty()) throw InputError(fmt::format("--law: no law \"{}\"", choices_.law));
   if (law_) given_ = kept_parameters(*law_, choices_.kept);
   if (law_ && choices_.times_per_decade != FitOptions{}.times_per_decade) {
     throw InputError("--times-per-decade: not with --law, which has no relaxation times of its own");
@@ -73,7 +75,7 @@ FitResult Fitter::operator()(const RelaxationData& data) const {
   refuse_reference();
   if (law_) {
     return of_law(CurveKind::relaxation, fit_law_to_moduli(*law_, data.times, data.moduli, given_),
-                  {data.times.front(), data.times.back()});
+                  fit_relaxation(data.times, data.moduli, options_).quality, {data.times.front(), data.times.back()});
   }
   auto fit = fit_relaxation(data.times, data.moduli, options_);
   return {CurveKind::relaxation,
@@ -87,7 +89,7 @@ FitResult Fitter::operator()(const CreepData& data) const {
   refuse_reference();
   if (law_) {
     return of_law(CurveKind::creep, fit_law_to_compliances(*law_, data.times, data.compliances, given_),
-                  {data.times.front(), data.times.back()});
+                  fit_creep(data.times, data.compliances, options_).quality, {data.times.front(), data.times.back()});
   }
   auto fit = fit_creep(data.times, data.compliances, options_);
   return {CurveKind::creep,
@@ -102,12 +104,11 @@ FitResult Fitter::operator()(const DynamicData& data) const {
   if (data.sweeps.size() == 1) {
     refuse_reference();
     const auto& sweep = data.sweeps.front();
-    if (law_) return law_of_dynamic(sweep.frequencies, sweep.storage, sweep.loss);
-    return dynamic(fit_dynamic(sweep.frequencies, sweep.storage, sweep.loss, options_), sweep.frequencies);
+    return of_dynamic(fit_dynamic(sweep.frequencies, sweep.storage, sweep.loss, options_), sweep.frequencies,
+                      sweep.storage, sweep.loss);
   }
   auto curve = master_curve(data.sweeps, reference_temperature(choices_, data.sweeps), options_);
-  auto result =
-      law_ ? law_of_dynamic(curve.frequencies, curve.storage, curve.loss) : dynamic(curve.fit, curve.frequencies);
+  auto result = of_dynamic(curve.fit, curve.frequencies, curve.storage, curve.loss);
   constexpr std::size_t fewest = 3;
   if (data.sweeps.size() >= fewest) {
     result.shift_law = fit_williams_landel_ferry(curve.shift_factors, curve.reference_temperature);
@@ -128,10 +129,11 @@ FitResult Fitter::operator()(const PronySeries& series) const {
           {terms.back().relaxation_time / beyond, terms.front().relaxation_time * beyond}};
 }
 
-FitResult Fitter::law_of_dynamic(const std::vector<double>& frequencies, const std::vector<double>& storage,
-                                 const std::vector<double>& loss) const {
+FitResult Fitter::of_dynamic(RelaxationFit spectrum, const std::vector<double>& frequencies,
+                             const std::vector<double>& storage, const std::vector<double>& loss) const {
+  if (!law_) return dynamic(std::move(spectrum), frequencies);
   return of_law(CurveKind::dynamic, fit_law_to_dynamic_moduli(*law_, frequencies, storage, loss, given_),
-                {1.0 / frequencies.back(), 1.0 / frequencies.front()});
+                std::move(spectrum.quality), {1.0 / frequencies.back(), 1.0 / frequencies.front()});
 }
 void Fitter::refuse_ramp() const {
   if (!choices_.ramp.empty()) throw InputError("--ramp: expected data against time");

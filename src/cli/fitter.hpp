@@ -36,8 +36,9 @@ class Fitter {
   FitResult operator()(const PronySeries& series) const;
 
  private:
-  [[nodiscard]] FitResult law_of_dynamic(const std::vector<double>& frequencies, const std::vector<double>& storage,
-                                         const std::vector<double>& loss) const;
+  /// The law that was asked for, or the spectrum that was fitted.
+  [[nodiscard]] FitResult of_dynamic(RelaxationFit spectrum, const std::vector<double>& frequencies,
+                                     const std::vector<double>& storage, const std::vector<double>& loss) const;
   void refuse_ramp() const;
   void refuse_reference() const;
 

@@ -17,8 +17,6 @@
 namespace breccia {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 bool is_of_creep(LawForm form) {
   return form == LawForm::power_law_creep || form == LawForm::logarithmic_creep;
 }
@@ -60,7 +58,7 @@ std::vector<std::string> mistakes_in(LawForm form, const GivenParameters& given)
         std::find_if(given.begin(), one, [&](const auto& other) { return other.first == key; }) != one;
     if (is_twice) mistakes.push_back(fmt::format("{}: given twice", key));
     const bool is_exponent = known->kind == ParameterKind::exponent;
-    const bool is_inside = value > 0.0 && value < (is_exponent ? 1.0 : infinity);
+    const bool is_inside = value > 0.0 && value < (is_exponent ? 1.0 : std::numeric_limits<double>::infinity());
     if (is_inside || value == known->limit) continue;
     mistakes.push_back(fmt::format("{}: expected {}, got {:g}", key,
                                    is_exponent ? "a number between 0 and 1" : "a positive number", value));

@@ -6,13 +6,15 @@ namespace breccia {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double no_dashpot = std::numeric_limits<double>::infinity();
 
-constexpr std::array two_springs_two_parabolas_dashpot = {
-    LawParameter{"static", ParameterKind::modulus, 0.0},  LawParameter{"glassy", ParameterKind::modulus},
-    LawParameter{"delta", ParameterKind::number},         LawParameter{"time", ParameterKind::time},
-    LawParameter{"k", ParameterKind::exponent},           LawParameter{"h", ParameterKind::exponent},
-    LawParameter{"beta", ParameterKind::number, infinity}};
+constexpr std::array two_springs_two_parabolas_dashpot = {LawParameter{"static", ParameterKind::modulus, 0.0},
+                                                          LawParameter{"glassy", ParameterKind::modulus},
+                                                          LawParameter{"delta", ParameterKind::number},
+                                                          LawParameter{"time", ParameterKind::time},
+                                                          LawParameter{"k", ParameterKind::exponent},
+                                                          LawParameter{"h", ParameterKind::exponent},
+                                                          LawParameter{"beta", ParameterKind::number, no_dashpot}};
 constexpr std::array fractional_zener = {
     LawParameter{"equilibrium", ParameterKind::modulus, 0.0}, LawParameter{"unrelaxed", ParameterKind::modulus},
     LawParameter{"time", ParameterKind::time}, LawParameter{"exponent", ParameterKind::exponent}};

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -46,9 +47,9 @@ class LawSearch {
 
   /// The state in which the given parameters have their values. Throws InputError.
   [[nodiscard]] LawState with(const GivenParameters& given) const {
-    if (const auto mistakes = mistakes_in(form_, given); !mistakes.empty()) {
-      throw InputError(fmt::format("{}", fmt::join(mistakes, "\n")));
-    }
+    auto mistakes = mistakes_in(form_, given);
+    if (mistakes.empty()) mistakes = mistakes_beside_data(given);
+    if (!mistakes.empty()) throw InputError(fmt::format("{}", fmt::join(mistakes, "\n")));
     LawState state = {Eigen::VectorXd::Ones(count()),
                       std::vector<ParameterOrigin>(parameters_of(form_).size(), ParameterOrigin::fitted)};
     for (const auto& [key, value] : given) {
@@ -136,6 +137,27 @@ class LawSearch {
     state.values[i] = value;
     origin(state, i) = why;
     return state;
+  }
+
+  /// Given moduli and compliances at t = 0 and at infinite time between which the data do not lie, nor near them.
+  [[nodiscard]] std::vector<std::string> mistakes_beside_data(const GivenParameters& given) const {
+    const auto& [least, most, reach] = problem_->range;
+    constexpr double near = 2.0;
+    std::vector<std::string> mistakes;
+    for (const auto& [key, value] : given) {
+      const auto& parameter = parameters_of(form_)[static_cast<std::size_t>(number_of(key))];
+      const bool is_relaxed = parameter.kind == ParameterKind::modulus && parameter.limit;
+      const bool is_unrelaxed = parameter.kind == ParameterKind::modulus && !parameter.limit;
+      if ((is_relaxed || key == "instantaneous") && value > near * least) {
+        mistakes.push_back(
+            fmt::format("{}: expected less than all data, whose smallest is {:.3g}, got {:.3g}", key, least, value));
+      }
+      if (is_unrelaxed && near * value < most) {
+        mistakes.push_back(
+            fmt::format("{}: expected more than all data, whose largest is {:.3g}, got {:.3g}", key, most, value));
+      }
+    }
+    return mistakes;
   }
 
   /// The compliance depends on creep / time^exponent alone: the time is a power of ten seconds amid the data.

@@ -12,6 +12,7 @@
 #include "breccia/homogenisation/plan.hpp"
 
 #include "decks.hpp"
+#include "study/effective_particles.hpp"
 
 namespace breccia {
 namespace {
@@ -237,6 +238,23 @@ TEST_F(ChosenBoxes, WideSizesAreChosenWithTheirWidth) {
                  "to = \"3 mm\", sizes = { lognormal = [{ median = \"1 mm\", sigma = 0.6 }] } }\n"),
            "accuracy = \"10 %\"\n"));
   EXPECT_TRUE(!warnings(wide).empty() || planned_error(wide) <= 0.115);
+}
+
+/// Sizes of which equal ratios have equal areas: the box has an effective number of 16 discs or more, as far as the
+/// budget goes.
+TEST_F(ChosenBoxes, NoParticleOfADistributionIsMuchOfTheFiller) {
+  const auto text =
+      deck(stage("a", "binder",
+                 "filler = { material = \"filler\", fraction = 0.3, gap = \"0.05 mm\", sizes = { from = \"0.2 mm\", "
+                 "to = \"4 mm\" } }\n"),
+           "accuracy = \"10 %\"\n");
+  const auto side_of = [](const Study& study) { return study.stages.at(0).side; };
+  const auto wide = directory.study(text);
+  const auto effective = effective_particles_of(wide.stages.at(0)).value();
+  EXPECT_GE(std::pow(side_of(wide), 2) / effective.volume, 0.95 * fewest_effective);
+  const auto hurried = directory.study(text, {"tests.budget=100 ms"});
+  EXPECT_LT(side_of(hurried), side_of(wide));
+  EXPECT_THAT(warnings(hurried), Not(IsEmpty()));
 }
 
 TEST_F(ChosenBoxes, ParticlesThatJamAreReported) {

@@ -303,7 +303,7 @@ TEST(StageWarnings, OfABoxThatIsTooSmallForItsSizes) {
   EXPECT_THAT(warnings(stage),
               Contains(AllOf(HasSubstr("A: the box is too small for its sizes: its largest particle"),
                              HasSubstr("% of the filler, and those up to 60 mm are missing; in a box"),
-                             HasSubstr("of 140 mm with some 387 particles none is more than a quarter"),
+                             HasSubstr("of 140 mm with some 858 particles none is more than a quarter"),
                              HasSubstr("stages, each the matrix of the next, take far fewer"))));
   stage.side = 140e-3;
   EXPECT_THAT(warnings(stage), Not(Contains(HasSubstr("too small for its sizes"))));

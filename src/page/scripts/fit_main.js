@@ -52,6 +52,12 @@ function showLaw() {
       "Ferry. material.toml, beside this page, takes them as a table.";
     return;
   }
+  if (fit.law.c1_error === 0) {
+    place.textContent = `c1 = ${shortNumber(fit.law.c1, 4)} and c2 = ${shortNumber(fit.law.c2_K, 4)} K at ` +
+      `${celsius(fit.law.reference_K)} meet both shift factors, as some law of Williams, Landel and Ferry does for any ` +
+      "two. material.toml, beside this page, takes them as a table.";
+    return;
+  }
   const {c1, c2_K: c2} = lawAt(fit.law, shown.reference_K), stored = fit.law;
   const isOfFit = shown.reference_K === fit.law.reference_K;
   const errors = [fit.law.c1_error, fit.law.c2_error_K].map((error) => isOfFit ? ` ± ${shortNumber(error, 2)}` : "");
