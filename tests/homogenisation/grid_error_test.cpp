@@ -163,7 +163,9 @@ TEST(GridError, OfSpheresThatAlmostTouchIsNotKnownInSeries) {
   EXPECT_TRUE(wide.error());
   const double cells = wide.cells_for(0.4).value();
   packed.gap = 1e-3 / (cells + 30.0);
-  const auto narrow = plan_of(stage_of_spheres(), packed, Mixing::series).value();
+  auto fine = stage_of_spheres();
+  fine.cells = 80;
+  const auto narrow = plan_of(fine, packed, Mixing::series).value();
   EXPECT_NEAR(narrow.cells_for(0.4).value_or(0.0), cells + 30.0, 1.0);
 }
 
