@@ -55,7 +55,7 @@ std::vector<std::string> mistakes_in(LawForm form, const GivenParameters& given)
       continue;
     }
     const bool is_twice =
-        std::find_if(given.begin(), one, [&](const auto& other) { return other.first == key; }) != one;
+        std::find_if(given.begin(), one, [one](const auto& other) { return other.first == one->first; }) != one;
     if (is_twice) mistakes.push_back(fmt::format("{}: given twice", key));
     const bool is_exponent = known->kind == ParameterKind::exponent;
     const bool is_inside = value > 0.0 && value < (is_exponent ? 1.0 : std::numeric_limits<double>::infinity());
