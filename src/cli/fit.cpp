@@ -31,7 +31,8 @@ namespace {
 const std::map<std::string, CurveKind> kinds = {
     {"relaxation", CurveKind::relaxation}, {"creep", CurveKind::creep}, {"dynamic", CurveKind::dynamic}};
 
-struct FitArguments : FitChoices {
+struct FitArguments {
+  FitChoices choices;
   std::vector<std::string> columns;  ///< QUANTITY=NAME
   std::string modulus;               ///< kind of modulus; empty: from the names of the columns
   std::string to;                    ///< kind of curve to write; empty: the kind of the data
@@ -195,6 +196,7 @@ std::string table(const FitResult& result, CurveKind kind) {
 
 std::vector<std::string> law_names() {
   std::vector<std::string> names;
+  names.reserve(words<LawForm>.size());
   for (const auto& [name, form] : words<LawForm>) names.emplace_back(name);
   return names;
 }
@@ -209,23 +211,24 @@ std::string options_of(const FitArguments& arguments, const FitResult& result) {
   std::vector<std::string> options;
   if (!arguments.to.empty() && kinds.at(arguments.to) != result.measured)
     options.push_back(fmt::format("--to {}", arguments.to));
-  if (arguments.times_per_decade != FitOptions{}.times_per_decade) {
-    options.push_back(fmt::format("--times-per-decade {}", arguments.times_per_decade));
+  if (arguments.choices.times_per_decade != FitOptions{}.times_per_decade) {
+    options.push_back(fmt::format("--times-per-decade {}", arguments.choices.times_per_decade));
   }
   for (const auto& [name, value] :
-       {std::pair("--modulus", arguments.modulus), std::pair("--ramp", arguments.ramp),
-        std::pair("--reference-temperature", arguments.reference_temperature), std::pair("--law", arguments.law)}) {
+       {std::pair("--modulus", arguments.modulus), std::pair("--ramp", arguments.choices.ramp),
+        std::pair("--reference-temperature", arguments.choices.reference_temperature),
+        std::pair("--law", arguments.choices.law)}) {
     if (!value.empty()) options.push_back(fmt::format("{} {}", name, value));
   }
   for (const auto& choice : arguments.columns) options.push_back(fmt::format("--columns {}", choice));
-  for (const auto& parameter : arguments.kept) options.push_back(fmt::format("--keep {}", parameter));
+  for (const auto& parameter : arguments.choices.kept) options.push_back(fmt::format("--keep {}", parameter));
   return fmt::format("{}", fmt::join(options, " "));
 }
 
 void fit(const FitArguments& arguments) {
   const auto given = arguments.modulus.empty() ? ModulusKind::unspecified : modulus_kinds.at(arguments.modulus);
-  const Fitter fitter(arguments);
-  const auto table_of_data = read_measured_table(arguments.file, columns_of(arguments));
+  const Fitter fitter(arguments.choices);
+  const auto table_of_data = read_measured_table(arguments.choices.file, columns_of(arguments));
   const auto [data, modulus_kind] = fit_data_in(table_of_data, given);
   if (!arguments.quiet) {
     const auto unit =
@@ -236,11 +239,11 @@ void fit(const FitArguments& arguments) {
   auto result = std::visit(fitter, data);
   result.kind = modulus_kind;
   const auto kind = arguments.to.empty() ? result.measured : kinds.at(arguments.to);
-  const auto directory = arguments.directory.empty() ? default_directory(arguments.file) : arguments.directory;
-  const auto files =
-      write_fit({directory, arguments.file, options_of(arguments, result), arguments.overwrite}, data, result, kind);
+  const auto directory = arguments.directory.empty() ? default_directory(arguments.choices.file) : arguments.directory;
+  const auto files = write_fit({directory, arguments.choices.file, options_of(arguments, result), arguments.overwrite},
+                               data, result, kind);
   if (arguments.quiet) return;
-  fmt::print("{}: {}\n", arguments.file.string(), describe(result));
+  fmt::print("{}: {}\n", arguments.choices.file.string(), describe(result));
   if (result.quality) fmt::print("{}{}{}", quality(result), note_on_spectrum(result), note_on_deviation(result));
   fmt::print("{}", note_on_kind(modulus_kind));
   if (result.law) fmt::print("{}", law_table(*result.law));
@@ -258,7 +261,7 @@ void add_fit(CLI::App& application) {
   auto* command = application.add_subcommand(
       "fit", "fit a Prony series to measured data; convert between relaxation, creep and dynamic moduli");
   auto arguments = std::make_shared<FitArguments>();
-  command->add_option("FILE", arguments->file, "measured data or a Prony series, a table as CSV or .xlsx")
+  command->add_option("FILE", arguments->choices.file, "measured data or a Prony series, a table as CSV or .xlsx")
       ->required()
       ->type_name("");
   command
@@ -279,12 +282,12 @@ void add_fit(CLI::App& application) {
       ->check(CLI::IsMember(modulus_kinds).description(""))
       ->type_name("shear|young|bulk");
   auto* law = command
-                  ->add_option("--law", arguments->law,
+                  ->add_option("--law", arguments->choices.law,
                                "fit this law of few parameters in place of a spectrum, as decks take it")
                   ->transform(CLI::IsMember(law_names(), CLI::ignore_case).description(""))
                   ->type_name(fmt::format("{}", fmt::join(law_names(), "|")));
   command
-      ->add_option("--keep", arguments->kept,
+      ->add_option("--keep", arguments->choices.kept,
                    "value of a parameter of the law that is not to be fitted, as in time=\"1 day\"; may be repeated")
       ->expected(1)
       ->allow_extra_args(false)
@@ -292,16 +295,16 @@ void add_fit(CLI::App& application) {
       ->needs(law)
       ->type_name("KEY=VALUE");
   command
-      ->add_option("--times-per-decade", arguments->times_per_decade,
+      ->add_option("--times-per-decade", arguments->choices.times_per_decade,
                    "relaxation times per decade that are offered to the fit (default: 10)")
       ->type_name("X")
       ->check(CLI::Range(0.5, 50.0).description(""));
   command
-      ->add_option("--ramp", arguments->ramp,
+      ->add_option("--ramp", arguments->choices.ramp,
                    "duration of the ramp of the load, from whose beginning times are counted, as in \"1 ms\"")
       ->type_name("TIME");
   command
-      ->add_option("--reference-temperature", arguments->reference_temperature,
+      ->add_option("--reference-temperature", arguments->choices.reference_temperature,
                    "reference temperature of the master curve, that of one sweep, as in \"19 degC\"")
       ->type_name("TEMPERATURE");
   command
