@@ -1,6 +1,5 @@
 #include "fitted_laws.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include <pybind11/stl.h>

@@ -268,8 +268,7 @@ void bind_stage(py::module_& module) {
           load, boundary, method, grid,
           "Fields at the field times, as `fields` of a test, of the test that has them: by default of the first load "
           "and on the finest grid. Components are in the order xx, yy, zz, yz, zx, xy of a cube, of a square stress "
-          "has "
-          "xx, yy, zz, xy and strain xx, yy, xy. Means of loads, and all grids together, have none of their own.")
+          "has xx, yy, zz, xy and strain xx, yy, xy. Means of loads, and all grids together, have none of their own.")
       .def("engineering", &engineering_of_stage, boundary,
            "Young's modulus and Poisson's ratio, EngineeringModuli, of a stage that was tested in shear and in bulk "
            "under "

@@ -36,7 +36,7 @@ Largest largest_drawn(const Stage& stage, const StageMicrostructure& packed) {
 }  // namespace
 
 std::optional<std::string> warning_of_large_particles(const Stage& stage, const StageMicrostructure& packed) {
-  // The effective number of a box in which no particle is more than a quarter of the filler is 16 or more.
+  // With an effective number of 16 or more no particle is more than a quarter of the filler.
   constexpr double much = 0.25, wide = 8.0, nearly = 0.99;
   const auto largest = largest_drawn(stage, packed);
   const auto effective = effective_particles_of(stage);

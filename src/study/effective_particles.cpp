@@ -19,7 +19,8 @@ template <int dim>
 VolumeMeans means_of(const SizeDistribution& sizes) {
   const double smallest = sizes.smallest(), largest = sizes.largest();
   if (!(smallest < largest)) return {ball_volume<dim>(largest), 1.0 / ball_volume<dim>(largest)};
-  // The sum over parts of equal ratios of the diameter, each with the middle of its ends: to 1e-4 for a part of 1 %.
+  // The sum over parts of equal ratios of the diameter, each with the middle of its ends: with parts of 1 % to 1e-4 of
+  // a smooth distribution, to 1.5 % of one that rises in steps.
   constexpr double part = 0.01;
   const auto parts = static_cast<int>(std::ceil(std::log(largest / smallest) / part));
   VolumeMeans means;

@@ -39,6 +39,17 @@ Eigen::VectorXd values_at(std::span<const double> at, const Function& function) 
   return values;
 }
 
+/// The data of values at times, without their predictions.
+LawProblem problem_in_time(std::span<const double> times, std::span<const double> values) {
+  return {.data = column(values),
+          .at = {times.begin(), times.end()},
+          .range = {.least = std::ranges::min(values),
+                    .most = std::ranges::max(values),
+                    .reach = {times.front(), times.back()}},
+          .predict = {},
+          .foresee = {}};
+}
+
 }  // namespace
 
 std::vector<std::string> mistakes_in(LawForm form, const GivenParameters& given) {
@@ -102,12 +113,7 @@ LawFit fit_law_to_moduli(LawForm form, std::span<const double> times, std::span<
                          const GivenParameters& given) {
   require_law_of_moduli(form);
   require_fitted_data(times, {moduli}, "relaxation data");
-  LawProblem problem;
-  problem.data = column(moduli);
-  problem.at.assign(times.begin(), times.end());
-  problem.range.least = std::ranges::min(moduli);
-  problem.range.most = std::ranges::max(moduli);
-  problem.range.reach = {times.front(), times.back()};
+  auto problem = problem_in_time(times, moduli);
   problem.predict = [times](const ViscoelasticLaw& law) {
     const auto series = series_of(law);
     return values_at(times, [&](double t) { return series.at(t); });
@@ -128,12 +134,7 @@ LawFit fit_law_to_compliances(LawForm form, std::span<const double> times, std::
         "{} is a modulus: it is fitted to dynamic or relaxation moduli, not to creep compliances", name_of(form)));
   }
   require_fitted_data(times, {compliances}, "creep data");
-  LawProblem problem;
-  problem.data = column(compliances);
-  problem.at.assign(times.begin(), times.end());
-  problem.range.least = std::ranges::min(compliances);
-  problem.range.most = std::ranges::max(compliances);
-  problem.range.reach = {times.front(), times.back()};
+  auto problem = problem_in_time(times, compliances);
   problem.predict = [times](const ViscoelasticLaw& law) {
     return values_at(times, [&](double t) { return compliance_at(std::get<CreepLaw>(law), t); });
   };

@@ -10,24 +10,13 @@
 #include "breccia/microstructure/draw_diameters.hpp"
 
 #include "study/filler_sizes.hpp"
+#include "study/stages_of_fillers.hpp"
 
 namespace breccia {
 namespace {
 
-Filler filler_of(Sizes sizes, double fraction) {
-  Filler filler;
-  filler.sizes = std::move(sizes);
-  filler.fraction = fraction;
-  return filler;
-}
-
-template <int dim>
-Stage stage_with(std::vector<Filler> fillers) {
-  Stage stage;
-  stage.packing = PackingMethod<dim>(LubachevskyStillingerPacking<dim>{Walls::periodic});
-  stage.fillers = std::move(fillers);
-  return stage;
-}
+using test::filler_of;
+using test::stage_with;
 
 TEST(EffectiveParticles, OfOneSizeAreAllOfThem) {
   const auto found = effective_particles_of(stage_with<3>({filler_of(SingleSize{2.0}, 0.25)})).value();

@@ -15,33 +15,21 @@
 
 #include "messages.hpp"
 #include "study/filler_sizes.hpp"
+#include "study/stages_of_fillers.hpp"
 
 namespace breccia {
 namespace {
 
+using test::filler_of;
 using test::message_of;
+using test::stage_with;
 using testing::HasSubstr;
-
-Filler filler_of(Sizes sizes, double fraction) {
-  Filler filler;
-  filler.sizes = std::move(sizes);
-  filler.fraction = fraction;
-  return filler;
-}
 
 Filler lognormal(double median, double fraction) {
   auto filler = filler_of(LognormalSizes{{{1.0, median, 0.5}}}, fraction);
   filler.smallest = 0.4 * median;
   filler.largest = 2.5 * median;
   return filler;
-}
-
-template <int dim>
-Stage stage_with(std::vector<Filler> fillers) {
-  Stage stage;
-  stage.packing = PackingMethod<dim>(LubachevskyStillingerPacking<dim>{Walls::periodic});
-  stage.fillers = std::move(fillers);
-  return stage;
 }
 
 /// The particles that are drawn for a box of this side and the fraction that they fill.
